@@ -1,0 +1,105 @@
+"""Changes to plain scene values by path: what a slider, a link or `el.set` asks for.
+
+A path is dotted: ``A.mass`` (a cart's key), ``contact.restitution``, ``contact.pairs.A-B.law``,
+``track.length``, ``until``, ``effects.0.coefficient`` (a number of the first effect).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sim.scene.fields import CART
+from sim.scene.problem import Path, Problem, SceneError, nearest
+
+SCALARS = ("until", "gravity")
+TABLES = ("contact", "track")
+
+
+def apply_changes(plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of `plain` with every change made; raises SceneError for a path that leads nowhere.
+
+    Values are not checked here: `read_scene` does that for the result.
+    """
+    changed = dict(plain)
+    problems = []
+    for target, value in changes.items():
+        path = resolve(plain, str(target))
+        if path is None:
+            close = nearest(str(target), targets(plain))
+            hint = (
+                f"did you mean “{close}”?" if close else "for example A.mass or contact.restitution"
+            )
+            problems.append(
+                Problem(
+                    ("set", str(target)),
+                    "unknown-path",
+                    f"nothing here is called “{str(target)[:60]}”",
+                    hint,
+                )
+            )
+        else:
+            changed = _with(changed, path, value)
+    if problems:
+        raise SceneError(problems)
+    return changed
+
+
+def resolve(plain: Mapping[str, Any], target: str) -> Path | None:
+    """The key path in a scene that a dotted target names, or None."""
+    head, _, rest = target.partition(".")
+    carts = plain.get("carts")
+    if isinstance(carts, Mapping) and head in carts and rest in {f.key for f in CART}:
+        return ("carts", head, rest)
+    if target in SCALARS:
+        return (target,)
+    if head == "contact" and rest in ("law", "restitution", "stiffness"):
+        return ("contact", rest)
+    if head == "contact" and rest.startswith("pairs."):
+        pair, _, key = rest[len("pairs.") :].rpartition(".")
+        if pair and key in ("law", "restitution", "stiffness"):
+            return ("contact", "pairs", pair, key)
+    if head == "track" and rest in ("length", "left", "right"):
+        return ("track", rest)
+    if head == "effects":
+        return _effect_path(plain.get("effects"), rest)
+    return None
+
+
+def _effect_path(effects: object, rest: str) -> Path | None:
+    index, _, key = rest.partition(".")
+    if not isinstance(effects, (list, tuple)) or not index.isdecimal() or not key:
+        return None
+    if int(index) >= len(effects) or not isinstance(effects[int(index)], Mapping):
+        return None
+    kind = next(iter(effects[int(index)]), None)
+    return None if kind is None else ("effects", int(index), str(kind), key)
+
+
+def targets(plain: Mapping[str, Any]) -> list[str]:
+    """Common targets of a scene, for hints."""
+    carts = plain.get("carts")
+    names = list(carts)[:12] if isinstance(carts, Mapping) else []
+    own = [f"{name}.{field.key}" for name in names for field in CART]
+    return [
+        *own,
+        "contact.restitution",
+        "contact.stiffness",
+        "contact.law",
+        "track.length",
+        *SCALARS,
+    ]
+
+
+def _with(node: Any, path: Path, value: Any) -> Any:
+    """A copy of `node` with `value` at `path`; missing tables are made."""
+    if not path:
+        return value
+    head, rest = path[0], path[1:]
+    if isinstance(node, (list, tuple)):
+        items = list(node)
+        items[int(head)] = _with(items[int(head)], rest, value)
+        return items
+    table = dict(node) if isinstance(node, Mapping) else {}
+    table[str(head)] = _with(table.get(str(head)), rest, value)
+    return table

@@ -1,0 +1,126 @@
+"""The sliders that a lesson offers for a scene."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sim.scene.fields import CART, GRAVITY, RESTITUTION, STIFFNESS, TRACK_LENGTH, UNTIL, Field
+from sim.scene.model import Scene
+from sim.scene.problem import Path, Problem
+from sim.scene.quantity import QuantityError, read_quantity
+from sim.scene.tables import mapping, unknown_keys
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Control:
+    """A slider with a number box. All numbers SI; `value` is the scene's own."""
+
+    set: str
+    low: float
+    high: float
+    step: float
+    unit: str
+    label: str
+    value: float
+
+
+def read_controls(value: object, scene: Scene, problems: list[Problem]) -> tuple[Control, ...]:
+    """The controls in the order listed, each with the scene's own value as its start."""
+    hint = "controls:\n  - {set: A.mass, from: 0.5 kg, to: 5 kg, step: 0.1 kg}"
+    if not isinstance(value, (list, tuple)):
+        problems.append(Problem(("controls",), "not-a-list", "controls is a list", hint))
+        return ()
+    controls = []
+    for k, entry in enumerate(value):
+        path = ("controls", k)
+        table = mapping(entry, path, problems, hint)
+        if table is None:
+            continue
+        unknown_keys(table, ("set", "from", "to", "step"), path, problems)
+        control = _control(table, path, scene, problems)
+        if control is not None:
+            controls.append(control)
+    return tuple(controls)
+
+
+def _control(
+    table: Mapping[str, Any], path: Path, scene: Scene, problems: list[Problem]
+) -> Control | None:
+    target = table.get("set")
+    found = _target(str(target), scene)
+    if found is None:
+        problems.append(
+            Problem(
+                (*path, "set"),
+                "unknown-path",
+                f"no control can set “{target}”",
+                "for example A.mass, B.velocity, contact.restitution, contact.stiffness",
+            )
+        )
+        return None
+    field, label, value = found
+    numbers = {}
+    for key in ("from", "to", "step"):
+        if key not in table:
+            problems.append(
+                Problem(
+                    path,
+                    "missing",
+                    f"{key} is missing",
+                    f"{{set: {target}, from: …, to: …, step: …}}",
+                )
+            )
+            return None
+        try:
+            numbers[key] = read_quantity(table[key], field.dimension)
+        except QuantityError as error:
+            problems.append(Problem((*path, key), error.code, error.message, error.hint))
+            return None
+    if numbers["from"] >= numbers["to"] or numbers["step"] <= 0:
+        problems.append(
+            Problem(
+                path,
+                "out-of-range",
+                "a control goes from a smaller to a larger number in positive steps",
+                f"{{set: {target}, from: 1, to: 5, step: 0.5}}",
+            )
+        )
+        return None
+    for key in ("from", "to"):
+        bound = field.read(table[key], (*path, key))
+        if isinstance(bound, Problem):
+            problems.append(bound)
+            return None
+    return Control(
+        set=str(target),
+        low=float(numbers["from"]),
+        high=float(numbers["to"]),
+        step=float(numbers["step"]),
+        unit=field.dimension.si,
+        label=label,
+        value=value,
+    )
+
+
+def _target(target: str, scene: Scene) -> tuple[Field, str, float] | None:
+    """The field behind a control's target, its label, and the scene's own value."""
+    name, _, key = target.rpartition(".")
+    for cart in scene.carts:
+        if cart.name == name:
+            for field in CART:
+                if field.key == key:
+                    return field, f"{key.replace('_', ' ')} of {name}", getattr(cart, key)
+    contact = next((contact for contact in scene.contacts if contact is not None), None)
+    if target == "contact.restitution" and contact is not None and contact.restitution is not None:
+        return RESTITUTION, "bounciness e", contact.restitution
+    if target == "contact.stiffness" and contact is not None and contact.stiffness is not None:
+        return STIFFNESS, "stiffness k", contact.stiffness
+    if target == "track.length" and scene.track.length is not None:
+        return TRACK_LENGTH, "length of the track", scene.track.length
+    if target == "until":
+        return UNTIL, "end of the run", scene.until
+    if target == "gravity":
+        return GRAVITY, "gravity", scene.gravity
+    return None

@@ -1,0 +1,105 @@
+"""The field table: every key of a scene that holds a number, with kind, default, range and meaning.
+
+Validation, JSON Schemas and the reference page are all made from it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from sim.scene import quantity
+from sim.scene.problem import Path, Problem
+from sim.scene.quantity import Dimension, QuantityError, read_quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One numeric key. `default` None means required, unless `optional`."""
+
+    key: str
+    dimension: Dimension
+    default: str | None
+    says: str
+    least: str | None = None  # SI, inclusive unless `above`
+    most: str | None = None
+    above: bool = False  # the least value itself is not allowed
+    optional: bool = False
+
+    @property
+    def allowed(self) -> str:
+        """The range in words: ``greater than 0``, ``0 to 1``."""
+        unit = f" {self.dimension.si}" if self.dimension.si else ""
+        if self.least is not None and self.most is not None:
+            return f"{'more than ' if self.above else ''}{self.least} to {self.most}{unit}"
+        if self.least is not None:
+            return f"{'greater than' if self.above else 'at least'} {self.least}{unit}"
+        return "any finite number"
+
+    def read(self, value: object, path: Path) -> Fraction | Problem:
+        """The exact SI value, or what is wrong with it."""
+        try:
+            number = read_quantity(value, self.dimension)
+        except QuantityError as error:
+            return Problem(path, error.code, error.message, error.hint)
+        low = None if self.least is None else Fraction(self.least)
+        high = None if self.most is None else Fraction(self.most)
+        if (low is not None and (number < low or (self.above and number == low))) or (
+            high is not None and number > high
+        ):
+            return Problem(
+                path,
+                "out-of-range",
+                f"{self.key} must be {self.allowed} (got {value})",
+                f"for example {self.key}: {self.dimension.example}",
+            )
+        return number
+
+
+CART = (
+    Field("mass", quantity.MASS, None, "mass of the cart", least="0", above=True),
+    Field("position", quantity.LENGTH, None, "position of the cart's centre at t = 0"),
+    Field("velocity", quantity.SPEED, "0", "velocity at t = 0; + is to the right"),
+    Field("length", quantity.LENGTH, "0.20", "length of the cart, bumpers included", least="0"),
+    Field(
+        "bumper_length",
+        quantity.LENGTH,
+        "0.04",
+        "length of the bumper at each end, part of the cart's length",
+        least="0",
+    ),
+)
+
+TRACK_LENGTH = Field(
+    "length",
+    quantity.LENGTH,
+    None,
+    "length of the track; a right wall needs it",
+    least="0",
+    above=True,
+    optional=True,
+)
+
+RESTITUTION = Field(
+    "restitution",
+    quantity.RATIO,
+    "1",
+    "e, relative speed after the contact divided by that before",
+    least="0",
+    most="1",
+)
+STIFFNESS = Field(
+    "stiffness", quantity.STIFFNESS, "500", "spring stiffness of the contact", least="0", above=True
+)
+HERTZ_STIFFNESS = Field(
+    "stiffness", quantity.HERTZ_STIFFNESS, "500", "stiffness of the contact", least="0", above=True
+)
+
+UNTIL = Field("until", quantity.TIME, "5", "the run ends at this time", least="0", above=True)
+GRAVITY = Field(
+    "gravity",
+    quantity.ACCELERATION,
+    "9.81",
+    "acceleration of free fall, for friction and inclines",
+    least="0",
+)

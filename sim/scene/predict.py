@@ -1,0 +1,107 @@
+"""What a student predicts before a scene may run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from sim.scene.model import Scene
+from sim.scene.problem import Path, Problem
+from sim.scene.tables import mapping, unknown_keys
+
+KINDS = ("arrows", "curve", "choice", "text")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Predict:
+    """A prediction to be locked before the run.
+
+    arrows: length of the force arrow on each cart of the `pairs` at greatest compression.
+    curve: the contact force on `cart` during the contact. choice: one of `options`.
+    text: a sentence. `ask` is the question shown above.
+    """
+
+    kind: Literal["arrows", "curve", "choice", "text"]
+    ask: str
+    pairs: tuple[tuple[str, str], ...] = ()
+    cart: str | None = None
+    options: tuple[str, ...] = ()
+
+
+def read_predict(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
+    """The prediction, or None and a problem. Exactly one of the kinds is named."""
+    path: Path = ("predict",)
+    hint = "predict: {arrows: [A-B]}, {curve: F.A}, {ask: …, choice: [“…”, “…”]} or {text: “…”}"
+    table = mapping(value, path, problems, hint)
+    if table is None:
+        return None
+    unknown_keys(table, (*KINDS, "ask"), path, problems)
+    kinds = [kind for kind in KINDS if kind in table]
+    if len(kinds) != 1:
+        problems.append(Problem(path, "not-a-choice", "predict names exactly one kind", hint))
+        return None
+    kind, body, ask = kinds[0], table[kinds[0]], table.get("ask")
+    if ask is not None and not isinstance(ask, str):
+        problems.append(Problem((*path, "ask"), "not-text", "ask must be text", hint))
+        return None
+    if kind == "arrows":
+        return _arrows(body, ask, scene, (*path, kind), problems)
+    if kind == "curve":
+        return _curve(body, ask, scene, (*path, kind), problems)
+    if kind == "choice":
+        if (
+            not isinstance(body, (list, tuple))
+            or len(body) < 2
+            or not all(isinstance(option, str) and option.strip() for option in body)
+        ):
+            problems.append(
+                Problem((*path, kind), "not-a-list", "choice lists two or more texts", hint)
+            )
+            return None
+        return Predict(kind="choice", ask=ask or "What will happen?", options=tuple(body))
+    if not isinstance(body, str) or not body.strip():
+        problems.append(Problem((*path, kind), "not-text", "text is the question to answer", hint))
+        return None
+    return Predict(kind="text", ask=body)
+
+
+def _arrows(
+    body: object, ask: str | None, scene: Scene, path: Path, problems: list[Problem]
+) -> Predict | None:
+    neighbours = [
+        scene.names_at(k) for k, contact in enumerate(scene.contacts) if contact is not None
+    ]
+    names = {f"{a}-{b}": (a, b) for a, b in neighbours}
+    wanted = body if isinstance(body, (list, tuple)) else [body]
+    if body in (True, "all", None):
+        wanted = [key for key, pair in names.items() if not {"left", "right"} & set(pair)]
+    pairs = [names.get(str(key)) for key in wanted]
+    if not pairs or None in pairs:
+        problems.append(
+            Problem(
+                path,
+                "unknown-pair",
+                "arrows lists pairs of neighbours",
+                f"arrows: [{next(iter(names), 'A-B')}]",
+            )
+        )
+        return None
+    return Predict(
+        kind="arrows",
+        ask=ask or "How long is each force arrow when the bumpers are squeezed the most?",
+        pairs=tuple(pair for pair in pairs if pair is not None),
+    )
+
+
+def _curve(
+    body: object, ask: str | None, scene: Scene, path: Path, problems: list[Problem]
+) -> Predict | None:
+    quantity, _, cart = str(body).partition(".")
+    if quantity != "F" or cart not in {c.name for c in scene.carts}:
+        problems.append(
+            Problem(path, "unknown-path", f"no curve “{body}”", f"curve: F.{scene.carts[0].name}")
+        )
+        return None
+    return Predict(
+        kind="curve", cart=cart, ask=ask or f"How does the force on {cart} change while they touch?"
+    )

@@ -1,0 +1,135 @@
+"""A `scene` fence: the scene, and how a lesson shows it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sim.scene.controls import Control, read_controls
+from sim.scene.model import Scene
+from sim.scene.predict import Predict, read_predict
+from sim.scene.problem import Path, Problem, SceneError
+from sim.scene.quantity import SPEED, QuantityError, read_quantity
+from sim.scene.read import SCENE_KEYS, collect_scene
+from sim.scene.tables import mapping, unknown_keys
+
+FENCE_KEYS = ("id", "show", "controls", "predict", "forces", "slow", "view", "packages")
+SHOWS = ("x", "v", "a", "F", "p", "energy")
+PACKAGES = ("numpy", "scipy")
+ID = re.compile(r"[a-z][a-z0-9-]{0,63}", re.ASCII)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fence:
+    """A scene as a lesson shows it. `plain` are the scene's own keys as the author wrote them."""
+
+    id: str
+    scene: Scene
+    plain: Mapping[str, Any]
+    show: tuple[str, ...]
+    controls: tuple[Control, ...]
+    predict: Predict | None
+    forces: str  # shown | hidden
+    slow: str  # auto | never
+    view_speed: float  # m/s, of the camera; 0: at rest on the track
+    packages: tuple[str, ...]
+
+
+def read_fence(plain: object) -> Fence:
+    """The fence that `plain` describes; raises SceneError with every problem."""
+    problems: list[Problem] = []
+    table = mapping(plain, (), problems, "a scene is a table of keys, for example “carts:”")
+    if table is None:
+        raise SceneError(problems)
+    unknown_keys(table, (*FENCE_KEYS, *SCENE_KEYS), (), problems)
+    scene_part = {key: value for key, value in table.items() if key in SCENE_KEYS}
+    scene = collect_scene(scene_part, problems)
+    identity = table.get("id")
+    if not isinstance(identity, str) or not ID.fullmatch(identity):
+        path: Path = ("id",) if "id" in table else ()
+        code = "bad-name" if "id" in table else "missing"
+        message = f"“{str(identity)[:40]}” cannot be an id" if "id" in table else "id is missing"
+        problems.append(
+            Problem(
+                path,
+                code,
+                message,
+                "small letters, digits and hyphens, one of its "
+                "kind in the whole site: id: light-meets-heavy",
+            )
+        )
+    show = _choices("show", table, ("x", "v", "F"), SHOWS, problems)
+    packages = _choices("packages", table, (), PACKAGES, problems)
+    forces = _choice("forces", table, ("shown", "hidden"), problems)
+    slow = _choice("slow", table, ("auto", "never"), problems)
+    speed = _view(table.get("view"), problems)
+    controls = () if scene is None else read_controls(table.get("controls", []), scene, problems)
+    predict = None
+    if "predict" in table and scene is not None:
+        predict = read_predict(table["predict"], scene, problems)
+    if problems or scene is None:
+        raise SceneError(problems)
+    return Fence(
+        id=str(identity),
+        scene=scene,
+        plain=scene_part,
+        show=show,
+        controls=controls,
+        predict=predict,
+        forces=forces,
+        slow=slow,
+        view_speed=speed,
+        packages=packages,
+    )
+
+
+def _choice(
+    key: str, table: Mapping[str, Any], allowed: tuple[str, ...], problems: list[Problem]
+) -> str:
+    value = table.get(key, allowed[0])
+    if value not in allowed:
+        problems.append(
+            Problem(
+                (key,), "not-a-choice", f"{key} is {' or '.join(allowed)}", f"{key}: {allowed[0]}"
+            )
+        )
+    return str(value)
+
+
+def _choices(
+    key: str,
+    table: Mapping[str, Any],
+    default: tuple[str, ...],
+    allowed: tuple[str, ...],
+    problems: list[Problem],
+) -> tuple[str, ...]:
+    value = table.get(key, default)
+    if not isinstance(value, (list, tuple)) or any(item not in allowed for item in value):
+        problems.append(
+            Problem(
+                (key,),
+                "not-a-choice",
+                f"{key} is a list of {', '.join(allowed)}",
+                f"{key}: [{', '.join(allowed[:2])}]",
+            )
+        )
+        return default
+    return tuple(dict.fromkeys(value))
+
+
+def _view(value: object, problems: list[Problem]) -> float:
+    if value is None or value == "track":
+        return 0.0
+    hint = "view: moving 0.3 m/s"
+    if isinstance(value, str) and value.startswith("moving "):
+        try:
+            return float(read_quantity(value[len("moving ") :], SPEED))
+        except QuantityError as error:
+            problems.append(Problem(("view",), error.code, error.message, hint))
+            return 0.0
+    problems.append(
+        Problem(("view",), "not-a-choice", "view is “track” or “moving” with a speed", hint)
+    )
+    return 0.0

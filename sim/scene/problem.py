@@ -1,0 +1,47 @@
+"""What is wrong with a description: where, what, and how it should look."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+Path = tuple[str | int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One mistake of an author.
+
+    `path` leads to the value: ``("carts", "A", "mass")``; numbers index lists. `code` is a stable
+    word for programs, `message` says what is wrong, `hint` how it should look.
+    """
+
+    path: Path
+    code: str
+    message: str
+    hint: str = ""
+
+    @property
+    def where(self) -> str:
+        """The path as an author would write it: ``carts.A.mass``."""
+        return ".".join(str(part) for part in self.path) or "scene"
+
+    def __str__(self) -> str:
+        hint = f"\n  hint: {self.hint}" if self.hint else ""
+        return f"{self.where}: {self.message}{hint}"
+
+
+class SceneError(ValueError):
+    """A description that cannot be used. Carries every problem found, never none."""
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(str(problem) for problem in self.problems))
+
+
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """The known word that `word` was most likely meant to be, or None."""
+    from difflib import get_close_matches  # only for a mistake: keeps the import of sim.scene light
+
+    found = get_close_matches(str(word), list(known), n=1, cutoff=0.6)
+    return found[0] if found else None

@@ -1,0 +1,169 @@
+"""Numbers with units: the only place where units are converted.
+
+A quantity is a plain number (SI) or a text ``[number][space][unit]``: ``0.5``, ``500 g``,
+``2 km/h``, ``1e9``. The value is kept as the exact fraction that the decimal text names, so that
+0.3 − 0.1 − 0.2 is zero; it is rounded to a float once, where it is used.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+LARGEST = Fraction(10) ** 50
+SMALLEST = 1 / LARGEST
+"""Magnitudes outside 1e-50 to 1e50 (SI) are refused. Products of five such numbers, the longest
+in the formulas, still fit a float; nothing in a school laboratory comes near either end."""
+
+LONGEST_TEXT = 64
+"""Characters. A number with a unit is never longer; a pasted megabyte is refused unread."""
+
+_NUMBER = re.compile(
+    r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?)\s*(.*)", re.ASCII | re.DOTALL
+)
+
+
+class QuantityError(ValueError):
+    """The text is not a quantity of the wanted kind. `code`, `message`, `hint` as in a Problem."""
+
+    def __init__(self, code: str, message: str, hint: str) -> None:
+        super().__init__(message)
+        self.code, self.message, self.hint = code, message, hint
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """A kind of quantity: its name in messages, its SI unit, an example, and the units it takes."""
+
+    name: str
+    si: str
+    example: str
+    units: dict[str, Fraction]
+
+
+def _dimension(name: str, example: str, **units: str) -> Dimension:
+    """Units are given as factor texts; the first is the SI unit. `_per_` and `2` are spelt out."""
+    table = {_spelt(unit): Fraction(factor) for unit, factor in units.items()}
+    return Dimension(name, next(iter(table)), example, table)
+
+
+def _spelt(unit: str) -> str:
+    return unit.replace("_per_", "/").replace("__", " ")
+
+
+MASS = _dimension("mass", "0.5 kg", kg="1", g="1/1000", mg="1/1000000", t="1000")
+LENGTH = _dimension("length", "0.40 m", m="1", cm="1/100", mm="1/1000", km="1000", µm="1/1000000")
+SPEED = _dimension(
+    "velocity",
+    "0.60 m/s",
+    m_per_s="1",
+    cm_per_s="1/100",
+    mm_per_s="1/1000",
+    km_per_h="5/18",
+    km_per_s="1000",
+)
+TIME = _dimension("time", "6 s", s="1", ms="1/1000", µs="1/1000000", min="60", h="3600")
+FORCE = _dimension("force", "2 N", N="1", mN="1/1000", kN="1000")
+STIFFNESS = _dimension(
+    "stiffness", "400 N/m", N_per_m="1", N_per_cm="100", N_per_mm="1000", kN_per_m="1000"
+)
+HERTZ_STIFFNESS = Dimension(
+    "stiffness", "N/m^1.5", "1e6 N/m^1.5", {"N/m^1.5": Fraction(1), "N/m^(3/2)": Fraction(1)}
+)
+ACCELERATION = Dimension(
+    "acceleration",
+    "m/s²",
+    "9.81 m/s²",
+    dict.fromkeys(("m/s²", "m/s^2", "m/s2", "N/kg"), Fraction(1)),
+)
+ANGLE = Dimension(
+    "angle",
+    "rad",
+    "2 deg",
+    {"rad": Fraction(1), "deg": Fraction(math.pi / 180), "°": Fraction(math.pi / 180)},
+)
+ENERGY = _dimension("energy", "0.3 J", J="1", mJ="1/1000", kJ="1000")
+LINEAR_DRAG = Dimension(
+    "drag",
+    "kg/s",
+    "0.05 kg/s",
+    {"kg/s": Fraction(1), "g/s": Fraction(1, 1000), "N s/m": Fraction(1), "N·s/m": Fraction(1)},
+)
+QUADRATIC_DRAG = Dimension(
+    "drag", "kg/m", "0.1 kg/m", {"kg/m": Fraction(1), "g/m": Fraction(1, 1000)}
+)
+DAMPING = Dimension(
+    "damping", "N s/m", "0.5 N s/m", dict.fromkeys(("N s/m", "N·s/m", "kg/s"), Fraction(1))
+)
+RATIO = Dimension("number", "", "0.8", {"%": Fraction(1, 100)})
+STRENGTH = Dimension("strength", "", "1e-6", {})
+
+_MINUS = str.maketrans({"−": "-", "‐": "-", "‑": "-"})
+
+
+def read_quantity(value: object, dimension: Dimension) -> Fraction:
+    """The exact SI value of `value`, an int, a float or a text.
+
+    Raises QuantityError for anything else: a truth value, NaN, an unknown or missing number, a
+    unit of another kind, a magnitude outside SMALLEST to LARGEST.
+    """
+    hint = f"write a number with its unit, for example {dimension.example}"
+    if not dimension.si:
+        hint = f"write a plain number, for example {dimension.example}"
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise QuantityError("not-a-number", f"{_shown(value)} is not a number", hint)
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise QuantityError("not-finite", f"{value} is not a usable number", hint)
+        return _bounded(Fraction(repr(value)), hint)
+    if isinstance(value, int):
+        return _bounded(Fraction(value), hint)
+    return _bounded(_from_text(value, dimension, hint), hint)
+
+
+def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
+    if len(text) > LONGEST_TEXT:
+        raise QuantityError("not-a-number", "this text is too long to be a number", hint)
+    match = _NUMBER.fullmatch(text.strip().translate(_MINUS))
+    if match is None:
+        if text.strip().lstrip("+-−").lower() in {"nan", "inf", "infinity", ".nan", ".inf"}:
+            raise QuantityError("not-finite", f"{text.strip()} is not a usable number", hint)
+        raise QuantityError("not-a-number", f"“{_shown(text)}” is not a number", hint)
+    number, unit = match.group(1), match.group(2).strip()
+    if unit and unit[0] in ",.'’_" and unit[1:2].isdigit():
+        raise QuantityError(
+            "not-a-number",
+            f"“{_shown(text)}” is not a number",
+            "write a point for the decimals and nothing between thousands: 0.5, 1000",
+        )
+    factor = Fraction(1)
+    if unit:
+        known = dimension.units.get(unit.replace("μ", "µ"))
+        if known is None:
+            takes = ", ".join(dimension.units) or "no unit"
+            raise QuantityError(
+                "wrong-unit",
+                f"“{_shown(unit)}” is not a unit of {dimension.name}",
+                f"{dimension.name} takes {takes}; for example {dimension.example}",
+            )
+        factor = known
+    if abs(int(re.sub(r".*[eE]", "", number))) > 400 if "e" in number.lower() else False:
+        raise QuantityError("out-of-range", f"{number} is too large or too small", hint)
+    return Fraction(number) * factor
+
+
+def _bounded(value: Fraction, hint: str) -> Fraction:
+    if value != 0 and not SMALLEST <= abs(value) <= LARGEST:
+        raise QuantityError(
+            "out-of-range",
+            "the number is too large or too small: magnitudes from 1e-50 to 1e50 can be computed",
+            hint,
+        )
+    return value
+
+
+def _shown(value: object) -> str:
+    text = str(value).strip()
+    return text if len(text) <= 40 else text[:37] + "…"

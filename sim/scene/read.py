@@ -1,0 +1,226 @@
+"""From plain values to a Scene, or to every problem in them."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
+from sim.scene.model import Cart, Scene, Track
+from sim.scene.problem import Path, Problem, SceneError
+from sim.scene.read_contact import read_contacts
+from sim.scene.read_effects import read_effects
+from sim.scene.tables import mapping, number, unknown_keys
+
+SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,15}", re.ASCII)
+MOST_CARTS = 100_000
+"""More carts than this are refused before work starts: a run of them would not fit a laptop."""
+
+
+def read_scene(plain: object) -> Scene:
+    """The scene that `plain` (nested dicts, lists, numbers, texts) describes; raises SceneError."""
+    problems: list[Problem] = []
+    scene = collect_scene(plain, problems)
+    if problems or scene is None:
+        raise SceneError(problems)
+    return scene
+
+
+def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
+    """Like `read_scene`, but appends what it finds to `problems`."""
+    before = len(problems)
+    table = mapping(plain, (), problems, "a scene is a table of keys, for example “carts:”")
+    if table is None:
+        return None
+    unknown_keys(table, SCENE_KEYS, (), problems)
+    exact = _carts(table.get("carts"), problems)
+    track, length = _track(table.get("track", {}), problems)
+    title = table.get("title")
+    if title is not None and not isinstance(title, str):
+        problems.append(Problem(("title",), "not-text", "the title must be text", "title: A crash"))
+    until = number(UNTIL, table, (), problems)
+    gravity = number(GRAVITY, table, (), problems)
+    overlap_allowed = _start(table.get("start", {}), problems)
+    if len(problems) > before or exact is None or track is None or until is None or gravity is None:
+        read_contacts(
+            table.get("contact", {}), sorted_names(exact or {}), track or Track(), problems
+        )
+        return None
+    names = sorted_names(exact)
+    contacts = read_contacts(table.get("contact", {}), names, track, problems)
+    effects = read_effects(table.get("effects", []), names, track, problems)
+    released = {frozenset(e.between) for e in effects if e.kind == "release" and e.between}
+    gaps = _gaps(exact, names, track, length)
+    for k, gap in enumerate(gaps):
+        if gap is not None and gap < 0 and not overlap_allowed:
+            _overlap(k, gap, names, released, problems)
+    if len(problems) > before:
+        return None
+    return Scene(
+        title=title if isinstance(title, str) else None,
+        carts=tuple(Cart(name=n, **{k: float(v) for k, v in exact[n].items()}) for n in names),
+        track=track,
+        contacts=contacts,
+        gaps=tuple(float("inf") if gap is None else float(gap) for gap in gaps),
+        approaches=_approaches(exact, names, track),
+        effects=effects,
+        until=float(until),
+        gravity=float(gravity),
+    )
+
+
+def sorted_names(exact: Mapping[str, Mapping[str, Fraction]]) -> list[str]:
+    """Cart names from left to right; carts at one place in the order of their names."""
+    return sorted(exact, key=lambda name: (exact[name]["position"], name))
+
+
+def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fraction]] | None:
+    hint = "carts: {A: {mass: 1 kg, position: 0.40 m, velocity: 0.60 m/s}}"
+    table = mapping(value, ("carts",), problems, hint)
+    if table is None:
+        return None
+    if not table or len(table) > MOST_CARTS:
+        message = "a scene needs a cart" if not table else f"more than {MOST_CARTS} carts"
+        problems.append(Problem(("carts",), "wrong-count", message, hint))
+        return None
+    before = len(problems)
+    carts: dict[str, dict[str, Fraction]] = {}
+    for name, body in table.items():
+        path = ("carts", name)
+        if not isinstance(name, str) or not NAME.fullmatch(name) or name in ("left", "right"):
+            problems.append(
+                Problem(
+                    path,
+                    "bad-name",
+                    f"“{str(name)[:40]}” cannot name a cart",
+                    "use a letter, then up to 15 letters, digits, - or _; "
+                    "“left” and “right” are the walls",
+                )
+            )
+            continue
+        cart = mapping(body, path, problems, "{mass: 1 kg, position: 0.40 m}")
+        if cart is not None:
+            carts[name] = _cart(cart, path, problems)
+    return None if len(problems) > before else carts
+
+
+def _cart(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> dict[str, Fraction]:
+    unknown_keys(table, tuple(field.key for field in CART), path, problems)
+    exact = {}
+    for field in CART:
+        value = number(field, table, path, problems)
+        if value is not None:
+            exact[field.key] = value
+    length, bumper = exact.get("length"), exact.get("bumper_length")
+    if length is not None and bumper is not None and 2 * bumper > length:
+        if "bumper_length" in table:
+            problems.append(
+                Problem(
+                    (*path, "bumper_length"),
+                    "out-of-range",
+                    f"two bumpers of {float(bumper):g} m do not fit a cart of {float(length):g} m",
+                    f"bumper_length: at most half the length, {float(length / 2):g} m",
+                )
+            )
+        exact["bumper_length"] = length / 2
+    return exact
+
+
+def _track(value: object, problems: list[Problem]) -> tuple[Track | None, Fraction | None]:
+    hint = "track: {length: 2.4 m, left: open, right: wall}"
+    table = mapping(value, ("track",), problems, hint)
+    if table is None:
+        return None, None
+    before = len(problems)
+    unknown_keys(table, ("length", "left", "right"), ("track",), problems)
+    for side in ("left", "right"):
+        if table.get(side, "open") not in ("open", "wall"):
+            problems.append(
+                Problem(
+                    ("track", side),
+                    "not-a-choice",
+                    f"{side} must be open or wall (got {table[side]})",
+                    hint,
+                )
+            )
+    length = number(TRACK_LENGTH, table, ("track",), problems)
+    if table.get("right") == "wall" and length is None and len(problems) == before:
+        problems.append(
+            Problem(("track",), "missing", "a wall on the right needs the track's length", hint)
+        )
+    if len(problems) > before:
+        return None, None
+    return Track(
+        left=table.get("left", "open"),
+        right=table.get("right", "open"),
+        length=None if length is None else float(length),
+    ), length
+
+
+def _start(value: object, problems: list[Problem]) -> bool:
+    table = mapping(value, ("start",), problems, "start: {overlap: true}")
+    if table is None:
+        return False
+    unknown_keys(table, ("overlap",), ("start",), problems)
+    overlap = table.get("overlap", False)
+    if not isinstance(overlap, bool):
+        problems.append(
+            Problem(
+                ("start", "overlap"),
+                "not-a-choice",
+                "overlap must be true or false",
+                "start: {overlap: true}",
+            )
+        )
+    return overlap is True
+
+
+def _gaps(
+    exact: Mapping[str, Mapping[str, Fraction]],
+    names: list[str],
+    track: Track,
+    length: Fraction | None,
+) -> list[Fraction | None]:
+    """Edge-to-edge gaps, exact, left to right; None on an open side."""
+    left_edges = [exact[n]["position"] - exact[n]["length"] / 2 for n in names]
+    right_edges = [exact[n]["position"] + exact[n]["length"] / 2 for n in names]
+    first = left_edges[0] if track.left == "wall" else None
+    last = length - right_edges[-1] if track.right == "wall" and length is not None else None
+    inner = [b - a for a, b in zip(right_edges[:-1], left_edges[1:], strict=True)]
+    return [first, *inner, last]
+
+
+def _approaches(
+    exact: Mapping[str, Mapping[str, Fraction]], names: list[str], track: Track
+) -> tuple[float, ...]:
+    velocities = [exact[name]["velocity"] for name in names]
+    first = float(velocities[0]) if track.left == "wall" else 0.0
+    last = float(-velocities[-1]) if track.right == "wall" else 0.0
+    inner = (float(b - a) for a, b in itertools.pairwise(velocities))
+    return (first, *inner, last)
+
+
+def _overlap(
+    k: int, gap: Fraction, names: list[str], released: set[frozenset[str]], problems: list[Problem]
+) -> None:
+    left = names[k - 1] if k > 0 else "left"
+    right = names[k] if k < len(names) else "right"
+    if frozenset((left, right)) in released:
+        return
+    cart = right if k < len(names) else left
+    what = f"{left} and {right} overlap"
+    if k in (0, len(names)):
+        what = f"{cart} reaches into the {'left' if k == 0 else 'right'} wall"
+    problems.append(
+        Problem(
+            ("carts", cart, "position"),
+            "overlap",
+            f"{what} by {float(-gap):.3g} m at the start",
+            "move them apart (a position is that of the cart's centre), or allow it with "
+            "start: {overlap: true}",
+        )
+    )

@@ -1,0 +1,128 @@
+"""Contact laws of every neighbourhood: the scene's own, then what `pairs` changes."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from typing import Any, cast, get_args
+
+from sim.scene.fields import HERTZ_STIFFNESS, RESTITUTION, STIFFNESS
+from sim.scene.model import Contact, Law, Track
+from sim.scene.problem import Path, Problem, nearest
+from sim.scene.tables import mapping, unknown_keys
+
+LAWS: tuple[str, ...] = get_args(Law)
+WITHOUT_DURATION = ("instant", "velcro")
+KEYS = ("law", "restitution", "stiffness")
+HINT = "contact: {restitution: 0.8, stiffness: 400 N/m, law: bumper}"
+
+
+def read_contacts(
+    value: object, names: list[str], track: Track, problems: list[Problem]
+) -> tuple[Contact | None, ...]:
+    """The contact of each gap from left to right, None on an open side."""
+    table = mapping(value, ("contact",), problems, HINT)
+    if table is None:
+        return ()
+    unknown_keys(table, (*KEYS, "pairs"), ("contact",), problems)
+    common = _contact(table, {}, ("contact",), problems)
+    bodies = ["left", *names, "right"]
+    contacts = [common] * (len(names) + 1)
+    pairs = mapping(
+        table.get("pairs", {}), ("contact", "pairs"), problems, "pairs: {A-B: {restitution: 0.5}}"
+    )
+    for key, changes in (pairs or {}).items():
+        path = ("contact", "pairs", key)
+        gap = _gap_named(str(key), bodies)
+        if gap is None:
+            _unknown_pair(str(key), bodies, path, problems)
+        else:
+            own = mapping(changes, path, problems, "{restitution: 0.5}")
+            if own is not None:
+                unknown_keys(own, KEYS, path, problems)
+                contacts[gap] = _contact(own, table, path, problems)
+    if track.left == "open":
+        contacts[0] = None
+    if track.right == "open":
+        contacts[-1] = None
+    return tuple(contacts)
+
+
+def _gap_named(key: str, bodies: list[str]) -> int | None:
+    """The gap between two neighbours named as ``A-B`` or ``B-A``; names may contain hyphens."""
+    for k, (left, right) in enumerate(itertools.pairwise(bodies)):
+        if key in (f"{left}-{right}", f"{right}-{left}"):
+            return k
+    return None
+
+
+def _unknown_pair(key: str, bodies: list[str], path: Path, problems: list[Problem]) -> None:
+    pairs = [f"{a}-{b}" for a, b in itertools.pairwise(bodies)]
+    close = nearest(key, pairs)
+    hint = f"did you mean “{close}”?" if close else f"neighbours: {', '.join(pairs[:12])}"
+    problems.append(Problem(path, "unknown-pair", f"“{key}” are not two neighbours", hint))
+
+
+def _contact(
+    own: Mapping[str, Any], outer: Mapping[str, Any], path: Path, problems: list[Problem]
+) -> Contact | None:
+    """One contact; `own` keys are the author's here, missing ones come from `outer`."""
+    law = own.get("law", outer.get("law", "bumper"))
+    if law not in LAWS:
+        close = nearest(str(law), LAWS)
+        hint = f"did you mean “{close}”?" if close else f"laws: {', '.join(LAWS)}"
+        if path == ("contact",) or "law" in own:
+            problems.append(Problem((*path, "law"), "not-a-choice", f"unknown law “{law}”", hint))
+        return None
+    for key in ("stiffness", "restitution"):
+        if (
+            key in own
+            and law in WITHOUT_DURATION
+            and not (law == "instant" and key == "restitution")
+        ):
+            why = "has no duration" if key == "stiffness" else "holds the carts together"
+            problems.append(
+                Problem(
+                    (*path, key),
+                    "not-for-this-law",
+                    f"{law} {why}: it takes no {key}",
+                    f"remove {key}, or use law: bumper",
+                )
+            )
+            return None
+    restitution = stiffness = None
+    if law != "velcro":
+        restitution = _value("restitution", own, outer, path, problems)
+        if restitution is None:
+            return None
+    if law not in WITHOUT_DURATION:
+        stiffness = _value("hertz" if law == "hertz" else "stiffness", own, outer, path, problems)
+        if stiffness is None:
+            return None
+    if law.startswith("push-only") and restitution == 0:
+        problems.append(
+            Problem(
+                (*path, "restitution"),
+                "out-of-range",
+                f"{law} cannot give restitution 0: the force may only push, so the carts "
+                "always fly apart",
+                "use law: bumper or law: velcro",
+            )
+        )
+        return None
+    return Contact(law=cast(Law, law), restitution=restitution, stiffness=stiffness)
+
+
+def _value(
+    what: str, own: Mapping[str, Any], outer: Mapping[str, Any], path: Path, problems: list[Problem]
+) -> float | None:
+    field = {"restitution": RESTITUTION, "stiffness": STIFFNESS, "hertz": HERTZ_STIFFNESS}[what]
+    value = own.get(field.key, outer.get(field.key, field.default))
+    if value is None:
+        value = "nothing"  # an empty key: reported as not a number, with the example
+    result = field.read(value, (*path, field.key))
+    if isinstance(result, Problem):
+        if field.key in own or path == ("contact",):
+            problems.append(result)
+        return None
+    return float(result)

@@ -1,0 +1,161 @@
+"""The list of effects: each entry is one kind with its numbers and the carts that it names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sim.scene.effects import KINDS, Effect, EffectKind
+from sim.scene.model import Track
+from sim.scene.problem import Path, Problem, nearest
+from sim.scene.tables import mapping, number, unknown_keys
+
+
+def read_effects(
+    value: object, names: list[str], track: Track, problems: list[Problem]
+) -> tuple[Effect, ...]:
+    """The effects in the order listed. Carts and walls they name must exist."""
+    if not isinstance(value, (list, tuple)):
+        problems.append(
+            Problem(
+                ("effects",),
+                "not-a-list",
+                "effects is a list",
+                "effects:\n  - friction: {coefficient: 0.02}",
+            )
+        )
+        return ()
+    effects = []
+    for k, entry in enumerate(value):
+        effect = _entry(entry, ("effects", k), names, track, problems)
+        if effect is not None:
+            effects.append(effect)
+    return tuple(effects)
+
+
+def _entry(
+    entry: object, path: Path, names: list[str], track: Track, problems: list[Problem]
+) -> Effect | None:
+    if not isinstance(entry, Mapping) or len(entry) != 1:
+        problems.append(
+            Problem(
+                path,
+                "not-an-effect",
+                "one entry is one effect with its numbers",
+                "- friction: {coefficient: 0.02}",
+            )
+        )
+        return None
+    name, body = next(iter(entry.items()))
+    kind = KINDS.get(name)
+    if kind is None:
+        close = nearest(str(name), KINDS)
+        hint = f"did you mean “{close}”?" if close else f"effects: {', '.join(KINDS)}"
+        problems.append(Problem((*path, name), "unknown-effect", f"unknown effect “{name}”", hint))
+        return None
+    path = (*path, kind.name)
+    table = mapping(body, path, problems, f"{name}: {{{kind.fields[0].key}: …}}")
+    if table is None:
+        return None
+    before = len(problems)
+    keys = tuple(f.key for f in kind.fields) + ((kind.needs,) if kind.needs else ("carts",))
+    unknown_keys(table, (*keys, "by") if kind.by else keys, path, problems)
+    numbers = _numbers(kind, table, path, problems)
+    carts, between = _bodies(kind, table, path, names, track, problems)
+    by = table.get("by", kind.by)
+    if by is not None and not isinstance(by, str):
+        problems.append(Problem((*path, "by"), "not-text", "by names who pushes", "by: hand"))
+    if len(problems) > before:
+        return None
+    return Effect(kind=kind.name, numbers=numbers, carts=carts, between=between, by=by)
+
+
+def _numbers(
+    kind: EffectKind, table: Mapping[str, Any], path: Path, problems: list[Problem]
+) -> dict[str, float]:
+    numbers = {}
+    for field in kind.fields:
+        value = number(field, table, path, problems)
+        if value is not None:
+            numbers[field.key] = float(value)
+    if kind.one_of and not any(key in table for key in kind.one_of):
+        problems.append(
+            Problem(
+                path,
+                "missing",
+                f"{kind.name} needs {' or '.join(kind.one_of)}",
+                f"for example {kind.one_of[0]}: {kind.fields[0].dimension.example}",
+            )
+        )
+    return numbers
+
+
+def _bodies(
+    kind: EffectKind,
+    table: Mapping[str, Any],
+    path: Path,
+    names: list[str],
+    track: Track,
+    problems: list[Problem],
+) -> tuple[tuple[str, ...], tuple[str, str] | None]:
+    """Carts acted on, and the pair for an effect between two bodies."""
+    if kind.needs == "between":
+        between = table.get("between")
+        order = [
+            *(["left"] if track.left == "wall" else []),
+            *names,
+            *(["right"] if track.right == "wall" else []),
+        ]
+        known = order if kind.walls else names
+        if (
+            not isinstance(between, (list, tuple))
+            or len(between) != 2
+            or between[0] == between[1]
+            or any(body not in known for body in between)
+        ):
+            problems.append(
+                Problem(
+                    (*path, "between"),
+                    "unknown-body",
+                    f"between names two of {', '.join(known[:12])}",
+                    "between: [A, B]",
+                )
+            )
+            return (), None
+        a, b = sorted(between, key=order.index)
+        if order.index(b) - order.index(a) != 1:
+            problems.append(
+                Problem(
+                    (*path, "between"),
+                    "not-neighbours",
+                    f"{a} and {b} are not neighbours",
+                    "between: [A, B]",
+                )
+            )
+            return (), None
+        return tuple(n for n in (a, b) if n in names), (a, b)
+    if kind.needs == "cart":
+        cart = table.get("cart")
+        if cart not in names:
+            problems.append(
+                Problem(
+                    (*path, "cart"),
+                    "unknown-body",
+                    f"cart names one of {', '.join(names[:12])}",
+                    f"cart: {names[0]}",
+                )
+            )
+            return (), None
+        return (str(cart),), None
+    carts = table.get("carts", names)
+    if not isinstance(carts, (list, tuple)) or not carts or any(c not in names for c in carts):
+        problems.append(
+            Problem(
+                (*path, "carts"),
+                "unknown-body",
+                f"carts is a list of {', '.join(names[:12])}",
+                f"carts: [{names[0]}]",
+            )
+        )
+        return (), None
+    return tuple(name for name in names if name in carts), None

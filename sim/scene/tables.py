@@ -1,0 +1,67 @@
+"""Reading tables of keys: the checks that every part of a description shares."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from sim.scene.fields import Field
+from sim.scene.problem import Path, Problem, nearest
+
+
+def mapping(
+    value: object, path: Path, problems: list[Problem], hint: str
+) -> Mapping[str, Any] | None:
+    """`value` if it is a table of keys, else None and a problem."""
+    if isinstance(value, Mapping):
+        return value
+    shown = "nothing" if value is None else f"“{str(value)[:40]}”"
+    problems.append(Problem(path, "not-a-table", f"expected keys here, found {shown}", hint))
+    return None
+
+
+def unknown_keys(
+    table: Mapping[str, Any], known: tuple[str, ...], path: Path, problems: list[Problem]
+) -> None:
+    """One problem for each key of `table` that is not in `known`."""
+    for key in table:
+        if key not in known:
+            close = nearest(str(key), known)
+            hint = f"did you mean “{close}”?" if close else f"known keys: {', '.join(known)}"
+            problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))
+
+
+def number(
+    field: Field, table: Mapping[str, Any], path: Path, problems: list[Problem]
+) -> Fraction | None:
+    """The field's exact value in `table`, its default, or None and a problem (optional: None)."""
+    value = table.get(field.key)
+    if value is None:
+        if field.key in table:
+            problems.append(
+                Problem(
+                    (*path, field.key),
+                    "missing",
+                    f"{field.key} has no value",
+                    f"for example {field.key}: {field.dimension.example}",
+                )
+            )
+            return None
+        if field.default is not None:
+            return Fraction(field.default)
+        if not field.optional:
+            problems.append(
+                Problem(
+                    path,
+                    "missing",
+                    f"{field.key} is missing",
+                    f"for example {field.key}: {field.dimension.example}",
+                )
+            )
+        return None
+    result = field.read(value, (*path, field.key))
+    if isinstance(result, Problem):
+        problems.append(result)
+        return None
+    return result
