@@ -1,0 +1,47 @@
+"""`carts check`: every author's mistake as file:line:col, with a hint."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from sim.pages.check import USUAL_PLACES, check_paths
+from sim.pages.findings import Finding
+
+
+@click.command("check")
+@click.argument("paths", nargs=-1, type=click.Path(path_type=Path))
+@click.option("--json", "as_json", is_flag=True, help="Print the findings as a JSON list.")
+@click.pass_context
+def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool) -> None:
+    """Look for mistakes in lessons (.md) and scene files (.yml).
+
+    PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes are
+    checked. Exit code 1 means that something was found, 2 that a PATH does not exist.
+    """
+    root = Path.cwd()
+    for path in paths:
+        if not path.exists():
+            raise click.UsageError(f"There is no file or folder “{path}”.")
+    found = check_paths(
+        [path.resolve() for path in paths] or [root / place for place in USUAL_PLACES], root
+    )
+    if as_json:
+        click.echo(
+            json.dumps([finding.as_row() for finding in found], ensure_ascii=False, indent=2)
+        )
+    else:
+        report(found)
+    ctx.exit(1 if any(finding.severity == "error" for finding in found) else 0)
+
+
+def report(found: list[Finding]) -> None:
+    """Print findings for people, the count last."""
+    for finding in found:
+        click.echo(str(finding))
+    if found:
+        click.echo(f"{len(found)} finding{'s' if len(found) > 1 else ''}")
+    else:
+        click.echo("no findings")

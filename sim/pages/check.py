@@ -1,0 +1,86 @@
+"""Every author's mistake in lessons and scene files, found without building the site."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from sim.pages.bake import bake
+from sim.pages.fence_scan import scan
+from sim.pages.findings import AuthorError, Finding
+from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
+from sim.scene import SceneError, read_scene
+
+LESSON_SUFFIXES = (".md",)
+SCENE_SUFFIXES = (".yml", ".yaml")
+USUAL_PLACES = ("worksheets", "docs", "tests/scenes")
+SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
+
+
+def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
+    """Everything that is wrong with the blocks of one lesson, in the order of its lines."""
+    findings: list[Finding] = []
+    for block in scan(text.splitlines()):
+        try:
+            scene = read_scene_block(block, lesson, ids, first_line=1)
+            run = bake(scene.fence.plain)
+        except AuthorError as error:
+            findings += error.findings
+            continue
+        if isinstance(run, list):
+            findings += map(scene.places.finding, run)
+    return sorted(findings)
+
+
+def check_scene(text: str, file: str) -> list[Finding]:
+    """Everything that is wrong with one scene file."""
+    try:
+        plain, places = read_scene_text(text, file)
+        read_scene(plain)
+    except AuthorError as error:
+        return sorted(error.findings)
+    except SceneError as error:
+        return sorted(places.finding(problem) for problem in error.problems)
+    run = bake(plain)
+    return sorted(map(places.finding, run)) if isinstance(run, list) else []
+
+
+def check_paths(paths: Iterable[Path], root: Path) -> list[Finding]:
+    """The findings in all lessons and scene files under `paths`; names are shown from `root`."""
+    ids = SiteIds()
+    findings: list[Finding] = []
+    for path in paths:
+        for file in _files(path):
+            shown = file.relative_to(root) if file.is_relative_to(root) else file
+            try:
+                text = file.read_text(encoding="utf-8")
+            except UnicodeDecodeError as error:
+                findings.append(_not_text(shown.as_posix(), error))
+                continue
+            if file.suffix in LESSON_SUFFIXES:
+                lesson = Lesson(shown.as_posix(), scene_folders(file, root))
+                findings += check_lesson(text, lesson, ids)
+            else:
+                findings += check_scene(text, shown.as_posix())
+    return findings
+
+
+def scene_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
+    """Where a lesson's `file: NAME.yml` is looked for, in this order."""
+    return (lesson.parent, *(root / folder for folder in SCENE_FOLDERS))
+
+
+def _files(path: Path) -> Iterator[Path]:
+    if path.is_file():
+        yield path
+    elif path.is_dir():
+        # A YAML file is a scene only in a folder of scenes: others are question banks or settings.
+        for file in sorted(path.rglob("*")):
+            scene = file.suffix in SCENE_SUFFIXES and file.parent.name == "scenes"
+            if file.is_file() and (file.suffix in LESSON_SUFFIXES or scene):
+                yield file
+
+
+def _not_text(file: str, error: UnicodeDecodeError) -> Finding:
+    line = error.object[: error.start].count(b"\n") + 1
+    return Finding(file, line, 1, "not-text", "this is not UTF-8 text", "save the file as UTF-8")

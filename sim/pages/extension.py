@@ -1,0 +1,141 @@
+"""The Markdown extension: `scene` blocks become live scenes, mistakes become red boxes.
+
+It works with any generator that uses Python-Markdown. The generator's shell says in `building`
+which page is being made and what shall happen with findings; without it the first mistake raises
+`AuthorError`. Blocks are taken out before any other extension sees them, because pymdownx would
+swallow an exception and show the block as code.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import html
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+
+from markdown import Extension, Markdown
+from markdown.postprocessors import Postprocessor
+from markdown.preprocessors import Preprocessor
+
+from sim.pages.bake import bake
+from sim.pages.fence_scan import scan
+from sim.pages.findings import AuthorError, Finding
+from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
+
+# Before Markdown's own clean-up (30), which turns tabs into spaces and so hides them.
+_BEFORE_EVERYTHING = 40
+# After all others: what stands in the place of a block is then only text in a paragraph.
+_AFTER_EVERYTHING = -10
+
+
+@dataclass(slots=True)
+class Page:
+    """One page in the making. `first_line`: the line of the file that the Markdown begins with."""
+
+    lesson: Lesson
+    first_line: int = 1
+    ids: SiteIds = field(default_factory=SiteIds)
+    report: Callable[[Finding], None] | None = None
+    scenes: int = 0
+    packages: set[str] = field(default_factory=set)
+
+
+_page: ContextVar[Page | None] = ContextVar("carts-page", default=None)
+
+
+@contextmanager
+def building(page: Page) -> Iterator[Page]:
+    """Within this block of code the extension works for `page`."""
+    token = _page.set(page)
+    try:
+        yield page
+    finally:
+        _page.reset(token)
+
+
+class CartsExtension(Extension):
+    """Registers the two steps: take the blocks out, put the scenes in."""
+
+    def extendMarkdown(self, md: Markdown) -> None:  # noqa: N802
+        """Called by Python-Markdown."""
+        put_in = _PutIn(md)
+        md.preprocessors.register(_TakeOut(md, put_in), "carts_blocks", _BEFORE_EVERYTHING)
+        md.postprocessors.register(put_in, "carts_blocks", _AFTER_EVERYTHING)
+
+
+def makeExtension(**config: object) -> CartsExtension:  # noqa: N802
+    """Python-Markdown's entry point."""
+    return CartsExtension(**config)
+
+
+class _TakeOut(Preprocessor):
+    """Replaces every block by a word that no other extension touches."""
+
+    def __init__(self, md: Markdown, put_in: _PutIn) -> None:
+        super().__init__(md)
+        self.put_in = put_in
+
+    def run(self, lines: list[str]) -> list[str]:
+        self.put_in.html.clear()
+        page = _page.get() or Page(Lesson("lesson"))
+        kept: list[str] = []
+        done = 0
+        # Front matter has been removed by the generator: a line of --- here is only a line.
+        for block in scan(lines, front_matter=False):
+            try:
+                made = _widget(
+                    read_scene_block(block, page.lesson, page.ids, first_line=page.first_line), page
+                )
+            except AuthorError as error:
+                if page.report is None:
+                    raise
+                for finding in error.findings:
+                    page.report(finding)
+                made = error_box(error.findings)
+            word = f"cartsblock{hashlib.sha256(f'{block}'.encode()).hexdigest()[:16]}"
+            self.put_in.html[word] = made
+            kept += [*lines[done : block.start], "", block.indent + word, ""]
+            done = block.end
+        return [*kept, *lines[done:]]
+
+
+class _PutIn(Postprocessor):
+    """Replaces the words by what was made of their blocks."""
+
+    def __init__(self, md: Markdown) -> None:
+        super().__init__(md)
+        self.html: dict[str, str] = {}
+
+    def run(self, text: str) -> str:
+        for word, made in self.html.items():
+            # A paragraph may not contain a scene; in a tight list there is no paragraph.
+            text = text.replace(f"<p>{word}</p>", made).replace(word, made)
+        return text
+
+
+def _widget(block: SceneBlock, page: Page) -> str:
+    """The live scene as HTML, with its default run; raises `AuthorError` if it cannot run."""
+    from sim.pages.widget import render  # Jinja2 and its templates: only where a scene is drawn
+
+    run = bake(block.fence.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(block.places.finding, run))
+    page.scenes += 1
+    page.packages |= run.packages | set(block.fence.packages)
+    # Readings of a run are no words to search for, and must not give an answer away.
+    return (
+        f'<div class="carts-block" data-search-exclude>'
+        f"{render(block.fence, run.header, run.numbers)}</div>"
+    )
+
+
+def error_box(findings: tuple[Finding, ...]) -> str:
+    """What a reader of the preview sees in the place of a block with mistakes."""
+    text = html.escape("\n".join(map(str, findings)))
+    return (
+        '<div class="admonition failure carts-author-error">'
+        '<p class="admonition-title">This block cannot be shown</p>'
+        f"<pre><code>{text}</code></pre></div>"
+    )

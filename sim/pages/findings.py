@@ -1,0 +1,46 @@
+"""One finding of a check: where it is, what is wrong, how it should look.
+
+The printed form is the one compilers use, so that editors and build logs make it clickable:
+
+    worksheets/first.md:14:11: error: carts.A.mass: must be more than 0
+      hint: for example mass: 0.5 kg
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+Severity = Literal["error", "warning"]
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Finding:
+    """A mistake of an author at `line` and `col` (from 1) of `file`."""
+
+    file: str
+    line: int
+    col: int
+    code: str
+    message: str
+    hint: str = ""
+    severity: Severity = "error"
+
+    def __str__(self) -> str:
+        text = f"{self.file}:{self.line}:{self.col}: {self.severity}: {self.message}"
+        return f"{text}\n  hint: {self.hint}" if self.hint else text
+
+    def as_row(self) -> dict[str, str | int]:
+        """The row of `carts check --json`."""
+        row = asdict(self)
+        order = ("file", "line", "col", "severity", "code", "message", "hint")
+        return {key: row[key] for key in order}
+
+
+class AuthorError(Exception):
+    """Everything that is wrong with one block of a lesson, never an empty list."""
+
+    def __init__(self, findings: Iterable[Finding]) -> None:
+        self.findings = tuple(findings)
+        super().__init__("\n".join(str(finding) for finding in self.findings))

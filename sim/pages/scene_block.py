@@ -1,0 +1,213 @@
+"""A `scene` block of a lesson: from its text to a described scene, or to the author's mistakes.
+
+A block holds either a scene written out or the name of a scene file beside the keys that say how
+it is shown:
+
+    ```scene
+    id: light-meets-heavy
+    file: two-carts.yml
+    controls: [{set: A.mass, from: 0.5 kg, to: 5 kg, step: 0.1 kg}]
+    ```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from sim.pages.fence_scan import KINDS, Block, meant_kind
+from sim.pages.findings import AuthorError, Finding
+from sim.pages.yaml_source import KeyPath, Place, Source, YamlError, load
+from sim.scene import Fence, Problem, SceneError, read_fence
+
+_FAULTS = {
+    "in-quote": ("a block cannot stand in a quotation", "remove the > in front of its lines"),
+    "tab-indent": ("a tab character in front of the block", "indent it with spaces"),
+    "less-indented": (
+        "a line of this block stands further left than its first line",
+        "indent all lines of the block alike",
+    ),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Lesson:
+    """Where a lesson comes from: `file` as it is shown in messages, and where scene files lie."""
+
+    file: str
+    scene_folders: tuple[Path, ...] = ()
+
+
+@dataclass(slots=True)
+class SiteIds:
+    """The ids of all scenes of a site, each with the place where it was first used."""
+
+    used: dict[str, str] = field(default_factory=dict)
+
+    def claim(self, identity: str, place: Finding) -> None:
+        """Take `identity` for the block at `place`; raise `AuthorError` if it is taken."""
+        here = f"{place.file}:{place.line}"
+        first = self.used.setdefault(identity, here)
+        if first != here:
+            raise AuthorError(
+                [
+                    Finding(
+                        place.file,
+                        place.line,
+                        place.col,
+                        "id-taken",
+                        f"id: “{identity}” is already used at {first}",
+                        "every scene of the site needs an id of its own",
+                    )
+                ]
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class SceneBlock:
+    """A scene block that makes sense; `places` maps later problems back to the author's lines."""
+
+    fence: Fence
+    places: Places
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """Where the keys of a block stand: in the lesson itself, or in the scene file it names."""
+
+    file: str
+    source: Source
+    scene_file: str | None = None
+    scene_source: Source | None = None
+
+    def finding(self, problem: Problem) -> Finding:
+        """The problem with its file, line and column."""
+        file, source, path = self.file, self.source, problem.path
+        in_scene_file = bool(path) and path[0] not in self.source.plain
+        if self.scene_file and self.scene_source and in_scene_file:
+            file, source = self.scene_file, self.scene_source
+        line, col = _place(source, path, problem.code)
+        message = f"{problem.where}: {problem.message}" if path else problem.message
+        return Finding(file, line, col, problem.code, message, problem.hint)
+
+
+def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: int) -> SceneBlock:
+    """The described scene of `block`; raises `AuthorError` with everything that is wrong.
+
+    `first_line` is the line in the lesson's file of the first scanned line (counted from 1).
+    """
+    place = (first_line + block.start, block.body_indent + 1)
+    _refuse_form(block, lesson.file, place)
+    try:
+        source = load(
+            block.body, first_line=first_line + block.start + 1, first_col=block.body_indent + 1
+        )
+    except YamlError as error:
+        raise _yaml_fault(lesson.file, error) from None
+    plain, places = _with_scene_file(source, lesson)
+    try:
+        fence = read_fence(plain)
+    except SceneError as error:
+        raise AuthorError(places.finding(problem) for problem in error.problems) from None
+    ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
+    return SceneBlock(fence, places)
+
+
+def read_scene_text(text: str, file: str) -> tuple[Mapping[str, Any], Places]:
+    """The plain values of a scene file and their places; raises `AuthorError` if not YAML."""
+    try:
+        source = load(text)
+    except YamlError as error:
+        raise _yaml_fault(file, error) from None
+    return source.plain, Places(file, source)
+
+
+def _place(source: Source, path: KeyPath, code: str) -> Place:
+    return source.key_place(path) if code == "unknown-key" else source.place(path)
+
+
+def _yaml_fault(file: str, error: YamlError) -> AuthorError:
+    return AuthorError([Finding(file, error.line, error.col, "yaml", error.message, error.hint)])
+
+
+def _refuse_form(block: Block, file: str, place: Place) -> None:
+    def refuse(code: str, message: str, hint: str) -> None:
+        raise AuthorError([Finding(file, *place, code, message, hint)])
+
+    if block.name not in KINDS:
+        kind = meant_kind(block.name)
+        refuse("unknown-block", f"unknown block “{block.name}”", f"did you mean “{kind}”?")
+    if not block.closed:
+        refuse("not-closed", "this block is never closed", "end it with a line of ```")
+    if block.fault:
+        refuse(block.fault, *_FAULTS[block.fault])
+    if block.rest:
+        refuse(
+            "text-after-name",
+            f"“{block.rest}” stands behind the name of the block",
+            "write every key on a line of its own inside the block",
+        )
+    if block.name != "scene":
+        refuse(
+            "not-yet",
+            f"blocks of the kind “{block.name}” are not built yet",
+            "this version knows scene blocks",
+        )
+
+
+def _with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Places]:
+    """The block's keys, joined with those of the scene file that it names."""
+    if "file" not in source.plain:
+        return dict(source.plain), Places(lesson.file, source)
+
+    def refuse(path: KeyPath, code: str, message: str, hint: str) -> AuthorError:
+        return AuthorError([Finding(lesson.file, *source.key_place(path), code, message, hint)])
+
+    name = source.plain["file"]
+    path = _find(name, lesson.scene_folders) if isinstance(name, str) else None
+    if path is None:
+        raise refuse(
+            ("file",),
+            "no-such-file",
+            f"there is no scene file “{name}”",
+            f"looked in: {', '.join(_shown(lesson.scene_folders)) or 'no folder'}",
+        )
+    shown = _shown([path])[0]
+    try:
+        scene = load(path.read_text(encoding="utf-8"))
+    except YamlError as error:
+        raise _yaml_fault(shown, error) from None
+    except UnicodeDecodeError:
+        message = f"“{name}” is not a text file"
+        raise refuse(("file",), "not-text", message, "save it as UTF-8") from None
+    own = {key: value for key, value in source.plain.items() if key != "file"}
+    if twice := sorted(set(own) & set(scene.plain)):
+        raise refuse(
+            (twice[0],),
+            "twice",
+            f"“{twice[0]}” stands here and in {name}",
+            "remove one of them",
+        )
+    return {**scene.plain, **own}, Places(lesson.file, source, shown, scene)
+
+
+def _find(name: str, folders: Iterable[Path]) -> Path | None:
+    """The file called `name` in the first of `folders` that has it; never outside of them."""
+    relative = PurePosixPath(name)
+    if relative.is_absolute() or ".." in relative.parts or relative.suffix not in (".yml", ".yaml"):
+        return None
+    for folder in folders:
+        path = folder / relative
+        if path.is_file() and path.resolve().is_relative_to(folder.resolve()):
+            return path
+    return None
+
+
+def _shown(paths: Iterable[Path]) -> list[str]:
+    """Paths as messages show them: from the current folder where that is possible."""
+    here = Path.cwd()
+    return [
+        (path.relative_to(here) if path.is_relative_to(here) else path).as_posix() for path in paths
+    ]

@@ -1,0 +1,317 @@
+"""YAML with a place for every value, and a clear error for every trap.
+
+Teachers write scenes by hand, so a mistake must be answered with a line, a column and the right
+form. YAML has old rules that turn what people mean into something else (`1:30` is 90, `No` is
+"false", `010` is 8, a tab is no space); all of them are refused here.
+
+Numbers keep their exact text: only plain whole numbers become `int`, everything else that looks
+like a number ("0.10", "1e9") is handed on as `str`, so that nothing is rounded before the
+validator has computed with it.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+import yaml
+
+MAX_CHARACTERS = 500_000  # a scene has about 500; 10 000 carts still fit, a movie does not
+MAX_DIGITS = 400  # longer than any double written out in full
+
+KeyPath = tuple[str | int, ...]
+Plain = dict[str, "Plain"] | list["Plain"] | str | int | bool | None
+Place = tuple[int, int]  # line and column, both counted from 1
+
+_WHOLE = re.compile(r"[+-]?(0|[1-9][0-9]*)")
+_STR_TAG = "tag:yaml.org,2002:str"
+_HINT_TRUTH = "write true or false, or put the word in quotes"
+
+
+class YamlError(ValueError):
+    """What is wrong with a YAML text: line and column (from 1), message and hint."""
+
+    def __init__(self, line: int, col: int, message: str, hint: str) -> None:
+        super().__init__(f"{line}:{col}: {message}")
+        self.line = line
+        self.col = col
+        self.message = message
+        self.hint = hint
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Plain values and where they stand: `place` points at a value, `key_place` at its name."""
+
+    plain: dict[str, Plain]
+    values: dict[KeyPath, Place]
+    keys: dict[KeyPath, Place]
+
+    def place(self, path: KeyPath) -> Place:
+        """Line and column of the value at `path`, or of the nearest thing above it that exists."""
+        return self._nearest(self.values, path)
+
+    def key_place(self, path: KeyPath) -> Place:
+        """Line and column of the key at `path`, or of the nearest thing above it that exists."""
+        return self.keys[path] if path in self.keys else self._nearest(self.values, path)
+
+    def _nearest(self, places: dict[KeyPath, Place], path: KeyPath) -> Place:
+        # A missing key has no place of its own: its parent's name is where it should be added.
+        if path in places:
+            return places[path]
+        for length in range(len(path) - 1, 0, -1):
+            parent = path[:length]
+            if parent in self.keys or parent in self.values:
+                return self.keys.get(parent) or self.values[parent]
+        return self.values[()]
+
+
+def load(text: str, *, first_line: int = 1, first_col: int = 1) -> Source:
+    """Read one YAML mapping; raise `YamlError` for anything that could be misunderstood.
+
+    `first_line` and `first_col` say where the text begins in its file, for a fence in a lesson.
+    """
+    reader = _Reader(first_line, first_col)
+    return reader.read(text)
+
+
+class _RefusedError(Exception):
+    """Something that YAML knows and scenes do not use, at a line and column from 0."""
+
+    def __init__(self, event: yaml.Event, message: str) -> None:
+        super().__init__(message)
+        self.message = message
+        mark = event.start_mark
+        self.line, self.col = (mark.line, mark.column) if mark else (0, 0)
+
+
+class _Loader(yaml.SafeLoader):
+    """PyYAML's own composer, without anchors, aliases and tags (they can blow a text up)."""
+
+    def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
+        event = self.peek_event()  # type: ignore[no-untyped-call]
+        if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
+            raise _RefusedError(event, "anchors and aliases (& and *) are not used here")
+        if getattr(event, "tag", None):
+            raise _RefusedError(event, f"the tag {_shown_tag(event.tag)} is not used here")
+        return super().compose_node(parent, index)
+
+
+def _shown_tag(tag: str) -> str:
+    return "!!" + tag.removeprefix("tag:yaml.org,2002:") if tag.startswith("tag:") else tag
+
+
+@dataclass(slots=True)
+class _Reader:
+    """One reading: `first_line` and `first_col` are those of the text in its file."""
+
+    first_line: int
+    first_col: int
+
+    def read(self, text: str) -> Source:
+        if len(text) > MAX_CHARACTERS:
+            raise self.error(
+                0,
+                0,
+                f"this text has {len(text)} characters; at most {MAX_CHARACTERS} are read",
+                "a scene is short: is this the right file?",
+            )
+        self._refuse_leading_tabs(text)
+        values: dict[KeyPath, Place] = {(): (self.first_line, self.first_col)}
+        keys: dict[KeyPath, Place] = {}
+        root = self._compose(text)
+        if root is None:
+            return Source({}, values, keys)
+        if not isinstance(root, yaml.MappingNode):
+            raise self._at(root, "expected lines of “key: value”", "for example: mass: 0.5 kg")
+        plain = self._mapping(root, (), values, keys)
+        return Source(plain, values, keys)
+
+    def _compose(self, text: str) -> yaml.Node | None:
+        try:
+            loader = _Loader(text)
+            try:
+                return loader.get_single_node()
+            finally:
+                loader.dispose()
+        except yaml.reader.ReaderError as error:
+            before = text[: error.position]
+            line, col = before.count("\n"), len(before) - before.rfind("\n") - 1
+            raise self.error(
+                line, col, "this character cannot be read", "delete it and type the text anew"
+            ) from None
+        except _RefusedError as error:
+            hint = "write the value out; if it is text, put it in quotes"
+            raise self.error(error.line, error.col, error.message, hint) from None
+        except yaml.MarkedYAMLError as error:
+            raise self._explained(error, text) from None
+        except RecursionError:
+            raise self.error(0, 0, "the brackets are nested too deeply", "write it flat") from None
+
+    def _explained(self, error: yaml.MarkedYAMLError, text: str) -> YamlError:
+        mark = error.problem_mark or error.context_mark
+        line, col = (mark.line, mark.column) if mark else (0, 0)
+        lines = text.split("\n")
+        here = lines[line] if line < len(lines) else ""
+        if "\t" in here[col : col + 1]:
+            return self.error(line, col, "a tab character", "use spaces")
+        problem = error.problem or "this cannot be read"
+        for part, message, hint in _EXPLAINED:
+            if part in problem or part in (error.context or ""):
+                return self.error(line, col, message, hint)
+        return self.error(line, col, problem, "look at this line and the one above it")
+
+    def _refuse_leading_tabs(self, text: str) -> None:
+        for number, line in enumerate(text.split("\n")):
+            lead = line[: len(line) - len(line.lstrip())]
+            if "\t" in lead and line.strip():
+                raise self.error(
+                    number, lead.index("\t"), "a tab character", "indent with spaces, two per step"
+                )
+
+    def _mapping(
+        self,
+        node: yaml.MappingNode,
+        path: KeyPath,
+        values: dict[KeyPath, Place],
+        keys: dict[KeyPath, Place],
+    ) -> dict[str, Plain]:
+        plain: dict[str, Plain] = {}
+        for key_node, value_node in node.value:
+            key = self._key(key_node)
+            here = (*path, key)
+            if key in plain:
+                raise self._at(
+                    key_node,
+                    f"“{key}” is written twice (first in line {keys[here][0]})",
+                    "keep one of them",
+                )
+            keys[here] = self._place(key_node)
+            plain[key] = self._value(value_node, here, values, keys)
+        return plain
+
+    def _key(self, node: yaml.Node) -> str:
+        if not isinstance(node, yaml.ScalarNode):
+            raise self._at(node, "a name cannot be a list or a table", "write name: value")
+        if node.tag.endswith(":bool"):
+            raise self._at(
+                node,
+                f"YAML reads the name “{node.value}” as true or false",
+                f'choose another name, or put it in quotes: "{node.value}"',
+            )
+        if node.tag.endswith(":merge"):
+            raise self._at(node, "merging with << is not used here", "write the keys out")
+        if node.tag.endswith(":null") and not node.value:
+            raise self._at(node, "a name is missing before the colon", "write name: value")
+        return str(node.value)
+
+    def _value(
+        self,
+        node: yaml.Node,
+        path: KeyPath,
+        values: dict[KeyPath, Place],
+        keys: dict[KeyPath, Place],
+    ) -> Plain:
+        # A table is spoken of by its name, a single value by itself.
+        named = path in keys and not isinstance(node, yaml.ScalarNode)
+        values[path] = keys[path] if named else self._place(node)
+        if isinstance(node, yaml.MappingNode):
+            return self._mapping(node, path, values, keys)
+        if isinstance(node, yaml.SequenceNode):
+            return [
+                self._value(item, (*path, i), values, keys) for i, item in enumerate(node.value)
+            ]
+        return self._scalar(node, str(node.value))
+
+    def _scalar(self, node: yaml.Node, text: str) -> Plain:
+        kind = node.tag.rpartition(":")[2]
+        if kind == "null":
+            return None
+        if kind == "bool":
+            if text.lower() not in ("true", "false"):
+                raise self._at(node, f"YAML reads “{text}” as true or false", _HINT_TRUTH)
+            return text.lower() == "true"
+        if kind in ("int", "float"):
+            return self._number(node, text)
+        return text
+
+    def _number(self, node: yaml.Node, text: str) -> str | int:
+        if len(text) > MAX_DIGITS:
+            raise self._at(node, f"a number of {len(text)} characters", "shorten it")
+        if ":" in text:
+            raise self._at(
+                node, f"YAML reads {text} as a number to base 60", "write the seconds: 90 s"
+            )
+        if "_" in text:
+            raise self._at(
+                node, f"{text} has an underscore in it", f"write {text.replace('_', '')}"
+            )
+        if _WHOLE.fullmatch(text):
+            return int(text)
+        if re.fullmatch(r"[+-]?0[xXoObB0-9][0-9a-fA-F]*", text):
+            raise self._at(
+                node,
+                f"YAML does not read {text} as an ordinary number",
+                "write it with the digits 0 to 9, without a zero in front",
+            )
+        return text
+
+    def _place(self, node: yaml.Node) -> Place:
+        return self.first_line + node.start_mark.line, self.first_col + node.start_mark.column
+
+    def _at(self, node: yaml.Node, message: str, hint: str) -> YamlError:
+        return YamlError(*self._place(node), message, hint)
+
+    def error(self, line: int, col: int, message: str, hint: str) -> YamlError:
+        """An error at a line and column of the text, both counted from 0."""
+        return YamlError(self.first_line + line, self.first_col + col, message, hint)
+
+
+# What PyYAML says, and what we say instead.
+_EXPLAINED = (
+    (
+        "mapping values are not allowed here",
+        "a colon where none is expected",
+        "one “key: value” on a line; text with a colon in it goes in quotes",
+    ),
+    (
+        "could not find expected ':'",
+        "a colon is missing",
+        "write “key: value”, with a space after the colon",
+    ),
+    (
+        "expected ',' or '}'",
+        "a comma or the closing } is missing",
+        "for example: {mass: 0.5 kg, position: 0.4 m}",
+    ),
+    (
+        "expected ',' or ']'",
+        "a comma or the closing ] is missing",
+        "for example: [x, v, F]",
+    ),
+    (
+        "while scanning a quoted scalar",
+        "the closing quote is missing",
+        "begin and end a text with the same quote",
+    ),
+    (
+        "expected a single document",
+        "a line of --- begins a second text",
+        "keep only the first",
+    ),
+    (
+        "expected <block end>",
+        "this line is not indented like its neighbours",
+        "lines that belong together begin in the same column",
+    ),
+    (
+        "unindent does not match",
+        "this line is not indented like its neighbours",
+        "lines that belong together begin in the same column",
+    ),
+    (
+        "cannot start any token",
+        "this character cannot begin a value",
+        "put the text in quotes",
+    ),
+)
