@@ -1,0 +1,1 @@
+"""WIRE: what the page asks and what the simulation answers."""

@@ -1,0 +1,109 @@
+"""The protocol between page and simulation: plain values in, a header and numbers out.
+
+    {"id": 7, "kind": "run", "scene": {...plain scene...}, "set": {"A.mass": 2}}
+
+is answered by a header (JSON) and one array of float64, column after column. The header of a
+refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
+what a reader or an author typed.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Mapping
+from typing import Any
+
+from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.plan import not_simulated
+from sim.dynamics.report import report
+from sim.dynamics.run import Run, run
+from sim.dynamics.trajectory import trajectory
+from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
+
+PROTOCOL = 1
+MOST_EVENTS_DRAWN = 20_000
+"""A page stops a run here: more events than this can neither be drawn nor listed."""
+
+Answer = tuple[dict[str, Any], "array[float]"]
+
+
+def answer(request: Mapping[str, Any]) -> Answer:
+    """Answer one request."""
+    identity = request.get("id")
+    if request.get("kind") != "run":
+        problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
+        return refusal(identity, [problem])
+    try:
+        plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
+        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN)
+    except SceneError as error:
+        return refusal(identity, error.problems)
+    except UnsolvedError as error:
+        return refusal(identity, [Problem((), "unsolved", error.message, error.hint)])
+    header, numbers = describe(finished)
+    return {"id": identity, "ok": True, **header}, numbers
+
+
+def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> Answer:
+    """The answer to a request that cannot be run."""
+    listed = [
+        {"path": list(p.path), "code": p.code, "message": p.message, "hint": p.hint}
+        for p in problems
+    ]
+    return {"id": identity, "ok": False, "problems": listed}, array("d")
+
+
+def describe(finished: Run) -> Answer:
+    """Header and numbers of a finished run."""
+    scene = finished.scene
+    samples = trajectory(finished)
+    numbers = array("d")
+    for column in samples.columns.values():
+        numbers.extend(column)
+    header = {
+        "title": scene.title,
+        "until": scene.until,
+        "bodies": _bodies(scene),
+        "track": {
+            "left": scene.track.left,
+            "right": scene.track.right,
+            "length": scene.track.length,
+        },
+        "contacts": _contacts(scene),
+        "rows": samples.rows,
+        "columns": [list(name) for name in samples.columns],
+        "notSimulated": list(not_simulated(scene)),
+        **report(finished),
+    }
+    return header, numbers
+
+
+def _bodies(scene: Scene) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": cart.name,
+            "mass": cart.mass,
+            "position": cart.position,
+            "velocity": cart.velocity,
+            "length": cart.length,
+            "bumper_length": cart.bumper_length,
+        }
+        for cart in scene.carts
+    ]
+
+
+def _contacts(scene: Scene) -> list[dict[str, Any]]:
+    listed = []
+    for k, contact in enumerate(scene.contacts):
+        if contact is not None:
+            names = scene.names_at(k)
+            listed.append(
+                {
+                    "pair": "-".join(names),
+                    "bodies": list(names),
+                    "law": contact.law,
+                    "restitution": contact.restitution,
+                    "stiffness": contact.stiffness,
+                }
+            )
+    return listed

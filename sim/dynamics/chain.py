@@ -1,0 +1,125 @@
+"""The moving state of a run: bodies in a row, the gaps between them, contacts in progress.
+
+    gap 0   body 0   gap 1   body 1   ...   body n−1   gap n      a wall is a body of infinite mass
+
+Gaps and closing speeds are the state; positions are carried along for show. A gap of carts at
+x = 1e9 m is as exact as one at the origin. Each body and each gap has its own last time: an event
+touches only its neighbourhood, so the cost of an event does not grow with the number of carts.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from sim.dynamics.clock import ZERO, Time, elapsed
+from sim.dynamics.contact import PairContact
+from sim.dynamics.laws import Figures, FiniteLaw, finite_law
+from sim.scene.model import Contact, Scene
+
+
+@dataclass(slots=True)
+class Body:
+    """One cart, several that are stuck together, or a wall. `x` is its state at time `time`."""
+
+    carts: tuple[int, ...]  # indices in the scene; empty: a wall
+    mass: float  # kg
+    x: float  # m, of the first cart's centre
+    v: float  # m/s
+    left: int  # gap on its left
+    right: int  # gap on its right
+    time: Time = ZERO
+    contact: PairContact | None = None
+
+
+@dataclass(slots=True)
+class Gap:
+    """The room between two neighbours, edge to edge; negative: their bumpers overlap."""
+
+    index: int
+    left: Body
+    right: Body
+    room: float  # m, at `time`
+    rate: float  # m/s, right velocity minus left
+    contact: Contact
+    law: FiniteLaw | None
+    time: Time = ZERO
+    memory: float = 0.0  # m, of the bumper
+    turn: int = 0  # counts predictions: an older one in the calendar is void
+    touching: PairContact | None = None
+    joined: bool = False
+    _figures: tuple[float, Figures] | None = field(default=None)
+
+    @property
+    def mu(self) -> float:
+        """Reduced mass in kg."""
+        a, b = self.left.mass, self.right.mass
+        if a == math.inf:
+            return b
+        return a if b == math.inf else a * b / (a + b)
+
+    def figures(self, mu: float) -> Figures:
+        """Those of the gap's law, computed once per reduced mass."""
+        if self._figures is None or self._figures[0] != mu:
+            assert self.law is not None
+            self._figures = (mu, self.law.figures(mu))
+        return self._figures[1]
+
+
+class Chain:
+    """Bodies and gaps of one run."""
+
+    def __init__(self, scene: Scene) -> None:
+        count = len(scene.carts)
+        self.bodies = [
+            Body((k,), cart.mass, cart.position, cart.velocity, k, k + 1)
+            for k, cart in enumerate(scene.carts)
+        ]
+        left_wall = Body((), math.inf, 0.0, 0.0, -1, 0)
+        right_wall = Body((), math.inf, scene.track.length or 0.0, 0.0, count, -1)
+        row = [left_wall, *self.bodies, right_wall]
+        self.gaps: list[Gap | None] = []
+        laws: dict[Contact, FiniteLaw | None] = {}
+        for k, contact in enumerate(scene.contacts):
+            if contact is None:
+                self.gaps.append(None)
+                continue
+            law = laws.setdefault(contact, finite_law(contact))
+            self.gaps.append(
+                Gap(k, row[k], row[k + 1], scene.gaps[k], scene.approaches[k], contact, law)
+            )
+
+    def neighbours(self, gap: Gap) -> tuple[Gap | None, Gap | None]:
+        """The gaps beyond the two bodies of `gap`; None beyond a wall or on an open side."""
+        left = self.gaps[gap.left.left] if gap.left.carts else None
+        right = self.gaps[gap.right.right] if gap.right.carts else None
+        return left, right
+
+    def advance(self, gap: Gap, now: Time) -> None:
+        """Bring the room of a gap that is not touching to `now`."""
+        if gap.left.contact is None and gap.right.contact is None:
+            gap.room += gap.rate * elapsed(gap.time, now)
+        else:
+            gap.room += moved(gap.right, gap.time, now) - moved(gap.left, gap.time, now)
+        gap.time = now
+        if gap.room >= 0.0:
+            gap.memory = 0.0
+
+
+def moved(body: Body, start: Time, end: Time) -> float:
+    """m. How far a body goes between two times with no event of its own in between."""
+    contact = body.contact
+    if contact is None:
+        return body.v * elapsed(start, end)
+    a, b = elapsed(contact.begun, start), elapsed(contact.begun, end)
+    share = contact.shares[0] if contact.gap == body.right else -contact.shares[1]
+    return contact.velocity * (b - a) + share * (contact.overlap(b) - contact.overlap(a))
+
+
+def velocity(body: Body, now: Time) -> float:
+    """m/s at `now`."""
+    contact = body.contact
+    if contact is None:
+        return body.v
+    share = contact.shares[0] if contact.gap == body.right else -contact.shares[1]
+    return contact.velocity + share * contact.at(elapsed(contact.begun, now))[1]

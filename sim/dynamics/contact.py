@@ -1,0 +1,129 @@
+"""One contact between two neighbours, in closed form, as long as nobody else touches them.
+
+    A (mass mA) --> N N <-- B (mass mB)        force on A: −N, force on B: +N, one number
+
+With V the velocity of the common centre of mass and d the overlap:
+
+    v_A = V + (mu/mA) d'      x_A(t) = x_A(0) + V t + (mu/mA) (d − d0)
+    v_B = V − (mu/mB) d'      x_B(t) = x_B(0) + V t − (mu/mB) (d − d0)
+
+A wall has infinite mass: V = 0, mu is the cart's mass, and the wall's share of d is nought.
+From first touch the outcome is taken from the law's figures, v' = V + e (V − v): exact to the
+last bit or two. From any other start (a contact resumed, an overlap at the beginning) it is taken
+from the end of the last stretch.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from sim.dynamics.clock import Time
+from sim.dynamics.laws import Figures, FiniteLaw
+from sim.dynamics.laws.swing import Swing, first_turn, greatest_force
+
+
+@dataclass(slots=True)
+class PairContact:
+    """A contact that began at `begun` with overlap d0 and approach speed u."""
+
+    gap: int
+    law: FiniteLaw
+    mu: float  # kg
+    begun: Time
+    d0: float  # m
+    u: float  # m/s
+    memory: float  # m, of the bumper, before this contact
+    velocity: float  # m/s, V
+    shares: tuple[float, float]  # mu/mA, mu/mB
+    figures: Figures | None  # where it starts from first touch
+    duration: float = field(init=False)
+    _stretches: tuple[Swing, ...] | None = field(init=False, default=None)
+
+    def __post_init__(self) -> None:
+        if self.figures is not None:
+            self.duration = self.figures.duration
+        else:
+            self.duration = math.fsum(swing.duration for swing in self.stretches)
+
+    @property
+    def stretches(self) -> tuple[Swing, ...]:
+        """The closed form, made when first asked for: a run that is only counted never asks."""
+        if self._stretches is None:
+            self._stretches = self.law.stretches(self.mu, self.d0, self.u, self.memory)
+        return self._stretches
+
+    def at(self, tau: float) -> tuple[float, float, float, float]:
+        """d, d', d'', d''' at tau s after the contact began."""
+        stretches = self.stretches
+        for swing in stretches:
+            if tau < swing.start + swing.duration:
+                return swing.at(tau)
+        if not stretches:
+            return self.d0, self.u, 0.0, 0.0
+        return stretches[-1].at(tau)
+
+    def out(self) -> tuple[float, float]:
+        """Separation speed and overlap left at the end."""
+        if self.figures is not None:
+            return self.figures.e * self.u, self.figures.out_overlap * self.u
+        if not self.stretches:
+            return -self.u, self.d0
+        d, v = self.stretches[-1].end()
+        return -v, max(d, 0.0)
+
+    def overlap(self, tau: float) -> float:
+        """d at tau; at the ends without evaluating the closed form."""
+        if tau <= 0.0:
+            return self.d0
+        return self.out()[1] if tau >= self.duration else self.at(tau)[0]
+
+    def first_force(self) -> float:
+        """N just after the contact began."""
+        if self.figures is not None:
+            return self.figures.first_force * self.u
+        return -self.mu * self.at(0.0)[2]
+
+    def last_force(self) -> float:
+        """N just before the contact ends."""
+        if self.figures is not None:
+            return self.figures.last_force * self.u
+        return -self.mu * self.stretches[-1].at(self.duration)[2] if self.stretches else 0.0
+
+    def deepest_until(self, tau: float) -> float:
+        """m. Greatest overlap in the first tau seconds."""
+        if tau >= self.duration:
+            return self.greatest_overlap()
+        best = max(self.d0, self.at(tau)[0])
+        for swing in self.stretches:
+            if swing.start < tau:
+                best = max(best, swing.at(min(swing.start + _turn(swing), tau))[0])
+        return best
+
+    def greatest_overlap(self) -> float:
+        """m. Over the whole contact."""
+        if self.figures is not None:
+            return self.figures.peak_overlap * self.u
+        best = self.d0
+        for swing in self.stretches:
+            d, _ = swing.end()
+            best = max(best, d)
+            if swing.rate.beta > 0.0:
+                best = max(best, swing.at(swing.start + _turn(swing))[0])
+        return best
+
+    def peak(self) -> tuple[float, float, float]:
+        """Time after the beginning, N, and d' of the greatest force."""
+        if self.figures is not None:
+            f = self.figures
+            return f.peak_time, f.peak_force * self.u, f.peak_rate * self.u
+        tau = greatest_force(self.stretches)
+        _, v, a, _ = self.at(tau)
+        return tau, -self.mu * a, v
+
+
+def _turn(swing: Swing) -> float:
+    """Where the overlap of a stretch is greatest, in s after its start."""
+    if swing.v0 <= 0.0:
+        return 0.0
+    return min(first_turn(swing.rate, swing.d0 - swing.centre, swing.v0), swing.duration)

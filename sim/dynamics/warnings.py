@@ -1,0 +1,58 @@
+"""What a reader should know before pressing Play."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sim.dynamics.run import Run
+
+
+@dataclass(frozen=True, slots=True)
+class Warning:
+    """A remark about a run; it changes no number."""
+
+    code: str
+    message: str
+
+
+def warnings(run: Run) -> tuple[Warning, ...]:
+    """Bumpers squeezed beyond their length, deepest first.
+
+    Between two carts there are two bumpers, at a wall there is one. In every law here the
+    greatest overlap grows with u / sqrt(k): from that come the stiffness or speed that would do.
+    """
+    found = []
+    scene = run.scene
+    for gap, (deepest, contact) in run.record.deepest.items():
+        names = scene.names_at(gap)
+        bumpers = [cart.bumper_length for cart in scene.carts if cart.name in names]
+        room = sum(bumpers)
+        if deepest <= room:
+            continue
+        pair = " and ".join("the wall" if name in ("left", "right") else name for name in names)
+        owner = "bumper" if len(bumpers) == 1 else "bumpers"
+        message = (
+            f"The {owner} between {pair} would be squeezed by {100 * deepest:.3g} cm, but there is "
+            f"room for {100 * room:.3g} cm. "
+        )
+        if room > 0.0 and contact.u > 0.0:
+            stiffness = contact.law.stiffness * (deepest / room) ** 2
+            speed = contact.u * room / deepest
+            message += (
+                f"Raise the stiffness to at least {_up(stiffness)} N/m, or let them meet at "
+                f"{_down(speed)} m/s or less."
+            )
+        found.append((deepest - room, Warning("bumper-bottoms", message)))
+    return tuple(warning for _, warning in sorted(found, key=lambda item: -item[0]))
+
+
+def _up(value: float) -> str:
+    """Three figures, never less than the value."""
+    text = f"{value:.3g}"
+    return text if float(text) >= value else f"{float(text) * 1.005:.3g}"
+
+
+def _down(value: float) -> str:
+    """Three figures, never more than the value."""
+    text = f"{value:.3g}"
+    return text if float(text) <= value else f"{float(text) * 0.995:.3g}"
