@@ -1,0 +1,86 @@
+"""`carts build`: check the lessons, make the site, say which file to double-click."""
+
+from __future__ import annotations
+
+import logging
+import os
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from sim.cli.check import report
+from sim.pages.check import USUAL_PLACES, check_paths
+
+if TYPE_CHECKING:
+    from mkdocs.config.defaults import MkDocsConfig
+
+
+@click.command("build")
+@click.option(
+    "--hosted", is_flag=True, help="For a web server. Without it: for opening by double click."
+)
+@click.option(
+    "--strict/--no-strict",
+    default=True,
+    help="Stop at mistakes (default), or build all the same and show them in the pages.",
+)
+@click.pass_context
+def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
+    """Build the site into the folder site/ and print the file to double-click."""
+    root = Path.cwd()
+    if not (root / "mkdocs.yml").is_file():
+        raise click.UsageError("There is no mkdocs.yml here. Go to the folder of your site first.")
+    started = time.monotonic()
+    found = check_paths([root / place for place in USUAL_PLACES], root)
+    if found:
+        report(found)
+        if strict:
+            click.echo("The site was not built. Mend what is named above and try again.")
+            ctx.exit(1)
+    site = build_site(root, hosted=hosted, strict=strict)
+    if site is None:
+        click.echo("The site was not built.", err=True)
+        ctx.exit(1)
+    pages = len(list(site.rglob("*.html"))) - 1  # the page for missing pages is none
+    click.echo(f"{pages} pages in {time.monotonic() - started:.0f} s.")
+    if hosted:
+        click.echo(f"Put everything in this folder on your web server:\n  {site}")
+    else:
+        click.echo(f"Open it with a double click, no network needed:\n  {site / 'index.html'}")
+
+
+def build_site(root: Path, *, hosted: bool, strict: bool) -> Path | None:
+    """Run MkDocs in `root`; the absolute path of the site, or None after messages on stderr."""
+    os.environ["NO_MKDOCS_2_WARNING"] = "1"  # the theme's notice to programmers
+    from mkdocs.commands.build import build
+    from mkdocs.config import load_config
+    from mkdocs.exceptions import Abort, MkDocsException
+
+    _messages_to_stderr()
+    try:
+        config: MkDocsConfig = load_config(str(root / "mkdocs.yml"), strict=strict)
+        config.plugins["carts"].config["hosted"] = hosted
+        config.plugins.on_startup(command="build", dirty=False)
+        build(config)
+        config.plugins.on_shutdown()
+    except (Abort, MkDocsException) as error:
+        click.echo(str(error), err=True)
+        return None
+    return Path(config.site_dir).resolve()
+
+
+def _messages_to_stderr() -> None:
+    """Warnings and errors for the author; MkDocs' own remarks on its progress are left out."""
+    handler = logging.StreamHandler()
+    handler.setFormatter(logging.Formatter("%(message)s"))
+    handler.setLevel(logging.WARNING)
+    progress = logging.StreamHandler()
+    progress.setFormatter(logging.Formatter("%(message)s"))
+    logging.getLogger("mkdocs").addHandler(handler)
+    logging.getLogger("mkdocs").setLevel(logging.WARNING)
+    ours = logging.getLogger("mkdocs.plugins.carts.runtime")
+    ours.addHandler(progress)
+    ours.setLevel(logging.INFO)
+    ours.propagate = False

@@ -1,0 +1,37 @@
+"""`carts plan`: which solver takes which phase, and why."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from sim.cli import scene_file
+from sim.cli.tables import table
+from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.plan import not_simulated, plan
+from sim.dynamics.report import finite, phase_object
+from sim.dynamics.run import run
+
+
+@click.command("plan")
+@click.argument("scene", metavar="SCENE.yml")
+@click.option("--json", "as_json", is_flag=True, help="Print the phases as a JSON list.")
+def command(scene: str, as_json: bool) -> None:
+    """Say how a scene would be solved, phase by phase, and why.
+
+    SCENE.yml is a scene file; - reads standard input.
+    """
+    description = scene_file.read(scene)
+    try:
+        phases = plan(run(description))
+    except UnsolvedError as error:
+        scene_file.fail(f"{scene}: error: {error.message}\n  hint: {error.hint}")
+    if as_json:
+        click.echo(json.dumps(finite([phase_object(p) for p in phases]), ensure_ascii=False))
+        return
+    rows = [(f"{p.begin:.6g}", f"{p.until:.6g}", str(p.tier), p.solver, p.why) for p in phases]
+    click.echo(table(("from s", "until s", "tier", "solver", "why"), rows))
+    left_out = not_simulated(description)
+    if left_out:
+        click.echo(f"\nNot simulated: {', '.join(left_out)}.")

@@ -1,0 +1,99 @@
+"""Runs as text: tables for people, columns for spreadsheets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sim.dynamics.run import Run
+from sim.dynamics.trajectory import trajectory
+from sim.dynamics.warnings import warnings
+
+UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N"}
+MOST_LINES = 200
+"""Events listed for people; the rest is counted. `--json` lists them all."""
+
+
+def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Aligned columns; numbers to the right, words to the left."""
+    widths = [max(len(row[k]) for row in [header, *rows]) for k in range(len(header))]
+    lines = []
+    for row in [header, *rows]:
+        cells = [
+            cell.rjust(width) if _is_number(rows, k) else cell.ljust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ]
+        lines.append("  ".join(cells).rstrip())
+    return "\n".join(lines)
+
+
+def _is_number(rows: Sequence[Sequence[str]], k: int) -> bool:
+    return all(
+        row[k].lstrip("-−").replace(".", "").replace("e-", "").isdigit() or row[k] in ("", "–")
+        for row in rows
+    )
+
+
+def number(value: float | None) -> str:
+    """Six figures; what rounding leaves of nought is nought."""
+    if value is None:
+        return "–"
+    return f"{0.0 if abs(value) < 1e-15 else value:.6g}"
+
+
+def run_as_text(run: Run) -> str:
+    """What `carts run` prints for people."""
+    scene, ledger = run.scene, run.ledger
+    parts = [scene.title] if scene.title else []
+    parts += [f"Warning: {warning.message}" for warning in warnings(run)]
+    if run.record.keep_events:
+        parts.append(_events(run))
+    else:
+        counts = ", ".join(f"{count} {kind}" for kind, count in run.record.counts.items())
+        parts.append(f"Events: {counts}")
+    rows = [
+        (
+            cart.name,
+            number(cart.mass),
+            number(cart.position),
+            number(cart.velocity),
+            number(x),
+            number(v),
+        )
+        for cart, x, v in zip(scene.carts, run.x, run.v, strict=True)
+    ]
+    parts.append(table(("cart", "m kg", "x0 m", "v0 m/s", "x m", "v m/s"), rows))
+    parts.append(
+        f"momentum  {number(ledger.momentum_initial)} → {number(ledger.momentum_final)} N s"
+        f"   (walls gave {number(ledger.external)} N s)\n"
+        f"energy    {number(ledger.energy_initial)} → {number(ledger.energy_final)} J"
+        f"   ({number(ledger.warmed)} J warmed the bumpers)"
+    )
+    parts.append(run.outcome.sentence)
+    return "\n\n".join(parts)
+
+
+def _events(run: Run) -> str:
+    rows = []
+    for event in run.record.events[:MOST_LINES]:
+        speeds = " ".join(f"{name} {number(v)}" for name, v in event.after.items())
+        rows.append(
+            (
+                number(event.t),
+                event.kind,
+                " ".join(event.bodies),
+                number(event.impulse),
+                number(event.force),
+                speeds,
+            )
+        )
+    text = table(("t s", "event", "bodies", "impulse N s", "force N", "velocities m/s"), rows)
+    more = len(run.record.events) - len(rows)
+    return f"{text}\n… and {more} more (--json lists them all)" if more > 0 else text
+
+
+def columns_as_csv(run: Run) -> str:
+    """The sampled motion, one column each, unit in the header; lines end as RFC 4180 says."""
+    columns = {name: values for name, values in trajectory(run).columns.items() if name[0] in UNITS}
+    header = ",".join(f"{' '.join(name)} ({UNITS[name[0]]})" for name in columns)
+    lines = (",".join(repr(value) for value in row) for row in zip(*columns.values(), strict=True))
+    return "\r\n".join([header, *lines, ""])
