@@ -1,6 +1,6 @@
 """The Markdown extension: `scene` blocks become live scenes, mistakes become red boxes.
 
-It works with any generator that uses Python-Markdown. The generator's shell says in `building`
+It works with any generator that uses Python-Markdown. The generator's shell says with `set_page`
 which page is being made and what shall happen with findings; without it the first mistake raises
 `AuthorError`. Blocks are taken out before any other extension sees them, because pymdownx would
 swallow an exception and show the block as code.
@@ -10,8 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import html
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 
@@ -45,14 +44,9 @@ class Page:
 _page: ContextVar[Page | None] = ContextVar("carts-page", default=None)
 
 
-@contextmanager
-def building(page: Page) -> Iterator[Page]:
-    """Within this block of code the extension works for `page`."""
-    token = _page.set(page)
-    try:
-        yield page
-    finally:
-        _page.reset(token)
+def set_page(page: Page | None) -> None:
+    """From now on the extension works for `page`; None: for nobody."""
+    _page.set(page)
 
 
 class CartsExtension(Extension):

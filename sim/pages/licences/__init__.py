@@ -1,0 +1,98 @@
+"""third-party-licenses.txt: what a built site carries of other people's work, and the terms."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+FILE_NAME = "third-party-licenses.txt"
+
+_HERE = Path(__file__).parent
+_RULE = "=" * 80
+_HEAD = """\
+What this site carries of other people's work
+{rule}
+
+Newton's Carts itself: code Apache-2.0, lessons CC BY 4.0. This folder also holds the works listed
+here, each under its own terms. The texts of the licences follow the list.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """One work: its name and version, where its source is, under which terms, and their texts."""
+
+    name: str
+    version: str
+    source: str
+    licence: str
+    copyright: str
+    note: str
+    texts: tuple[tuple[str, str], ...]  # title and text
+
+    def __str__(self) -> str:
+        lines = [f"{self.name} {self.version}".rstrip(), f"  licence: {self.licence}"]
+        lines += [f"  {self.copyright}"] if self.copyright else []
+        lines += [f"  source: {self.source}"]
+        lines += [f"  {self.note}"] if self.note else []
+        return "\n".join(lines)
+
+
+def notices(node_modules: Path, *, scenes: bool, packages: Iterable[str] = ()) -> Iterator[Notice]:
+    """The works in a site: with the Python runtime if it has `scenes`, and with `packages`."""
+    parts = {"site", *(["scenes"] if scenes else []), *packages}
+    rows = yaml.safe_load((_HERE / "notices.yml").read_text(encoding="utf-8"))
+    for row in rows:
+        if row["in"] in parts:
+            version = _version(row.get("version", ""), node_modules)
+            yield Notice(
+                row["name"],
+                version,
+                row["source"].format(version=version),
+                row["licence"],
+                row.get("copyright", ""),
+                row.get("note", ""),
+                tuple(_texts(row, node_modules)),
+            )
+
+
+def licence_file(works: Iterable[Notice]) -> str:
+    """The whole file: the list, then every text once."""
+    works = list(works)
+    texts: dict[str, str] = {}
+    for work in works:
+        texts.update(work.texts)
+    parts = [_HEAD.format(rule=_RULE), *(f"{work}\n" for work in works)]
+    parts += [f"{_RULE}\n{title}\n{_RULE}\n\n{text.strip()}\n" for title, text in texts.items()]
+    return "\n".join(parts)
+
+
+def _version(named: str, node_modules: Path) -> str:
+    """A version as written, or that of the package named: `npm:katex`, `numpy`."""
+    if named.startswith("npm:"):
+        package = node_modules / named.removeprefix("npm:") / "package.json"
+        return str(json.loads(package.read_text(encoding="utf-8"))["version"])
+    if not named or named[0].isdigit():
+        return named
+    return metadata.version(named)
+
+
+def _texts(row: dict[str, Any], node_modules: Path) -> Iterator[tuple[str, str]]:
+    kind, _, package = row.get("from", "").partition(":")
+    if kind == "npm":
+        path = node_modules / package / "LICENSE"
+        yield f"{row['name']}: {row['licence']}", path.read_text(encoding="utf-8")
+    elif kind == "pip":
+        for file in metadata.files(package) or []:
+            own = file.parts[0].endswith(".dist-info")
+            if own and ("licenses" in file.parts or file.name.startswith("LICENSE")):
+                yield f"{row['name']}: {'/'.join(file.parts[1:])}", file.read_text(encoding="utf-8")
+    named = row.get("text", [])
+    for name in [named] if isinstance(named, str) else named:
+        yield name, (_HERE / f"{name}.txt").read_text(encoding="utf-8")

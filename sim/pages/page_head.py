@@ -1,0 +1,128 @@
+"""The last step of every page: a strict Content-Security-Policy, and only the scripts it needs.
+
+A page may run what lies beside it and nothing else. The inline scripts that the theme writes are
+allowed one by one, by the SHA-256 of their text; what an author or a file might smuggle in is not.
+The policy must be the first element of <head>: what stands before it is not covered.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from base64 import b64encode
+from collections.abc import Iterable
+from dataclasses import dataclass
+from html import escape
+from html.parser import HTMLParser
+from typing import Literal
+
+Audience = Literal["offline", "hosted", "preview"]
+
+_SCRIPT = re.compile(r"<script(?P<attributes>[^>]*)>(?P<text>.*?)</script>", re.DOTALL)
+_DATA_TYPE = re.compile(r"""\btype\s*=\s*["']?(?!text/javascript|module)[\w/+-]+""")
+# Firefox prefetches these pages, which the policy rightly forbids; the links in the footer stay.
+_NEIGHBOURS = re.compile(r'[ \t]*<link rel="(?:prev|next)"[^>]*>\n?')
+
+_COMMON = {
+    "default-src": "'none'",
+    "script-src": "'self' 'wasm-unsafe-eval'",
+    "style-src": "'self'",
+    "img-src": "'self' data:",
+    "font-src": "'self'",
+    "connect-src": "'none'",
+    "worker-src": "blob:",
+    "base-uri": "'none'",
+    "form-action": "'none'",
+}
+_HOSTED = {
+    "connect-src": "'self'",
+    "worker-src": "'self' blob:",
+    "manifest-src": "'self'",
+}
+# `mkdocs serve` adds a script of its own to every page when it sends it: no hash can cover it.
+_PREVIEW = {**_HOSTED, "script-src": "'self' 'wasm-unsafe-eval' 'unsafe-inline'"}
+
+
+@dataclass(frozen=True, slots=True)
+class Needs:
+    """What a page needs beside the theme."""
+
+    scenes: bool = False
+    formulas: bool = False
+
+
+def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
+    """The Content-Security-Policy for a page with these inline scripts."""
+    changes: dict[str, dict[str, str]] = {"offline": {}, "hosted": _HOSTED, "preview": _PREVIEW}
+    rules = _COMMON | changes[audience]
+    if audience != "preview":
+        hashes = dict.fromkeys(f"'sha256-{_sha256(text)}'" for text in inline_scripts)
+        rules["script-src"] = " ".join([rules["script-src"], *hashes])
+    return "; ".join(f"{name} {value}" for name, value in rules.items())
+
+
+def inline_scripts(page: str) -> list[str]:
+    """The texts of the scripts that run from within the page; data blocks do not run."""
+    return [
+        match["text"]
+        for match in _SCRIPT.finditer(page)
+        if "src=" not in match["attributes"] and not _DATA_TYPE.search(match["attributes"])
+    ]
+
+
+def finish(page: str, *, audience: Audience, site_id: str, assets: str, needs: Needs) -> str:
+    """The page with its policy, its site's name and the scripts that it needs.
+
+    `assets` leads from the page to the folder assets/carts/, with a slash at its end.
+    """
+    first = (
+        f'<head>\n    <meta http-equiv="Content-Security-Policy" '
+        f'content="{policy(audience, inline_scripts(page))}">\n'
+        f'    <meta name="carts-site" content="{escape(site_id)}">'
+    )
+    last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in ("site.css", "carts.css")]
+    if needs.formulas:
+        last += [
+            f'<link rel="stylesheet" href="{assets}katex/katex.min.css">',
+            f'<script src="{assets}katex/katex.min.js" defer></script>',
+            f'<script src="{assets}formulas.js" defer></script>',
+        ]
+    if needs.scenes:
+        last.append(f'<script src="{assets}carts.js" defer></script>')
+    page = _NEIGHBOURS.sub("", page).replace("<head>", first, 1)
+    page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
+    # The theme's search dialog has no name for screen readers.
+    return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)
+
+
+class _Blocked(HTMLParser):
+    """Collects what the policy forbids, so that an author hears of it instead of wondering."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            target = (value or "").strip().lower()
+            if name == "style" or name.startswith("on"):
+                self.found.append(f"{name}= on <{tag}>")
+            elif name in ("href", "src", "action") and target.startswith("javascript:"):
+                self.found.append(f"{name}=javascript: on <{tag}>")
+            elif tag != "a" and name in ("src", "href") and re.match(r"(https?:)?//", target):
+                self.found.append(f"<{tag} {name}={value}>")
+        if tag in ("style", "iframe", "object", "embed", "base"):
+            self.found.append(f"<{tag}>")
+        if tag == "script" and not any(name in ("src", "type") for name, _ in attrs):
+            self.found.append("<script> with its text in the page")
+
+
+def blocked(content: str) -> list[str]:
+    """What in a page's own content the policy will not allow."""
+    parser = _Blocked()
+    parser.feed(content)
+    return parser.found
+
+
+def _sha256(text: str) -> str:
+    return b64encode(hashlib.sha256(text.encode("utf-8")).digest()).decode("ascii")

@@ -1,0 +1,151 @@
+"""The MkDocs plugin: a thin shell around `SiteBuild` and the Markdown extension.
+
+Which events are used, and why: `config` (settings, the Markdown extension), `files` (lessons and
+assets join the site), `page_markdown` and `page_content` (tell the extension which page is made),
+`post_page` and `post_template` (policy and scripts), `post_build` (runtime, search, licences).
+"""
+
+from __future__ import annotations
+
+import logging
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Literal
+from urllib.parse import urlsplit
+
+from mkdocs.config import config_options as c
+from mkdocs.config.base import Config
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.exceptions import PluginError
+from mkdocs.plugins import BasePlugin, event_priority
+from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page as MkDocsPage
+from mkdocs.utils import get_relative_url
+
+from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.findings import Finding
+from sim.pages.page_head import Audience, blocked
+from sim.pages.site_build import SiteBuild, SiteError, with_lessons
+from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
+
+log = logging.getLogger("mkdocs.plugins.carts")
+
+
+class CartsConfig(Config):  # type: ignore[no-untyped-call]
+    """Settings in mkdocs.yml under `plugins: - carts:`."""
+
+    lessons = c.Type(str, default="worksheets")  # folder of the lessons, beside mkdocs.yml
+    hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
+
+
+class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
+    """One instance serves a whole `mkdocs serve`; what belongs to one build starts in `config`."""
+
+    serving = False
+    build: SiteBuild
+    page: Page
+
+    def on_startup(self, *, command: Literal["build", "gh-deploy", "serve"], dirty: bool) -> None:
+        """A preview shows an author's mistakes in the page instead of stopping at them."""
+        self.serving = command == "serve"
+
+    def on_config(self, config: MkDocsConfig) -> MkDocsConfig:
+        """Settings that the site needs, and a fresh start for what this build collects."""
+        root = Path(config.config_file_path).parent
+        audience: Audience = "hosted" if self.config.hosted else "offline"
+        if self.serving:
+            audience, config.strict = "preview", False
+        with _stopping():
+            site_id = str((config.extra.get("carts") or {}).get("site_id"))
+            self.build = SiteBuild(root, audience, site_id, _report)
+        self.lessons = sorted((root / self.config.lessons).glob("*.md"))
+        if config.nav is not None:
+            config.nav = with_lessons(config.nav, self.config.lessons, self.lessons)
+        config.use_directory_urls = False
+        config.markdown_extensions.append(CartsExtension())  # type: ignore[arg-type]
+        config.watch.append(str(root / self.config.lessons))
+        if audience == "offline":
+            config.extra.setdefault("polyfills", []).append(SEARCH_FROM_DISK)
+        if not config.site_url:
+            config.theme.static_templates.discard("sitemap.xml")
+        return config
+
+    def on_files(self, files: Files, *, config: MkDocsConfig) -> Files:
+        """Lessons become pages, our assets become files; what only developers use is left out."""
+        for path in self.lessons:
+            uri = f"{self.config.lessons}/{path.name}"
+            file = File.generated(config, uri, abs_src_path=str(path))
+            file.edit_uri = f"../{uri}"  # from docs/, where the generator believes it to be
+            files.append(file)
+        with _stopping():
+            for uri, content in self.build.assets().items():
+                files.append(File.generated(config, uri, content=content))
+        for file in list(files):
+            # Source maps; and a list of addresses where the site has none.
+            if file.src_uri.endswith(".map") or file.src_uri == "sitemap.xml":
+                files.remove(file)
+            elif re.fullmatch(r"assets/javascripts/workers/search\..*\.js", file.src_uri):
+                script = search_from_disk(file.content_string)
+                files.append(File.generated(config, SEARCH_FROM_DISK, content=script))
+        return files
+
+    def on_page_markdown(
+        self, markdown: str, *, page: MkDocsPage, config: MkDocsConfig, files: Files
+    ) -> str:
+        """Tell the extension which page comes now, and on which line of its file it begins."""
+        path = Path(page.file.abs_src_path or page.file.src_uri)
+        self.page = self.build.page(path, whole=page.file.content_string, markdown=markdown)
+        set_page(self.page)
+        return markdown
+
+    def on_page_content(
+        self, html: str, *, page: MkDocsPage, config: MkDocsConfig, files: Files
+    ) -> str:
+        """Note what the rendered page needs, and warn of what its policy will block."""
+        set_page(None)
+        self.build.rendered(page.file.src_uri, self.page, html)
+        for what in dict.fromkeys(blocked(html)):
+            log.warning("%s: the page's policy blocks %s", self.page.lesson.file, what)
+        return html
+
+    def on_post_page(self, output: str, *, page: MkDocsPage, config: MkDocsConfig) -> str:
+        """Policy and scripts of one page."""
+        assets = get_relative_url(ASSETS, page.url)
+        return self.build.finished(output, assets, page.file.src_uri)
+
+    def on_template_context(self, context: Any, *, template_name: str, config: MkDocsConfig) -> Any:
+        """On a disk there is no root address: the page for missing pages stands beside the home."""
+        if template_name == "404.html" and self.build.audience == "offline":
+            context["base_url"] = "."
+        return context
+
+    def on_post_template(
+        self, output_content: str, *, template_name: str, config: MkDocsConfig
+    ) -> str:
+        """Policy of the pages that no Markdown file stands behind."""
+        if not template_name.endswith(".html"):
+            return output_content
+        offline = self.build.audience == "offline"
+        base = "" if offline else urlsplit(config.site_url or "/").path
+        return self.build.finished(output_content, base + ASSETS)
+
+    @event_priority(-100)  # after the search index has been written
+    def on_post_build(self, *, config: MkDocsConfig) -> None:
+        """What can only be made when all pages are known."""
+        with _stopping():
+            self.build.complete(Path(config.site_dir), log.getChild("runtime").info)
+
+
+@contextmanager
+def _stopping() -> Iterator[None]:
+    """MkDocs stops with a message, not with a traceback."""
+    try:
+        yield
+    except SiteError as error:
+        raise PluginError(str(error)) from error
+
+
+def _report(finding: Finding) -> None:
+    log.warning("%s", finding)  # a warning stops a strict build and leaves a preview running

@@ -1,0 +1,112 @@
+"""One build of the site, whatever generator runs it: what is collected on the way, and the end.
+
+A generator's shell makes one `SiteBuild`, asks it for a `Page` before each Markdown file, hands
+over what came out, lets it finish the HTML and calls `complete` when all pages are written.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from sim.pages import licences, site_files
+from sim.pages.check import scene_folders
+from sim.pages.extension import Page
+from sim.pages.findings import Finding
+from sim.pages.page_head import Audience, Needs, finish
+from sim.pages.scene_block import Lesson, SiteIds
+
+_SITE_ID = re.compile(r"[a-z0-9][a-z0-9-]{2,39}")
+_SITE_ID_HELP = """\
+mkdocs.yml: error: extra.carts.site_id is missing or not allowed
+  hint: a name for your site, 3 to 40 small letters, digits and hyphens; answers are stored under it
+    extra:
+      carts:
+        site_id: my-school-physics"""
+
+
+class SiteError(RuntimeError):
+    """The site cannot be built; the message is for the person who builds it."""
+
+
+@dataclass(slots=True)
+class SiteBuild:
+    """`root`: the folder of mkdocs.yml. `site_id`: the name that answers are stored under."""
+
+    root: Path
+    audience: Audience
+    site_id: str
+    report: Callable[[Finding], None]
+    ids: SiteIds = field(default_factory=SiteIds)
+    packages: set[str] = field(default_factory=set)
+    needs: dict[str, Needs] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not _SITE_ID.fullmatch(self.site_id):
+            raise SiteError(_SITE_ID_HELP)
+
+    def page(self, path: Path, *, whole: str, markdown: str) -> Page:
+        """The page of the lesson at `path`; `markdown`: what of `whole` is to be rendered."""
+        # Generators cut the front matter off: findings count lines of the whole file.
+        first_line = 1 + whole.replace("\r\n", "\n").count("\n") - markdown.count("\n")
+        shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
+        lesson = Lesson(shown.as_posix(), scene_folders(path, self.root))
+        return Page(lesson, first_line, self.ids, self.report)
+
+    def rendered(self, name: str, page: Page, html: str) -> None:
+        """Note what the page `name` needs, now that it is rendered."""
+        self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html)
+        self.packages |= page.packages
+
+    def finished(self, html: str, assets: str, name: str | None = None) -> str:
+        """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
+        needs = self.needs.get(name, Needs()) if name else Needs()
+        return finish(
+            html, audience=self.audience, site_id=self.site_id, assets=assets, needs=needs
+        )
+
+    def assets(self) -> dict[str, bytes]:
+        """The files beside the pages, by their address in the site; raises `SiteError`."""
+        try:
+            return site_files.site_files(self.root / "node_modules")
+        except site_files.MissingFilesError as error:
+            raise SiteError(str(error)) from error
+
+    def complete(self, site: Path, report: Callable[[str], None]) -> None:
+        """Write what can only be written when all pages are known; raises `SiteError`."""
+        index = site / "search" / "search_index.json"
+        if index.is_file():
+            text = f"var __index = {index.read_text(encoding='utf-8')}"
+            index.with_suffix(".js").write_text(text, encoding="utf-8")
+        scenes = any(needs.scenes for needs in self.needs.values())
+        if scenes:
+            self._add_runtime(site, report)
+        works = licences.notices(self.root / "node_modules", scenes=scenes, packages=self.packages)
+        (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
+
+    def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:
+        from sim.pages import runtime  # only where a page has a scene
+
+        try:
+            (site / site_files.ASSETS / "carts.js").write_bytes(site_files.scene_script())
+            cache = runtime.default_cache(self.root)
+            runtime.pack(site, packages=frozenset(self.packages), cache=cache, report=report)
+        except (
+            site_files.MissingFilesError,
+            runtime.RuntimePackError,
+            runtime.MissingSourceError,
+        ) as error:
+            raise SiteError(str(error)) from error
+
+
+def with_lessons(nav: list[Any], folder: str, lessons: Iterable[Path]) -> list[Any]:
+    """The navigation with `folder/` replaced by all lessons in it, in the order of their names."""
+    pages = [f"{folder}/{path.name}" for path in lessons]
+
+    def stands_for_them(item: Any) -> bool:
+        return isinstance(item, dict) and list(item.values()) == [f"{folder}/"]
+
+    return [dict.fromkeys(item, pages) if stands_for_them(item) else item for item in nav]

@@ -1,0 +1,72 @@
+"""The files that every built site carries beside its pages: styles, fonts, KaTeX, search from disk.
+
+All of them come from this repository, from npm's packages in node_modules/ (fonts, KaTeX) or from
+the installed theme; none is fetched when a page is opened.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import sim
+
+ASSETS = "assets/carts/"
+SEARCH_FROM_DISK = ASSETS + "iframe-worker.js"  # a name that keeps the theme from adding its own
+
+_WEB = Path(sim.__file__).parent / "web"
+_ROBOTO = "@fontsource-variable/roboto/files/roboto-{}.woff2"
+_MONO = "@fontsource/roboto-mono/files/roboto-mono-{}.woff2"
+FONTS = (
+    *(_ROBOTO.format(face) for face in ("latin-wght-normal", "latin-wght-italic")),
+    _ROBOTO.format("latin-ext-wght-normal"),
+    *(_MONO.format(face) for face in ("latin-400-normal", "latin-ext-400-normal")),
+)
+# Fallbacks for browsers that cannot run our pages anyway; without them no file is missing.
+_OLD_FONT = re.compile(r',\s*url\([^)]*\.(?:woff|ttf)\)\s*format\("[^"]*"\)')
+
+
+class MissingFilesError(RuntimeError):
+    """Something that the site is made of is not there; the message says what to do."""
+
+
+def site_files(node_modules: Path) -> dict[str, bytes]:
+    """Every file by its address in the site, without the scripts of scenes."""
+    return {ASSETS + name: content for name, content in _files(node_modules)}
+
+
+def scene_script() -> bytes:
+    """The committed bundle that brings scenes to life: assets/carts/carts.js."""
+    return _read(_WEB / "dist" / "carts.js", "make bundle")
+
+
+def search_from_disk(worker: str) -> str:
+    """The script that starts the theme's search (text of its worker) from within the page."""
+    script = _read(_WEB / "site" / "search-from-disk.js", "git restore sim/web/site").decode()
+    # json.dumps makes a JavaScript string of any text; < is written out so that no text can
+    # ever look like the end of a script.
+    return script.replace('"@@SEARCH_WORKER@@"', json.dumps(worker).replace("<", "\\u003c"), 1)
+
+
+def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
+    for name in ("site.css", "formulas.js"):
+        yield name, _read(_WEB / "site" / name, "git restore sim/web/site")
+    yield "carts.css", b"\n".join(path.read_bytes() for path in sorted(_WEB.glob("css/*.css")))
+    for font in FONTS:
+        path = node_modules / font
+        yield f"fonts/{path.name}", _read(path, "make site")
+    katex = node_modules / "katex" / "dist"
+    yield "katex/katex.min.js", _read(katex / "katex.min.js", "make site")
+    css = _read(katex / "katex.min.css", "make site").decode()
+    yield "katex/katex.min.css", _OLD_FONT.sub("", css).encode()
+    for face in sorted((katex / "fonts").glob("*.woff2")):
+        yield f"katex/fonts/{face.name}", face.read_bytes()
+
+
+def _read(path: Path, remedy: str) -> bytes:
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise MissingFilesError(f"{path.name} is missing. Run “{remedy}” first.") from None
