@@ -1,0 +1,12 @@
+"""The runtime: Pyodide, our package and, where asked for, numpy and scipy, as files of a site.
+
+`pack` fetches, verifies, compiles, takes the memory snapshot and writes the scripts of a page.
+How and why: docs/developers/runtime.md.
+"""
+
+from .cache import default_cache
+from .node import RuntimePackError
+from .pack import RuntimeFacts, pack
+from .sources import MissingSourceError
+
+__all__ = ["MissingSourceError", "RuntimeFacts", "RuntimePackError", "default_cache", "pack"]

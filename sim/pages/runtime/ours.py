@@ -1,0 +1,79 @@
+"""Our own package for the page: which files, which modules of the standard library they ask for.
+
+Only the layers that run in a page are packed. The wheel is written file by file with fixed dates,
+so that its bytes depend on the sources alone.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+import zipfile
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from .cache import key_of, sha256
+from .stdlib import DATE
+
+LAYERS = ("scene", "dynamics", "lesson", "classroom", "bridge")
+ENTRY = "sim.bridge.pyodide_entry"
+NAME = "newtons-carts"
+
+
+@dataclass(frozen=True)
+class Ours:
+    """The Python package that goes into the page: path in the wheel -> source."""
+
+    files: tuple[tuple[str, bytes], ...]
+    version: str
+
+    @property
+    def key(self) -> str:
+        """A name for exactly this content."""
+        return key_of(self.version, *(f"{name} {sha256(data)}" for name, data in self.files))
+
+    @property
+    def wheel_name(self) -> str:
+        """The file name of the wheel."""
+        return f"{NAME.replace('-', '_')}-{self.version}-py3-none-any.whl"
+
+    def imported_stdlib(self) -> list[str]:
+        """Every standard module that is imported anywhere, inside functions too."""
+        names: set[str] = set()
+        for path, data in self.files:
+            if path.endswith(".py"):
+                names |= set(_imports(ast.parse(data)))
+        return sorted(n for n in names if n.split(".")[0] in sys.stdlib_module_names)
+
+    def write_wheel(self, out: Path) -> None:
+        """Write the wheel with its sources; RECORD is left to whoever compiles it."""
+        info = f"{NAME.replace('-', '_')}-{self.version}.dist-info"
+        metadata = f"Metadata-Version: 2.1\nName: {NAME}\nVersion: {self.version}\n"
+        tag = "Wheel-Version: 1.0\nGenerator: carts\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+        extra = {f"{info}/METADATA": metadata, f"{info}/WHEEL": tag, f"{info}/RECORD": ""}
+        with zipfile.ZipFile(out, "w") as wheel:
+            for name, data in (*self.files, *((n, t.encode()) for n, t in extra.items())):
+                wheel.writestr(zipfile.ZipInfo(name, DATE), data)
+
+
+def read_ours(package: Path, version: str) -> Ours:
+    """Return the layers for the page of the package in folder `package`."""
+    folders = [package / layer for layer in LAYERS if (package / layer).is_dir()]
+    found = [package / "__init__.py", *(p for folder in folders for p in folder.rglob("*"))]
+    kept = sorted(p for p in found if p.is_file() and "__pycache__" not in p.parts)
+    return Ours(
+        tuple((p.relative_to(package.parent).as_posix(), _text_bytes(p)) for p in kept), version
+    )
+
+
+def _text_bytes(path: Path) -> bytes:
+    return path.read_bytes().replace(b"\r\n", b"\n")  # a checkout on Windows packs the same bytes
+
+
+def _imports(tree: ast.AST) -> Iterable[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            yield node.module
