@@ -1,0 +1,120 @@
+// Loads the runtime's files: classic scripts that hold gzip as base64, as no other kind of file can be
+// read by a page on file://. Every part is checked before it is used and let go of afterwards.
+import { RuntimeFailure } from "./runtime-failure.js";
+
+/** @typedef {{src: string, sha256: string, size: number}} Part */
+/** @typedef {{size: number, parts: Part[]}} Payload */
+/**
+ * @typedef {object} Index the table of contents, as written by sim/pages/runtime
+ * @property {Record<string, Payload>} files
+ * @property {Record<string, string>} wheels file name of each package
+ * @property {object} lock
+ * @property {string} entry
+ * @property {string} package
+ * @property {string[]} later
+ * @property {string} missing
+ */
+
+/** @type {any} */
+const page = self;
+
+/** @type {Map<string, Promise<Index>>} */
+const indexes = new Map();
+
+/**
+ * Runs a classic script. What it sets is found on `self`.
+ * @param {string} src
+ * @param {string} name
+ * @returns {Promise<void>}
+ */
+function runScript(src, name) {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    script.src = src;
+    script.async = true;
+    const settle = (/** @type {() => void} */ then) => () => {
+      script.remove();
+      then();
+    };
+    script.onload = settle(resolve);
+    script.onerror = settle(() => reject(new RuntimeFailure("payload-missing", src, name)));
+    document.head.append(script);
+  });
+}
+
+/**
+ * The table of contents, read once per page.
+ * @param {string} base address of the runtime's folder, with a slash at its end
+ * @returns {Promise<Index>}
+ */
+export function loadIndex(base) {
+  const known = indexes.get(base);
+  if (known) return known;
+  const loading = runScript(`${base}index.js`, "index.js").then(() => {
+    const index = page.__cartsRuntime;
+    delete page.__cartsRuntime;
+    if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
+    if (!index.files) throw new RuntimeFailure("payload-missing", index.missing, "index.js");
+    return index;
+  });
+  loading.catch(() => indexes.delete(base));
+  indexes.set(base, loading);
+  return loading;
+}
+
+/**
+ * One part of a file, checked.
+ * @param {string} base
+ * @param {string} name
+ * @param {number} number
+ * @param {Part} part
+ * @returns {Promise<Uint8Array<ArrayBuffer>>} gzip bytes
+ */
+export async function loadPart(base, name, number, part) {
+  await runScript(base + part.src, name);
+  const key = `${name}.${number}`;
+  const text = page.__cartsParts?.[key]; // a script cut short does not run: there is no text then
+  if (text === undefined) throw new RuntimeFailure("payload-damaged", part.src, name);
+  delete page.__cartsParts[key];
+  const bytes = decode(text, part.src, name);
+  if (bytes.length !== part.size || !(await matches(bytes, part.sha256))) {
+    throw new RuntimeFailure("payload-damaged", part.src, name);
+  }
+  return bytes;
+}
+
+/** @param {string} text @param {string} src @param {string} name */
+function decode(text, src, name) {
+  try {
+    /** @type {any} */
+    const fast = Uint8Array;
+    return fast.fromBase64
+      ? fast.fromBase64(text)
+      : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  } catch {
+    throw new RuntimeFailure("payload-damaged", src, name);
+  }
+}
+
+/**
+ * A page on plain http has no crypto.subtle; there gzip's own checksum must do.
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ * @param {string} sha256
+ */
+async function matches(bytes, sha256) {
+  if (!globalThis.crypto?.subtle) return true;
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+  return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
+}
+
+/**
+ * @param {Uint8Array<ArrayBuffer>[]} parts
+ * @returns {Promise<ArrayBuffer>}
+ */
+export async function gunzip(parts) {
+  const zip = new DecompressionStream("gzip");
+  const writer = zip.writable.getWriter();
+  const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+  const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+  return bytes;
+}

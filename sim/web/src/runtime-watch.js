@@ -1,0 +1,27 @@
+// A clock that counts seconds in which this page was awake. A laptop that slept for an hour, or a tab
+// that was in the background, has not waited for an hour.
+
+const SECOND = 1000;
+
+/**
+ * Calls `late` once, after `patience` such seconds without a call of `progress`.
+ * @param {number} patience in s
+ * @param {() => void} late
+ */
+export function watch(patience, late) {
+  let left = patience;
+  const timer = setInterval(() => {
+    left -= 1;
+    if (left > 0) return;
+    clearInterval(timer);
+    late();
+  }, SECOND);
+  return {
+    progress() {
+      left = patience;
+    },
+    stop() {
+      clearInterval(timer);
+    },
+  };
+}
