@@ -39,7 +39,7 @@ def fail(message: str) -> NoReturn:
 
 def _text(name: str) -> str:
     if name == "-":
-        return click.get_text_stream("stdin").read()
+        return sys.stdin.read()
     path = Path(name)
     if not path.is_file():
         raise click.UsageError(f"There is no file “{name}”.")

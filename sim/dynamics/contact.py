@@ -126,4 +126,4 @@ def _turn(swing: Swing) -> float:
     """Where the overlap of a stretch is greatest, in s after its start."""
     if swing.v0 <= 0.0:
         return 0.0
-    return min(first_turn(swing.rate, swing.d0 - swing.centre, swing.v0), swing.duration)
+    return min(first_turn(swing.rate, swing.y0, swing.v0), swing.duration)

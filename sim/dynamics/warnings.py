@@ -48,11 +48,11 @@ def warnings(run: Run) -> tuple[Warning, ...]:
 
 def _up(value: float) -> str:
     """Three figures, never less than the value."""
-    text = f"{value:.3g}"
-    return text if float(text) >= value else f"{float(text) * 1.005:.3g}"
+    rounded = float(f"{value:.3g}")
+    return f"{rounded if rounded >= value else float(f'{rounded * 1.005:.3g}'):g}"
 
 
 def _down(value: float) -> str:
     """Three figures, never more than the value."""
-    text = f"{value:.3g}"
-    return text if float(text) <= value else f"{float(text) * 0.995:.3g}"
+    rounded = float(f"{value:.3g}")
+    return f"{rounded if rounded <= value else float(f'{rounded * 0.995:.3g}'):g}"

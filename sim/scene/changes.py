@@ -21,6 +21,9 @@ def apply_changes(plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[
 
     Values are not checked here: `read_scene` does that for the result.
     """
+    if not isinstance(plain, Mapping) or not isinstance(changes, Mapping):
+        hint = "for example carts: {A: {mass: 1 kg, position: 0.4 m}}"
+        raise SceneError([Problem((), "not-a-table", "a scene is a table of keys", hint)])
     changed = dict(plain)
     problems = []
     for target, value in changes.items():

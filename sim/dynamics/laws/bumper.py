@@ -55,9 +55,9 @@ class Bumper:
             reach = math.hypot(d - rest, v / steep.w)
             if reach <= memory - rest or v < 0.0:  # turns before the remembered overlap
                 angle = math.atan2((d - rest) * steep.w, v)
-                return (Swing(steep, 0.0, (math.pi - angle) / steep.w, rest, d, v),)
+                return (Swing(steep, 0.0, (math.pi - angle) / steep.w, rest, d - rest, v),)
             angle = math.asin((memory - rest) / reach) - math.asin((d - rest) / reach)
-            out.append(Swing(steep, 0.0, angle / steep.w, rest, d, v))
+            out.append(Swing(steep, 0.0, angle / steep.w, rest, d - rest, v))
             t, d, v = angle / steep.w, memory, math.sqrt(reach**2 - (memory - rest) ** 2) * steep.w
         if v > 0.0:
             press = Swing(undamped(w), t, math.atan2(v, d * w) / w, 0.0, d, v)
@@ -65,7 +65,16 @@ class Bumper:
             t, d = t + press.duration, math.hypot(d, v / w)
         if self.e > 0.0:
             steep = undamped(w / self.e)
-            out.append(Swing(steep, t, 0.5 * math.pi / steep.w, self.resting_overlap(d), d, 0.0))
+            out.append(
+                Swing(
+                    steep,
+                    t,
+                    0.5 * math.pi / steep.w,
+                    self.resting_overlap(d),
+                    self.e * self.e * d,
+                    0.0,
+                )
+            )
         return tuple(out)
 
     def pushes(self, mu: float, d: float, v: float) -> bool:

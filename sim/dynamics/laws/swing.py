@@ -45,15 +45,20 @@ class Swing:
     start: float
     duration: float
     centre: float  # m
-    d0: float  # m, overlap at start
+    y0: float  # m, overlap at start, from the centre
     v0: float  # m/s, rate of overlap at start
 
     def at(self, t: float) -> tuple[float, float, float, float]:
         """d, d', d'', d''' at `t` s after first touch (m, m/s, m/s², m/s³)."""
-        y, v = solve(self.rate, self.d0 - self.centre, self.v0, t - self.start)
+        y, v = solve(self.rate, self.y0, self.v0, t - self.start)
         twice, square = 2.0 * self.rate.beta, self.rate.w0 * self.rate.w0
         a = -twice * v - square * y
         return y + self.centre, v, a, -twice * a - square * v
+
+    @property
+    def d0(self) -> float:
+        """m. Overlap at start."""
+        return self.centre + self.y0
 
     def end(self) -> tuple[float, float]:
         """d and d' where the stretch ends."""

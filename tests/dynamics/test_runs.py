@@ -1,0 +1,310 @@
+"""Whole runs: outcomes, symmetries, conservation, events."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+
+from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.run import run
+from sim.dynamics.trajectory import sample, trajectory
+from sim.scene import apply_changes, read_scene
+from tests import registry
+
+LAWS = ["bumper", "paper", "push-only", "instant"]
+IMPACT = 4e-16
+"""Relative to the approach speed: two roundings of one unit in the last place."""
+
+
+def exact_outcome(m1, m2, v1, v2, e):
+    """Velocities after an isolated impact in exact rational arithmetic."""
+    m1, m2, v1, v2, e = (Fraction(str(value)) for value in (m1, m2, v1, v2, e))
+    centre = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return centre + e * (centre - v1), centre + e * (centre - v2)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("e", ["1", "0.8", "0.35", "0.01"])
+@pytest.mark.parametrize(
+    ("masses", "velocities"),
+    [
+        ((1, 2), ("1", "-0.5")),
+        ((1, 1), ("0.8", "0.2")),
+        (("0.3", 7), ("2.5", "-1.7")),
+        ((5, "0.1"), ("0.9", 0)),
+    ],
+)
+def test_an_impact_has_the_outcome_of_rational_arithmetic(law, e, masses, velocities):
+    contact = {"law": law, "restitution": e} | ({} if law == "instant" else {"stiffness": 5e4})
+    plain = registry.two_carts(masses=masses, velocities=velocities, gap="0.3", **contact)
+    finished = run(read_scene(plain))
+    expected = exact_outcome(*masses, *velocities, e)
+    scale = abs(float(velocities[0]) - float(velocities[1]))
+    for got, want in zip(finished.v, expected, strict=True):
+        assert abs(Fraction(got) - want) <= IMPACT * scale
+
+
+@pytest.mark.parametrize("ratio", [1e9, 1e-9, 1e18])
+@pytest.mark.parametrize("law", LAWS)
+def test_a_huge_mass_ratio_changes_nothing_in_the_accuracy(law, ratio):
+    contact = {"law": law, "restitution": "0.5"} | ({} if law == "instant" else {"stiffness": 1e4})
+    finished = run(read_scene(registry.two_carts(masses=(ratio, 1), velocities=(1, 0), **contact)))
+    for got, want in zip(finished.v, exact_outcome(ratio, 1, 1, 0, "0.5"), strict=True):
+        assert abs(Fraction(got) - want) <= IMPACT
+
+
+@pytest.mark.parametrize("name", registry.NAMES)
+def test_energy_changes_only_by_what_warmed_the_bumpers(name):
+    ledger = run(registry.scene(name)).ledger
+    assert ledger.energy_initial == pytest.approx(ledger.energy_final + ledger.warmed, rel=1e-14)
+    assert ledger.warmed >= -1e-16
+
+
+@pytest.mark.parametrize("name", registry.NAMES)
+def test_momentum_changes_only_by_the_impulses_of_walls(name):
+    finished = run(registry.scene(name))
+    ledger = finished.ledger
+    scale = math.fsum(c.mass * abs(c.velocity) for c in finished.scene.carts)
+    change = ledger.momentum_final - ledger.momentum_initial
+    assert change == pytest.approx(ledger.external, abs=1e-14 * scale)
+
+
+@pytest.mark.parametrize("name", registry.NAMES)
+def test_the_area_under_the_drawn_force_is_the_change_of_momentum(name):
+    finished = run(registry.scene(name))
+    columns = trajectory(finished).columns
+    t = columns[("t",)]
+    for index, cart in enumerate(finished.scene.carts):
+        area = 0.0
+        for (kind, *pair), force in columns.items():
+            if kind != "F" or cart.name not in (ends := pair[0].split("-")):
+                continue
+            slope = columns[("dF", pair[0])]
+            sign = 1.0 if ends[1] == cart.name else -1.0
+            for k in range(len(t) - 1):
+                h = t[k + 1] - t[k]
+                area += sign * (
+                    h * (force[k] + force[k + 1]) / 2 + h * h * (slope[k] - slope[k + 1]) / 12
+                )
+        if any(c is not None and c.law in ("instant", "velcro") for c in finished.scene.contacts):
+            continue
+        change = cart.mass * (finished.v[index] - cart.velocity)
+        assert area == pytest.approx(change, abs=1e-6 * cart.mass + 1e-7 * abs(change))
+
+
+@pytest.mark.parametrize("boost", ["-3", "0.5", "40"])
+@pytest.mark.parametrize("law", LAWS)
+def test_impact_looks_the_same_from_a_moving_train(law, boost):
+    contact = {"law": law, "restitution": "0.7"}
+    plain = registry.two_carts(**contact)
+    moving = apply_changes(
+        plain,
+        {
+            "A.velocity": str(Fraction(1) + Fraction(boost)).split("/")[0]
+            if "." not in boost
+            else str(1 + float(boost)),
+            "B.velocity": str(-0.5 + float(boost)),
+        },
+    )
+    rest, train = run(read_scene(plain)), run(read_scene(moving))
+    tolerance = 4 * 2.0**-52 * (abs(float(boost)) + 1)
+    for a, b in zip(rest.v, train.v, strict=True):
+        assert b - float(boost) == pytest.approx(a, abs=tolerance)
+    for a, b in zip(rest.x, train.x, strict=True):
+        assert b - float(boost) * 1.0 == pytest.approx(a, abs=4 * tolerance)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_the_mirror_image_of_a_run_is_the_run_of_the_mirror_image(law):
+    contact = {"law": law, "restitution": "0.75"}
+    track = {"left": "wall", "right": "wall", "length": 4}
+    carts = {
+        "A": {"mass": 1, "position": "0.5", "velocity": "0.75"},
+        "B": {"mass": 4, "position": "2.25", "velocity": "-0.25"},
+    }
+    mirrored = {
+        "A": {"mass": 1, "position": "3.5", "velocity": "-0.75"},
+        "B": {"mass": 4, "position": "1.75", "velocity": "0.25"},
+    }
+    one = run(read_scene({"carts": carts, "track": track, "contact": contact, "until": 4}))
+    two = run(read_scene({"carts": mirrored, "track": track, "contact": contact, "until": 4}))
+    assert [-v for v in reversed(two.v)] == pytest.approx(list(one.v), abs=1e-15)
+    assert [4 - x for x in reversed(two.x)] == pytest.approx(list(one.x), abs=1e-14)
+
+
+@pytest.mark.parametrize("law", ["bumper", "paper", "instant"])
+def test_an_elastic_run_retraces_itself_when_time_is_reversed(law):
+    plain = registry.two_carts(law=law, until=1)
+    there = run(read_scene(plain))
+    back = run(
+        read_scene(
+            apply_changes(
+                plain,
+                {
+                    "A.position": there.x[0],
+                    "A.velocity": -there.v[0],
+                    "B.position": there.x[1],
+                    "B.velocity": -there.v[1],
+                },
+            )
+        )
+    )
+    assert list(back.x) == pytest.approx([0.0, 0.8], abs=1e-14)
+    assert list(back.v) == pytest.approx([-1.0, 0.5], abs=1e-15)
+
+
+def test_names_and_the_order_of_writing_do_not_matter():
+    plain = registry.two_carts(restitution="0.6")
+    carts = plain["carts"]
+    renamed = {**plain, "carts": {"Z9": carts["B"], "late": carts["A"]}}
+    one, two = run(read_scene(plain)), run(read_scene(renamed))
+    assert (one.x, one.v, one.t) == (two.x, two.v, two.t)
+
+
+def test_a_cart_at_half_a_millimetre_per_second_never_stops():
+    finished = run(registry.scene("slow-and-long"))
+    assert finished.v == (0.0005,)
+    assert finished.x[0] == pytest.approx(0.50, abs=1e-16)
+
+
+@pytest.mark.parametrize("until", [1e3, 1e6])
+def test_a_million_seconds_of_bouncing_keep_their_rhythm(until):
+    plain = {
+        "carts": {"A": {"mass": 1, "position": "0.5", "velocity": "0.9"}},
+        "track": {"left": "wall", "right": "wall", "length": "1.5"},
+        "contact": {"stiffness": 500},
+        "until": until,
+    }
+    finished = run(read_scene(plain), max_events=10**8, keep_events=False, keep_motion=False)
+    period = 2 * (1.3 / 0.9 + math.pi / math.sqrt(500.0))  # both flights and both contacts
+    phase = math.fmod(until, period)
+    reference = run(read_scene(plain | {"until": phase}))
+    assert finished.x[0] == pytest.approx(reference.x[0], abs=1e-9)
+
+
+@pytest.mark.parametrize(("digits", "count"), [(0, 3), (1, 31), (2, 314), (3, 3141)])
+def test_a_heavy_cart_counts_the_digits_of_pi(digits, count):
+    plain = {
+        "carts": {
+            "small": {"mass": 1, "position": 1, "velocity": 0},
+            "big": {"mass": 100**digits, "position": 2, "velocity": -1},
+        },
+        "track": {"left": "wall"},
+        "contact": {"law": "instant"},
+        "until": 1e6,
+    }
+    finished = run(read_scene(plain), keep_motion=False)
+    assert finished.record.counts["contact"] == count
+
+
+def test_every_contact_has_a_beginning_a_peak_and_an_end_in_order():
+    events = run(registry.scene("train-of-five")).record.events
+    assert [event.kind for event in events] == ["contact", "peak", "separate"] * 4 + ["end"]
+    assert [event.t for event in events] == sorted(event.t for event in events)
+    for event in events[:-1]:
+        a, b = event.bodies
+        assert event.after[b] - event.before[b] == pytest.approx(event.impulse, abs=1e-15)
+        assert event.before[a] - event.after[a] == pytest.approx(event.impulse, abs=1e-15)
+
+
+def test_two_ends_of_a_run_may_lie_inside_a_contact():
+    whole = run(registry.scene("paper-two-carts"))
+    plain = registry.plain("paper-two-carts") | {"until": "0.45"}
+    part = run(read_scene(plain))
+    x, v = sample(whole, 0.45)
+    assert list(part.x) == pytest.approx(x, abs=1e-15)
+    assert list(part.v) == pytest.approx(v, abs=1e-15)
+    ledger = part.ledger
+    assert ledger.energy_final + ledger.warmed == pytest.approx(ledger.energy_initial, rel=1e-14)
+    assert ledger.energy_final < ledger.energy_initial
+
+
+def test_a_start_in_overlap_springs_apart():
+    plain = registry.two_carts(velocities=(0, 0), gap="-0.02", law="paper", stiffness=500)
+    finished = run(read_scene(plain | {"start": {"overlap": True}}))
+    u = 0.02 * math.sqrt(500 / (2 / 3))
+    assert finished.v[1] - finished.v[0] == pytest.approx(u, rel=1e-14)
+    assert finished.ledger.energy_initial == pytest.approx(0.5 * 500 * 0.02**2, rel=1e-14)
+    assert finished.ledger.warmed == pytest.approx(0.0, abs=1e-16)
+
+
+def test_a_bumper_caught_between_cart_and_wall_is_pressed_again_before_it_is_clear():
+    plain = {
+        "carts": {
+            "A": {"mass": 3, "position": "0.5", "velocity": 1},
+            "B": {"mass": "0.2", "position": "0.85"},
+        },
+        "track": {"length": "0.957", "right": "wall"},
+        "contact": {
+            "restitution": "0.6",
+            "stiffness": 3e4,
+            "pairs": {"B-right": {"law": "instant", "restitution": "0.2"}},
+        },
+        "until": "0.161",
+    }
+    finished = run(read_scene(plain))
+    ledger = finished.ledger
+    assert ledger.energy_final + ledger.warmed == pytest.approx(ledger.energy_initial, rel=1e-13)
+    assert [event.bodies for event in finished.record.events if event.kind == "contact"] == [
+        ("A", "B"),
+        ("B", "right"),
+        ("A", "B"),
+    ]
+    again = finished.record.contacts[-1][0]
+    assert 0 < again.d0 < again.memory
+
+
+def test_bumpers_squeezed_beyond_their_length_are_told_before_the_run():
+    from sim.dynamics.warnings import warnings
+
+    (warning,) = warnings(run(registry.scene("too-soft-bumpers")))
+    assert warning.code == "bumper-bottoms"
+    assert "21.2 cm" in warning.message and "8 cm" in warning.message
+    raised = apply_changes(registry.plain("too-soft-bumpers"), {"contact.stiffness": 2820})
+    assert warnings(run(read_scene(raised))) == ()
+
+
+def test_stuck_carts_go_on_as_one():
+    finished = run(registry.scene("sticky"))
+    assert list(finished.v) == pytest.approx([0.3, 0.3], rel=1e-15)
+    assert finished.x[1] - finished.x[0] == pytest.approx(0.2, rel=1e-15)
+    assert finished.ledger.warmed == pytest.approx(0.5 * (2 / 3) * 0.81, rel=1e-14)
+
+
+def test_the_force_between_stuck_carts_is_what_accelerates_the_rear_one():
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0, "velocity": "0.6"},
+            "B": {"mass": 2, "position": "0.4"},
+            "C": {"mass": 3, "position": 1, "velocity": "-0.3"},
+        },
+        "contact": {"pairs": {"A-B": {"law": "velcro"}}, "stiffness": 600},
+        "until": 3,
+    }
+    columns = trajectory(run(read_scene(plain))).columns
+    for inner, outer, a in zip(
+        columns[("F", "A-B")], columns[("F", "B-C")], columns[("a", "A")], strict=True
+    ):
+        assert -inner == pytest.approx(1 * a, abs=1e-12)
+        assert inner - outer == pytest.approx(2 * a, abs=1e-12)
+
+
+def test_the_run_does_not_depend_on_what_is_kept_of_it():
+    scene = registry.scene("train-of-five")
+    full, bare = run(scene), run(scene, keep_events=False, keep_motion=False)
+    assert (full.x, full.v) == (bare.x, bare.v)
+    assert full.record.counts == bare.record.counts
+
+
+def test_a_run_with_too_many_events_says_so_and_what_to_change():
+    finished = run(registry.scene("off-the-wall"), max_events=3)
+    assert finished.outcome.kind == "too-many-events"
+    assert "--max-events" in finished.outcome.sentence
+
+
+def test_what_is_not_solved_yet_is_refused_by_name():
+    plain = registry.two_carts() | {"effects": [{"friction": {"coefficient": "0.1"}}]}
+    with pytest.raises(UnsolvedError, match="friction"):
+        run(read_scene(plain))

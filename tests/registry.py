@@ -1,0 +1,45 @@
+"""The scenes in tests/scenes: one registry for tests, browser tests, gallery and benchmarks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from sim.pages.yaml_source import load
+from sim.scene import Scene, read_scene
+
+FOLDER = Path(__file__).parent / "scenes"
+NAMES = sorted(path.stem for path in FOLDER.glob("*.yml"))
+
+
+def plain(name: str) -> dict[str, Any]:
+    """The plain values of one scene file."""
+    return dict(load((FOLDER / f"{name}.yml").read_text(encoding="utf-8")).plain)
+
+
+def scene(name: str) -> Scene:
+    """One scene of the registry."""
+    return read_scene(plain(name))
+
+
+def two_carts(
+    *,
+    masses: tuple[Any, Any] = (1, 2),
+    velocities: tuple[Any, Any] = (1, "-0.5"),
+    gap: Any = "0.6",
+    until: Any = 1,
+    **contact: Any,
+) -> dict[str, Any]:
+    """Plain values of two carts, `gap` metres between their bumpers."""
+    return {
+        "carts": {
+            "A": {"mass": masses[0], "position": 0, "velocity": velocities[0]},
+            "B": {
+                "mass": masses[1],
+                "position": f"{0.2 + float(gap):.12g}",
+                "velocity": velocities[1],
+            },
+        },
+        "contact": contact,
+        "until": until,
+    }

