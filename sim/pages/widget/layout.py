@@ -1,0 +1,109 @@
+"""Where things stand in the picture of the world: one layout for wide pages, one for phones.
+
+    velocity lanes        one per cart, at the top
+    mass, box, springs    on the track
+    beam                  with the names of the contact forces while bodies touch
+    ruler                 metres
+    legend                what a force arrow and a velocity arrow of one unit look like
+Lengths are SVG units, which are about pixels. The layout never changes while a page lives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from sim.pages.widget.scale_of import Scales
+
+LANE = 20.0
+ABOVE = 30.0  # from the top of the tallest box to the lowest velocity arrow
+BEAM_ROW = 19.0
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """One picture. A position x (m, as the camera sees it) is drawn at origin + x · scale."""
+
+    kind: str  # wide | narrow
+    width: float
+    height: float
+    origin: float
+    scale: float  # units per metre
+    low: float  # m, left edge of the open part of the picture
+    high: float  # m
+    lanes: int  # heights at which velocity arrows are drawn, so that neighbours clear
+    stagger: float  # how much higher every second cart's mass is written, for the same reason
+    track: float  # y of the top of the beam, on which the carts stand
+    rows: tuple[float, ...]  # y of the force names on the beam, by contact
+    beam: float  # height of the beam
+    force: float  # length of an arrow of the full force scale
+    velocity: float  # length of an arrow of the full velocity scale
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values for the page."""
+        return asdict(self)
+
+    def at(self, x: float) -> float:
+        """Drawing coordinate of a position in m."""
+        return self.origin + x * self.scale
+
+
+def lay_out(
+    header: Mapping[str, Any], scales: Scales, *, kind: str, camera: float, forces: bool
+) -> Layout:
+    """The layout for `kind` wide or narrow."""
+    wide = kind == "wide"
+    width = 720.0 if wide else 350.0
+    force, velocity = (100.0, 72.0) if wide else (58.0, 44.0)
+    count = len(header["bodies"])
+    low, high = _window(header, camera)
+    track = header["track"]
+    margin = 12.0
+    wall = force + 16.0 if forces and scales.force else 36.0
+    left = wall if track["left"] == "wall" else margin
+    right = wall if track["right"] == "wall" else margin
+    scale = (width - left - right) / (high - low)
+    lanes = min(count, 3)
+    stagger = 0.0 if wide or count == 1 else 13.0
+    top = 14.0 + (lanes - 1) * LANE + ABOVE + stagger + scales.tallest
+    contacts = header["contacts"]
+    row_count = (2 if len(contacts) > 1 and count > 2 else 1) if forces else 0
+    beam = BEAM_ROW * row_count if row_count else 8.0
+    return Layout(
+        kind=kind,
+        width=width,
+        height=top + beam + 34.0 + 22.0,
+        origin=left - low * scale,
+        scale=scale,
+        low=low,
+        high=high,
+        lanes=lanes,
+        stagger=stagger,
+        track=top,
+        rows=tuple(top + BEAM_ROW * (k % max(row_count, 1)) + 13.5 for k in range(len(contacts))),
+        beam=beam,
+        force=force,
+        velocity=velocity,
+    )
+
+
+def _window(header: Mapping[str, Any], camera: float) -> tuple[float, float]:
+    """What the picture shows, in m: the track, or without ends where the carts may get to.
+
+    Only the start state is used: the size of the picture must not tell the run.
+    """
+    bodies = header["bodies"]
+    left = min(b["position"] - b["length"] / 2 for b in bodies)
+    right = max(b["position"] + b["length"] / 2 for b in bodies)
+    length = header["track"]["length"]
+    if length:
+        return min(0.0, left), max(length, right)
+    extent = max(right - left, 6 * max(b["length"] for b in bodies))
+    speeds = [b["velocity"] - camera for b in bodies]
+    reach = header["until"]
+    low = left + max(min(0.0, *speeds) * reach, -extent)
+    high = right + min(max(0.0, *speeds) * reach, 1.5 * extent)
+    rest = extent - (high - low)
+    room = max(0.0, rest / 2)
+    return min(low - room, low - 0.05), high + room + 0.05

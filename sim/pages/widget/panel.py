@@ -1,0 +1,96 @@
+"""Cards of readouts and sliders, as the panel template writes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sim.pages.widget.markers import MARKERS
+from sim.pages.widget.numbers import fixed, short
+from sim.pages.widget.run import Run
+from sim.pages.widget.scale_of import Scales
+
+
+def cards(
+    header: Mapping[str, Any],
+    controls: Sequence[Any],
+    scales: Scales,
+    start: Run,
+    *,
+    camera: float,
+    forces: bool,
+) -> list[dict[str, Any]]:
+    """One card per cart with its readouts at t = 0, then the contact, then the scene."""
+    names = [body["name"] for body in header["bodies"]]
+    made = []
+    for i, body in enumerate(header["bodies"]):
+        own = [c for c in controls if c.set.partition(".")[0] == body["name"]]
+        made.append(
+            {
+                "title": f"Cart {body['name']}",
+                "body": body["name"],
+                "style": f"b{i % 8}",
+                "marker": MARKERS[f"b{i % 8}"],
+                "readouts": _readouts(body, scales, start, camera, forces),
+                "controls": [_control(c, f" of {body['name']}") for c in own],
+            }
+        )
+    contact = [c for c in controls if c.set.startswith("contact.")]
+    rest = [c for c in controls if c not in contact and c.set.partition(".")[0] not in names]
+    for title, own in (("Contact", contact), ("Scene", rest)):
+        if own:
+            made.append(
+                {
+                    "title": title,
+                    "body": "",
+                    "style": "",
+                    "readouts": [],
+                    "controls": [_control(c, "") for c in own],
+                }
+            )
+    return made
+
+
+def _readouts(
+    body: Mapping[str, Any], scales: Scales, start: Run, camera: float, forces: bool
+) -> list[dict[str, str]]:
+    name, decimals = body["name"], scales.decimals
+    rows = [
+        ("mass", "m", "mass", short(body["mass"]), "kg"),
+        ("position", "x", "x", fixed(body["position"], decimals["x"]), "m"),
+        ("velocity", "v", "v", fixed(body["velocity"] - camera, decimals["v"]), "m/s"),
+    ]
+    if forces:
+        acceleration = start.a[name][0]
+        force = body["mass"] * acceleration
+        rows.append(("resultant force", "F", "F", fixed(force, decimals["F"]), "N"))
+        rows.append(("acceleration", "a", "a", fixed(acceleration, decimals["a"]), "m/s²"))
+    keys = ("name", "symbol", "quantity", "text", "unit")
+    return [dict(zip(keys, row, strict=True)) for row in rows]
+
+
+def _control(control: Any, suffix: str) -> dict[str, Any]:
+    decimals = max(_decimals(control.step), _decimals(control.low), _decimals(control.value))
+    label = str(control.label)
+    return {
+        "set": control.set,
+        "key": control.set.replace(".", "-"),
+        "label": label,
+        "short": label.removesuffix(suffix) if suffix else label,
+        "unit": control.unit,
+        "low": plain(control.low),
+        "high": plain(control.high),
+        "step": plain(control.step),
+        "value": plain(control.value),
+        "text": fixed(control.value, decimals).replace("−", "-"),
+    }
+
+
+def _decimals(value: float) -> int:
+    """Decimals that a round number such as 0.25 is written with, at most four figures."""
+    return len(short(value, 4).partition(".")[2]) if abs(value) < 1e5 else 0
+
+
+def plain(value: float) -> str:
+    """A number for an HTML attribute: shortest form, no exponent for whole numbers."""
+    return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(float(value))

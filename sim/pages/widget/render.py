@@ -1,0 +1,124 @@
+"""From a fence and its run to the complete `<carts-scene>` element."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from sim.pages.widget.layout import lay_out
+from sim.pages.widget.run import Run, from_wire
+from sim.pages.widget.scale_of import read_scales
+from sim.pages.widget.view import scene_view
+
+# Significant digits of the baked numbers: far below what can be seen, and few enough for 60 kB
+# of HTML per scene. Long runs get fewer.
+DIGITS, FEWER_DIGITS, LONG = 12, 8, 2500
+# Parts of a header that tell of the run; a page without a prediction may know them at once.
+TELLING = ("final", "energy", "momentum", "work", "evaluations", "outcome")
+UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
+
+
+def render(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> str:
+    """HTML of the element: still picture, panel, graphs, tables and the baked run as JSON.
+
+    `header` and `numbers` are a good answer of `sim.bridge.protocol.answer`. Where the fence asks
+    for a prediction, nothing of the run but its start state gets into the HTML.
+    """
+    told = fence.predict is None
+    camera = fence.view_speed
+    digits = DIGITS if len(numbers) <= LONG else FEWER_DIGITS
+    run = _rounded(from_wire(header, numbers), digits)
+    if not told:
+        run, header = run.start(), _untold(header)
+    scales = read_scales(header, fence.controls, run if told else None, camera)
+    forces = fence.forces == "shown"
+    layouts = [
+        lay_out(header, scales, kind=kind, camera=camera, forces=forces)
+        for kind in ("wide", "narrow")
+    ]
+    view = scene_view(fence, header, run, scales, layouts, told=told)
+    view["baked"] = _script_json(
+        {
+            **header,
+            "numbers": run.as_dict(digits),
+            "fence": _fence_facts(fence),
+            "view": {
+                "perHeight": scales.per_height,
+                "tallest": scales.tallest,
+                "force": scales.force,
+                "velocity": scales.velocity,
+                "decimals": scales.decimals,
+                "layouts": [layout.as_dict() for layout in layouts],
+            },
+        }
+    )
+    return str(_templates().get_template("scene.html.j2").render(view))
+
+
+def _untold(header: Mapping[str, Any]) -> dict[str, Any]:
+    """The header of a scene that asks first: its set-up, and nothing that happened."""
+    kept = {key: value for key, value in header.items() if key not in TELLING}
+    return {**kept, "rows": 1, "events": [], "plan": [], "warnings": []}
+
+
+def _rounded(run: Run, digits: int) -> Run:
+    """The run with the digits that the page gets, so that Python and the page draw the same."""
+    table = run.as_dict(digits)
+    return Run(table["t"], table["x"], table["v"], table["a"], table["F"], table["dF"])
+
+
+def _fence_facts(fence: Any) -> dict[str, Any]:
+    """What the page needs to know about the fence."""
+    predict = fence.predict
+    return {
+        "id": fence.id,
+        "scene": dict(fence.plain),
+        "show": list(fence.show),
+        "forces": fence.forces,
+        "slow": fence.slow,
+        "camera": fence.view_speed,
+        "packages": sorted(fence.packages),
+        "controls": [
+            {
+                "set": c.set,
+                "label": c.label,
+                "unit": c.unit,
+                "low": c.low,
+                "high": c.high,
+                "step": c.step,
+                "value": c.value,
+            }
+            for c in fence.controls
+        ],
+        "predict": None
+        if predict is None
+        else {
+            "kind": predict.kind,
+            "ask": predict.ask,
+            "pairs": [list(pair) for pair in predict.pairs],
+            "cart": predict.cart,
+            "options": list(predict.options),
+        },
+    }
+
+
+def _script_json(value: Mapping[str, Any]) -> Markup:
+    """JSON that can stand in a script element whatever the texts in it say."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return Markup(text.translate(UNSAFE))
+
+
+@cache
+def _templates() -> Environment:
+    return Environment(
+        loader=PackageLoader("sim.pages.widget"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )

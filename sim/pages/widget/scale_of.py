@@ -1,0 +1,121 @@
+"""One scale per scene, fixed before anything runs: arrow lengths, cart heights, decimals.
+
+Nothing here looks at the run of a scene that asks for a prediction: a scale must not tell the
+answer. Forces are estimated from the start state and from what the sliders reach.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sim.pages.widget.numbers import decimals_for, exponent
+from sim.pages.widget.run import Run
+
+REFERENCE_HEIGHT = 36.0  # px, of the cart with the least mass per length
+TALLEST = 4.0  # reference heights; a heavier cart gets a break mark “not to scale”
+
+
+@dataclass(frozen=True, slots=True)
+class Scales:
+    """What one unit looks like, for the whole life of the scene."""
+
+    per_height: float  # kg/m, mass per body length of the cart drawn REFERENCE_HEIGHT tall
+    tallest: float  # px, of the tallest cart that the sliders reach
+    force: float  # N, of the longest force arrow; 0: no force can be drawn
+    velocity: float  # m/s, of the longest velocity arrow
+    decimals: Mapping[str, int]
+
+
+def read_scales(
+    header: Mapping[str, Any], controls: tuple[Any, ...], run: Run | None, camera: float
+) -> Scales:
+    """The scales of a scene; `run` None where a prediction comes first. Camera speed in m/s."""
+    variants = list(_variants(header, controls))
+    loads = [b["mass"] / body_width(b) for b in header["bodies"]]
+    per_height = min(loads)
+    reached = max(b["mass"] / body_width(b) for variant in variants for b in variant["bodies"])
+    tallest = REFERENCE_HEIGHT * min(TALLEST, reached / per_height)
+    force = _reachable_force(header, variants, run)
+    speed = max(abs(b["velocity"] - camera) for variant in variants for b in variant["bodies"])
+    speed = max(speed, abs(camera))
+    if run is not None:
+        speed = speed or max(abs(v) for column in run.v.values() for v in column)
+    velocity = full_scale(speed) if speed > 0 else 1.0
+    force = full_scale(force) if force > 0 else 0.0
+    lightest = min(b["mass"] for b in header["bodies"])
+    decimals = {
+        "t": 3,
+        "x": min(6, max(3, decimals_for(velocity))),
+        "v": decimals_for(velocity),
+        "a": decimals_for((force or lightest) / lightest),
+        "F": decimals_for(force or 1.0),
+        "p": decimals_for(velocity * max(b["mass"] for b in header["bodies"])),
+        "energy": decimals_for(velocity**2 * max(b["mass"] for b in header["bodies"]) / 2),
+    }
+    return Scales(per_height, tallest, force, velocity, decimals)
+
+
+def body_width(body: Mapping[str, Any]) -> float:
+    """Length in m of a cart's box, without its bumpers."""
+    return float(max(body["length"] - 2 * body["bumper_length"], 0.2 * body["length"]))
+
+
+def _variants(header: Mapping[str, Any], controls: tuple[Any, ...]) -> Iterator[Mapping[str, Any]]:
+    """The scene itself, and with each slider alone at either end."""
+    yield header
+    for control in controls:
+        owner, _, key = control.set.partition(".")
+        for end in (control.low, control.high):
+            bodies = [{**b, key: end} if b["name"] == owner else b for b in header["bodies"]]
+            contacts = header["contacts"]
+            if owner == "contact" and key == "stiffness":
+                contacts = [{**c, key: end} if c["stiffness"] else c for c in contacts]
+            yield {**header, "bodies": bodies, "contacts": contacts}
+
+
+def full_scale(value: float) -> float:
+    """A round number at least as large as `value`, in finer steps than an axis needs."""
+    power = float(f"1e{exponent(value)}")
+    steps = (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8)
+    return next((s * power for s in steps if value <= s * power * (1 + 1e-9)), 10 * power)
+
+
+def _reachable_force(
+    header: Mapping[str, Any], variants: Sequence[Mapping[str, Any]], run: Run | None
+) -> float:
+    """The greatest contact force in N that a slider may lead to, about.
+
+    Where the run may be known, its greatest force times what the estimate says the sliders do to
+    it; else the estimate.
+    """
+    greatest = 0.0
+    for k, contact in enumerate(header["contacts"]):
+        estimates = [_elastic_force(variant, variant["contacts"][k]) for variant in variants]
+        column = () if run is None else run.F.get(contact["pair"], ())
+        peak = max(column, default=0.0)
+        if peak > 0 and estimates[0] > 0:
+            greatest = max(greatest, peak * max(estimates) / estimates[0])
+        elif run is None:
+            greatest = max(greatest, *estimates)
+        else:
+            greatest = max(greatest, peak)
+    return greatest
+
+
+def _elastic_force(header: Mapping[str, Any], contact: Mapping[str, Any]) -> float:
+    """Greatest force in N of an elastic contact at the greatest closing speed in the scene."""
+    k = contact["stiffness"]
+    if not k:
+        return 0.0
+    masses = {b["name"]: b["mass"] for b in header["bodies"]}
+    speeds = [b["velocity"] for b in header["bodies"]]
+    inverse = sum(1 / masses[name] for name in contact["bodies"] if name in masses)
+    walled = any(name not in masses for name in contact["bodies"])
+    closing = max(map(abs, speeds)) if walled else max(speeds) - min(speeds)
+    if contact["law"] == "hertz":
+        squeeze = (1.25 * closing**2 / (k * inverse)) ** 0.4
+        return float(k * squeeze**1.5)
+    return float(closing * math.sqrt(k / inverse))

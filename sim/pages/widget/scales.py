@@ -1,0 +1,56 @@
+"""Round numbers for axes and arrow scales. Its twin is `sim/web/src/scales.js`."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from sim.pages.widget.numbers import exponent
+
+# An axis end within this part of a step of a round number counts as that number: rounding noise.
+STEP_SLACK = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """From `low` to `high` in the quantity's unit, with a tick at every multiple of `step`."""
+
+    low: float
+    high: float
+    step: float
+
+    @property
+    def decimals(self) -> int:
+        """Decimals that tick labels need."""
+        return max(0, -exponent(self.step))
+
+    def ticks(self) -> list[float]:
+        """The multiples of `step` from low to high."""
+        first = math.ceil(self.low / self.step - STEP_SLACK)
+        last = math.floor(self.high / self.step + STEP_SLACK)
+        return [k * self.step for k in range(first, last + 1)]
+
+
+def nice_above(value: float) -> float:
+    """The smallest of 1, 2, 5 times a power of ten that is at least `value` (> 0)."""
+    power = float(f"1e{exponent(value)}")
+    for factor in (1, 2, 5):
+        if value <= factor * power * (1 + STEP_SLACK):
+            return factor * power
+    return 10 * power
+
+
+def axis(low: float, high: float, count: int) -> Axis:
+    """An axis with round ends that covers low to high and 0, in about `count` steps."""
+    low, high = min(0.0, low), max(0.0, high)
+    if high == low:
+        high = 1.0
+    step = nice_above((high - low) / count)
+    return Axis(
+        math.floor(low / step + STEP_SLACK) * step, math.ceil(high / step - STEP_SLACK) * step, step
+    )
+
+
+def span(low: float, high: float, count: int) -> Axis:
+    """An axis that runs exactly from low to high, with round ticks."""
+    return Axis(low, high, nice_above((high - low) / count))

@@ -1,0 +1,116 @@
+"""Shapes of the world view as SVG attributes. Its twin is `sim/web/src/shapes.js`.
+
+A force arrow is a filled block, a velocity arrow a thin line with an open head. Both are exactly
+as long as the scale says; zero is a dot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sim.pages.widget.layout import ABOVE, LANE, Layout
+from sim.pages.widget.numbers import px, short
+from sim.pages.widget.scale_of import REFERENCE_HEIGHT, TALLEST, Scales, body_width
+
+DOT = 3.0  # radius of a zero arrow
+SHORTEST = 0.5  # units; a shorter arrow is zero to the eye and is drawn as a dot
+LONGEST = 1.6  # full lengths; a longer arrow is cut here and shows a break
+NAMED = 34.0  # units; a box at least this tall carries its name
+SPRING = (2.0, 10.0)  # heights of the spring above the track
+PUSH = 15.5  # height of the force arrow above the track
+FACE = 22.0  # height of a bumper face
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A cart's box relative to its centre on the track."""
+
+    x: float
+    width: float
+    height: float
+    cut: bool  # taller than the picture can show
+    name_y: float | None
+    label: str
+    label_y: float
+
+
+def box(body: Mapping[str, Any], scales: Scales, layout: Layout, lift: float) -> Box:
+    """The box with an area proportional to the mass, up to four reference heights."""
+    width = body_width(body)
+    height = REFERENCE_HEIGHT * body["mass"] / width / scales.per_height
+    cut = height > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9)
+    height = min(height, TALLEST * REFERENCE_HEIGHT)
+    named = height >= NAMED
+    mass = f"{short(body['mass'])} kg"
+    return Box(
+        x=-width * layout.scale / 2,
+        width=width * layout.scale,
+        height=height,
+        cut=cut,
+        name_y=-(height + FACE) / 2 + 4.5 if named else None,
+        label=mass if named else f"{body['name']}: {mass}",
+        label_y=-height - 5 - lift if named else -max(height, FACE) - 5 - lift,
+    )
+
+
+def lane(i: int, tallest: float, layout: Layout) -> float:
+    """Height of the velocity arrow of cart i above carts of which the tallest box is `tallest`."""
+    above = max(tallest, FACE) + layout.stagger + ABOVE
+    return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes)
+
+
+def spring(start: float, end: float) -> str:
+    """Path of a spring from the box to the bumper face, both relative to the cart's centre."""
+    low, high = SPRING
+    turns = 4
+    step = (end - start) / turns
+    points = [f"M{px(start)} {px(-(low + high) / 2)}"]
+    for k in range(turns):
+        y = -high if k % 2 == 0 else -low
+        points.append(f"L{px(start + (k + 0.5) * step)} {px(y)}")
+    points.append(f"L{px(end)} {px(-(low + high) / 2)}")
+    return "".join(points)
+
+
+def block_arrow(x: float, y: float, length: float) -> str:
+    """Path of a force arrow: tail at (x, y), pointing along the sign of `length`."""
+    if abs(length) < SHORTEST:
+        return dot(x, y)
+    way = 1 if length > 0 else -1
+    tip = x + length
+    head = way * min(9.0, abs(length))
+    neck = tip - head
+    return (
+        f"M{px(x)} {px(y - 3)}L{px(neck)} {px(y - 3)}L{px(neck)} {px(y - 6.5)}L{px(tip)} {px(y)}"
+        f"L{px(neck)} {px(y + 6.5)}L{px(neck)} {px(y + 3)}L{px(x)} {px(y + 3)}Z"
+    )
+
+
+def line_arrow(x: float, y: float, length: float) -> str:
+    """Path of a velocity arrow: a line with an open head."""
+    if abs(length) < SHORTEST:
+        return dot(x, y)
+    way = 1 if length > 0 else -1
+    tip = x + length
+    back = tip - way * min(7.0, abs(length))
+    return (
+        f"M{px(x)} {px(y)}L{px(tip)} {px(y)}M{px(back)} {px(y - 4.5)}L{px(tip)} {px(y)}"
+        f"L{px(back)} {px(y + 4.5)}"
+    )
+
+
+def dot(x: float, y: float) -> str:
+    """Path of a zero arrow."""
+    r, d = px(DOT), px(2 * DOT)
+    return f"M{px(x - DOT)} {px(y)}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0Z"
+
+
+def arrow_length(value: float, full: float, length: float) -> tuple[float, bool]:
+    """Length of an arrow for `value` on a scale, and whether it had to be cut."""
+    exact = value / full * length if full else 0.0
+    longest = LONGEST * length
+    if abs(exact) <= longest:
+        return exact, False
+    return (longest if exact > 0 else -longest), True

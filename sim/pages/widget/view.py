@@ -1,0 +1,197 @@
+"""Everything the scene template writes, gathered as plain text and numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sim.pages.widget import graph as g
+from sim.pages.widget.contacts import touches
+from sim.pages.widget.layout import Layout
+from sim.pages.widget.markers import MARKERS
+from sim.pages.widget.numbers import fixed, px, short
+from sim.pages.widget.panel import cards, plain
+from sim.pages.widget.run import Run
+from sim.pages.widget.scale_of import Scales
+from sim.pages.widget.scales import nice_above, span
+from sim.pages.widget.series import series_of
+from sim.pages.widget.stage import stage_view
+from sim.pages.widget.tables import table_rows, table_times
+from sim.pages.widget.words import QUANTITIES, body, brief, event_sentence, model_sentences, motion
+
+FORCE_QUANTITIES = ("F", "a")  # left out where the lesson lets students find the force
+MOST_EVENTS = 60  # in the list; a run with more says how many more
+
+
+def scene_view(
+    fence: Any,
+    header: Mapping[str, Any],
+    run: Run,
+    scales: Scales,
+    layouts: Sequence[Layout],
+    *,
+    told: bool,
+) -> dict[str, Any]:
+    """The template's variables. `told` False: a prediction comes first."""
+    camera, forces = fence.view_speed, fence.forces == "shown"
+    until = float(header["until"])
+    contacts = touches(header["events"], until)
+    shown = [q for q in fence.show if forces or q not in FORCE_QUANTITIES]
+    return {
+        "id": fence.id,
+        "title": header.get("title") or "Carts on an air track",
+        "packages": " ".join(sorted(fence.packages)),
+        "warnings": header["warnings"],
+        "stages": [
+            stage_view(header, scales, layout, camera=camera, forces=forces, told=told)
+            for layout in layouts
+        ],
+        "camera_text": _camera_text(camera),
+        "description": _description(header, scales, camera),
+        "time": _timeline(header, contacts, until),
+        "slow": fence.slow == "auto",
+        "predict_view": _predict_view(fence, header, scales),
+        "cards": cards(header, fence.controls, scales, run, camera=camera, forces=forces),
+        "has_controls": bool(fence.controls),
+        "windows": [
+            f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
+        ],
+        "graphs": [graph_view(q, header, run, scales, camera, told=told) for q in shown],
+        "events": _events(header, scales, camera, forces),
+        "model": model_sentences(header, told=told),
+    }
+
+
+def graph_view(
+    quantity: str,
+    header: Mapping[str, Any],
+    run: Run,
+    scales: Scales,
+    camera: float,
+    *,
+    told: bool,
+) -> dict[str, Any]:
+    """One graph with its cursor at t = 0 and its table; empty axes before a prediction."""
+    title, symbol, unit = QUANTITIES[quantity]
+    until = float(header["until"])
+    curves = series_of(quantity, header, run, camera) if told else []
+    plane = g.plane_for(curves, until)
+    scale = max((abs(v) for curve in curves for v in curve.values), default=1.0)
+    times = table_times(until, header["events"]) if told else []
+    return {
+        "quantity": quantity,
+        "title": title if quantity != "F" else "Size of the contact force",
+        "symbol": symbol if quantity != "F" else "|F|",
+        "unit": unit,
+        "width": int(g.WIDTH),
+        "height": int(g.HEIGHT),
+        "left": int(g.LEFT),
+        "right": int(g.RIGHT),
+        "top": int(g.TOP),
+        "bottom": int(g.BOTTOM),
+        "times": g.time_marks(plane) if told else [],
+        "marks": g.value_marks(plane) if told else [],
+        "cursor": px(plane.x(0.0)),
+        "curves": [
+            {
+                "label": curve.label,
+                "style": curve.style,
+                "over": curve.over,
+                "marker": MARKERS[curve.style],
+                "path": g.path(curve, run.t, plane),
+                "dot": px(plane.y(curve.values[0])),
+            }
+            for curve in curves
+        ],
+        "empty": "no contact force in this run" if quantity == "F" else "",
+        "rows": table_rows(curves, run.t, times, scales.decimals, quantity, scale),
+    }
+
+
+def _timeline(header: Mapping[str, Any], contacts: Sequence[Any], until: float) -> dict[str, Any]:
+    axis = span(0.0, until, 6)
+    return {
+        "until": plain(until),
+        "contacts": [
+            {"x": px(100 * w.start / until, 3), "width": px(100 * (w.end - w.start) / until, 3)}
+            for w in contacts
+        ],
+        "events": [
+            {"x": px(100 * e["t"] / until, 3), "kind": e["kind"]}
+            for e in header["events"][:MOST_EVENTS]
+            if e["kind"] != "end"
+        ],
+        "numbers": [
+            {"x": px(100 * t / until, 3), "label": fixed(t, axis.decimals)} for t in axis.ticks()
+        ],
+    }
+
+
+def _events(
+    header: Mapping[str, Any], scales: Scales, camera: float, forces: bool
+) -> list[dict[str, str]]:
+    return [
+        {
+            "t": repr(float(event["t"])),
+            "time": fixed(event["t"], scales.decimals["t"]),
+            "sentence": event_sentence(
+                event,
+                decimals=scales.decimals,
+                scale=scales.velocity,
+                camera=camera,
+                forces=forces,
+            ),
+        }
+        for event in header["events"][:MOST_EVENTS]
+    ]
+
+
+def _description(header: Mapping[str, Any], scales: Scales, camera: float) -> str:
+    parts = [
+        f"{b['name']}, {short(b['mass'])} kg, is at {fixed(b['position'], 2)} m and "
+        + (
+            "is at rest"
+            if b["velocity"] == camera
+            else "moves at " + motion(b["velocity"] - camera, scales.decimals["v"], scales.velocity)
+        )
+        + "."
+        for b in header["bodies"]
+    ]
+    return "At the start: " + " ".join(parts)
+
+
+def _camera_text(camera: float) -> str:
+    if not camera:
+        return ""
+    return (
+        f"Seen from a camera that moves at {motion(camera, 2, abs(camera))} along the track. "
+        "Positions and velocities are measured from the camera."
+    )
+
+
+def _predict_view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict[str, Any] | None:
+    predict = fence.predict
+    if predict is None:
+        return None
+    index = {b["name"]: i for i, b in enumerate(header["bodies"])}
+    full = scales.force or 10.0
+    arrows = [
+        {
+            "pair": f"{left}-{right}",
+            "on": on,
+            "on_text": body(on),
+            "by_text": body(by),
+            "style": f"b{index[on] % 8}" if on in index else "wall",
+        }
+        for left, right in predict.pairs
+        for on, by in ((left, right), (right, left))
+    ]
+    return {
+        "kind": predict.kind,
+        "ask": predict.ask,
+        "arrows": arrows,
+        "full": plain(full),
+        "step": plain(nice_above(full / 100)),
+        "style": f"b{index[predict.cart] % 8}" if predict.cart in index else "b0",
+        "options": predict.options,
+    }

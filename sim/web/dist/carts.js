@@ -1,0 +1,2878 @@
+"use strict";
+(() => {
+  // src/client.js
+  var RESTARTS = 3;
+  var Client = class extends EventTarget {
+    /** @type {State} */
+    state = "idle";
+    /** @type {(Error & {reason?: string}) | null} */
+    error = null;
+    /** @type {Runtime | null} */
+    #runtime = null;
+    /** @type {Job[]} */
+    #waiting = [];
+    /** @type {Job | null} */
+    #flying = null;
+    #restarts = 0;
+    #lastId = 0;
+    /** @param {Start} start */
+    constructor(start) {
+      super();
+      this.start = start;
+    }
+    /** Starts Python if nobody has yet. */
+    wake() {
+      if (this.state === "idle") void this.#boot();
+    }
+    /**
+     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
+     * both promises then get the newer answer.
+     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
+     */
+    ask(owner, message) {
+      if (this.state === "failed") return Promise.reject(this.error);
+      this.wake();
+      return new Promise((resolve, reject) => {
+        const settle = { resolve, reject };
+        const older = this.#waiting.find((job) => job.owner === owner);
+        if (older) {
+          older.message = message;
+          older.settle.push(settle);
+        } else this.#waiting.push({ owner, message, settle: [settle] });
+        this.#next();
+      });
+    }
+    #next() {
+      if (this.#flying || !this.#runtime) return;
+      const job = this.#waiting.shift();
+      if (!job) return;
+      this.#flying = job;
+      const runtime = this.#runtime;
+      this.#lastId += 1;
+      const sent = { ...job.message(), id: this.#lastId };
+      const landed = () => {
+        if (runtime !== this.#runtime || this.#flying !== job) return false;
+        this.#flying = null;
+        return true;
+      };
+      runtime.request(sent).then(
+        (reply) => {
+          if (!landed()) return;
+          this.#restarts = 0;
+          for (const { resolve } of job.settle) resolve({ ...reply, sent });
+          this.#next();
+        },
+        (error) => {
+          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (!landed()) return;
+          for (const { reject } of job.settle) reject(error);
+          this.#next();
+        }
+      );
+    }
+    async #boot() {
+      this.#become("starting");
+      try {
+        const runtime = await this.start();
+        runtime.onlost = (reason) => this.#lost(runtime, reason);
+        this.#runtime = runtime;
+        this.#become("ready");
+        this.#next();
+      } catch (error) {
+        this.#fail(error);
+      }
+    }
+    /** @param {Runtime} runtime @param {unknown} reason */
+    #lost(runtime, reason) {
+      if (runtime !== this.#runtime) return;
+      this.#runtime = null;
+      const job = this.#flying;
+      this.#flying = null;
+      runtime.stop();
+      if (job) {
+        const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+        if (newer) newer.settle.unshift(...job.settle);
+        else this.#waiting.unshift(job);
+      }
+      this.#restarts += 1;
+      if (this.#restarts > RESTARTS) this.#fail(reason);
+      else void this.#boot();
+    }
+    /** @param {unknown} reason */
+    #fail(reason) {
+      this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
+      this.#become("failed");
+      for (const { settle } of this.#waiting.splice(0)) {
+        for (const { reject } of settle) reject(this.error);
+      }
+    }
+    /** @param {State} state */
+    #become(state) {
+      this.state = state;
+      this.dispatchEvent(new Event("state"));
+    }
+  };
+
+  // src/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made = document.createElementNS(SVG, tag);
+    for (const [name2, value] of Object.entries(attributes)) made.setAttribute(name2, String(value));
+    return made;
+  }
+  function html(tag, className = "", text = "") {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text) made.textContent = text;
+    return made;
+  }
+  function put(element, name2, value) {
+    if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
+  }
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+  function need(root, selector) {
+    const found = root.querySelector(selector);
+    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found
+    );
+  }
+
+  // src/trajectory.js
+  function fromWire(header, numbers) {
+    const { rows, columns, events } = header;
+    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, events };
+    columns.forEach(([quantity, key], k) => {
+      const column = numbers.subarray(k * rows, (k + 1) * rows);
+      if (key === void 0) parts[String(quantity)] = column;
+      else parts[String(quantity)][key] = column;
+    });
+    return parts;
+  }
+  function fromBaked(numbers, events) {
+    const parts = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF"]) {
+      parts[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts;
+  }
+  function rowAt(times, t) {
+    let low = 0;
+    let high = times.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt(times, values, slopes, t) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, k2) => c[k2])
+    );
+    const k = rowAt(times, t);
+    if (k < 0) return at(values, 0);
+    if (k >= times.length - 1) return at(values, values.length - 1);
+    const h = at(times, k + 1) - at(times, k);
+    const s = (t - at(times, k)) / h;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const r = 1 - s;
+    return at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+  }
+
+  // src/baked.js
+  function readBaked(element) {
+    const { fence, view, numbers, ...header } = JSON.parse(
+      need(element, "script.carts-baked").textContent ?? ""
+    );
+    return { fence, view, run: { header, trajectory: fromBaked(numbers, header.events) } };
+  }
+
+  // src/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+  function short(value, figures = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+    }
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function trim(text) {
+    return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // src/typed.js
+  var LONGEST = 40;
+  function readTyped(typed) {
+    const text = typed.trim().replace(/[−–]/g, "-");
+    if (!text) return { problem: "Type a number, for example 0.5" };
+    if (text.length > LONGEST) return { problem: "That is too long for a number." };
+    if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
+    if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
+      const value = Number(text.replace(",", "."));
+      return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
+    }
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][\w/²³^·*%µ° -]*$/.test(text)) {
+      return { text: text.replace(/(\d),(\d)/, "$1.$2") };
+    }
+    return { problem: `“${text}” is not a number. Type for example 0.5` };
+  }
+  function twoReadings(text) {
+    const whole = text.replaceAll(",", "");
+    if (text.split(",").length > 2) return `Type ${whole} without commas.`;
+    const decimal = String(Number(text.replace(",", ".")));
+    return `${text} can mean ${decimal} or ${whole}: type ${decimal} or ${whole}`;
+  }
+
+  // src/controls.js
+  var Controls = class {
+    /** @type {Map<string, ControlView>} */
+    #views = /* @__PURE__ */ new Map();
+    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change */
+    constructor(root, controls, change) {
+      for (const control of controls) {
+        const element = (
+          /** @type {HTMLElement | null} */
+          root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
+        );
+        if (element) this.#views.set(control.set, new ControlView(element, control, change));
+      }
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      for (const view of this.#views.values()) view.enable(on);
+    }
+    /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("./types.js").Header} header */
+    show(settings, header) {
+      for (const [target, view] of this.#views) {
+        const value = target in settings ? settings[target] : view.control.value;
+        const number = valueIn(header, target) ?? Number(value);
+        view.show(Number.isFinite(number) ? number : view.control.value);
+      }
+    }
+    /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
+    complain(target, message) {
+      this.#views.get(target)?.complain(message);
+      return this.#views.has(target);
+    }
+  };
+  var ControlView = class {
+    /** @param {HTMLElement} root @param {Control} control @param {Change} change */
+    constructor(root, control, change) {
+      this.root = root;
+      this.control = control;
+      this.slider = /** @type {HTMLInputElement} */
+      need(root, ".carts-slider");
+      this.box = /** @type {HTMLInputElement} */
+      need(root, ".carts-number-box");
+      this.error = need(root, ".carts-error");
+      this.decimals = Math.max(...[control.step, control.low, control.value].map(decimalsOf));
+      this.slider.addEventListener("input", (event) => {
+        const value = this.slider.valueAsNumber;
+        this.#accept(value);
+        change(control.set, value, event.timeStamp);
+      });
+      this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
+      this.box.addEventListener("keydown", (event) => {
+        if (event.key === "Enter") this.#typed(change, event.timeStamp);
+      });
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      this.slider.disabled = !on;
+      this.box.disabled = !on;
+    }
+    /** @param {number} value SI; leaves alone what the reader is typing */
+    show(value) {
+      this.slider.valueAsNumber = value;
+      put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
+      if (document.activeElement !== this.box) this.#write(value);
+      this.clear();
+    }
+    /** @param {string} message */
+    complain(message) {
+      say(this.error, message);
+      this.error.hidden = false;
+      this.root.classList.add("carts-wrong");
+      this.box.setAttribute("aria-invalid", "true");
+    }
+    clear() {
+      this.error.hidden = true;
+      this.root.classList.remove("carts-wrong");
+      this.box.removeAttribute("aria-invalid");
+    }
+    /** @param {Change} change @param {number} at */
+    #typed(change, at) {
+      const read = readTyped(this.box.value);
+      const { low, high, unit, label } = this.control;
+      if ("problem" in read) return this.complain(read.problem);
+      if ("text" in read) return change(this.control.set, read.text, at);
+      if (read.value < low || read.value > high) {
+        const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
+        return this.complain(`${label}: ${range}, please.`);
+      }
+      this.#accept(read.value);
+      return change(this.control.set, read.value, at);
+    }
+    /** @param {number} value */
+    #accept(value) {
+      this.slider.valueAsNumber = value;
+      put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
+      this.#write(value);
+      this.clear();
+    }
+    /** @param {number} value */
+    #write(value) {
+      const text = this.#text(value).replace("−", "-");
+      if (this.box.value !== text) this.box.value = text;
+    }
+    /** @param {number} value */
+    #text(value) {
+      return fixed(value, Math.max(this.decimals, decimalsOf(value)));
+    }
+  };
+  function decimalsOf(value) {
+    return Math.abs(value) < 1e5 ? short(value, 4).split(".")[1]?.length ?? 0 : 0;
+  }
+  function valueIn(header, target) {
+    const [owner, key] = target.split(".");
+    const body2 = header.bodies.find(({ name: name2 }) => name2 === owner);
+    if (body2) return Number(
+      /** @type {any} */
+      body2[String(key)]
+    );
+    if (target === "until") return header.until;
+    if (owner === "contact" && (key === "restitution" || key === "stiffness")) {
+      const values = new Set(header.contacts.map((contact) => contact[key]));
+      return values.size === 1 ? [...values][0] ?? null : null;
+    }
+    return null;
+  }
+
+  // src/shapes.js
+  var REFERENCE_HEIGHT = 36;
+  var TALLEST = 4;
+  var LANE = 20;
+  var ABOVE = 30;
+  var DOT = 3;
+  var SHORTEST = 0.5;
+  var LONGEST2 = 1.6;
+  var NAMED = 34;
+  var SPRING = [2, 10];
+  var PUSH = 15.5;
+  var FACE = 22;
+  function box(body2, view, layout, lift) {
+    const width = Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
+    const wanted = REFERENCE_HEIGHT * body2.mass / width / view.perHeight;
+    const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
+    const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
+    const named = height >= NAMED;
+    const mass = `${short(body2.mass)} kg`;
+    return {
+      x: -width * layout.scale / 2,
+      width: width * layout.scale,
+      height,
+      cut,
+      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+      label: named ? mass : `${body2.name}: ${mass}`,
+      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+    };
+  }
+  function lane(i, tallest, layout) {
+    const above = Math.max(tallest, FACE) + layout.stagger + ABOVE;
+    return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
+  }
+  function spring(start, end) {
+    const low = (
+      /** @type {number} */
+      SPRING[0]
+    );
+    const high = (
+      /** @type {number} */
+      SPRING[1]
+    );
+    const step = (end - start) / 4;
+    let d = `M${px(start)} ${px(-(low + high) / 2)}`;
+    for (let k = 0; k < 4; k += 1) {
+      d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
+    }
+    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+  }
+  function blockArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y);
+    const tip = x + length;
+    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
+    return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
+  }
+  function lineArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y);
+    const tip = x + length;
+    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
+    return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
+  }
+  function dot(x, y) {
+    const [r, d] = [px(DOT), px(2 * DOT)];
+    return `M${px(x - DOT)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+  }
+  function arrowLength(value, full, length) {
+    const exact = full ? value / full * length : 0;
+    return Math.max(-LONGEST2 * length, Math.min(LONGEST2 * length, exact));
+  }
+  function velocityText(x, length, width) {
+    const room = 62;
+    if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
+    return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+  }
+
+  // src/words.js
+  var QUANTITIES = {
+    x: ["Position", "x", "m"],
+    v: ["Velocity", "v", "m/s"],
+    a: ["Acceleration", "a", "m/s²"],
+    F: ["Contact force", "F", "N"],
+    p: ["Momentum", "p", "kg m/s"],
+    energy: ["Kinetic energy", "E", "J"]
+  };
+  var EFFECTS = {
+    friction: "friction",
+    incline: "a slope",
+    drag: "air resistance",
+    push: "pushes from outside",
+    spring: "springs between the carts",
+    magnets: "magnets",
+    release: "a release between the carts"
+  };
+  var BOTH_FORCES = "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.";
+  function isWall(name2) {
+    return name2 === "left" || name2 === "right";
+  }
+  function body(name2) {
+    return isWall(name2) ? `the ${name2} wall` : name2;
+  }
+  function brief(name2) {
+    return isWall(name2) ? "wall" : name2;
+  }
+  function motion(velocity, decimals, scale) {
+    if (Math.abs(velocity) < 1e-9 * scale) return "at rest";
+    return `${fixed(Math.abs(velocity), decimals)} m/s to the ${velocity > 0 ? "right" : "left"}`;
+  }
+  function eventSentence(event, telling) {
+    const { decimals, scale, camera, forces: forces2 } = telling;
+    const names = event.bodies;
+    const pair = capital(names.map(body).join(" and "));
+    const impulse = event.impulse ?? 0;
+    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
+    const shown = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
+    switch (event.kind) {
+      case "contact": {
+        if (impulse) return `${pair} hit each other and part at once.${shown}${after}`;
+        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
+        return `${mover} reaches ${body(String(other))}.`;
+      }
+      case "peak":
+        if (forces2 && event.force) {
+          const size = fixed(event.force, decimals.F ?? 2);
+          return `${pair}: bumpers squeezed the most, ${size} N on each.`;
+        }
+        return `${pair}: bumpers squeezed the most.`;
+      case "separate":
+        return `${pair} separate.${shown}${after}`;
+      case "stick":
+        return `${pair} stay together.${after}`;
+      case "stop":
+        return `${pair} stops.`;
+      case "start":
+        return `${pair} starts to move.`;
+      case "release":
+        return `${pair} are released.${after}`;
+      case "end":
+        return "End of the run.";
+      default:
+        return `${event.kind}: ${pair}.`;
+    }
+  }
+  function modelSentences(header) {
+    const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
+    if (header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
+    const last = leftOut.pop();
+    if (last !== void 0) {
+      const listed = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
+      sentences.push(`Left out of this model: ${listed}.`);
+    }
+    return sentences;
+  }
+  function capital(text) {
+    return text.slice(0, 1).toUpperCase() + text.slice(1);
+  }
+  function sentence(text) {
+    const capitalised = capital(text);
+    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
+  }
+
+  // src/predict-arrows.js
+  var LONG = 120;
+  var ArrowsForm = class {
+    /** @type {Row[]} */
+    #rows;
+    /**
+     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {(guesses: Guess[]) => void} draw @param {() => void} changed
+     */
+    constructor(root, baked, draw, changed) {
+      this.full = baked.view.force || 10;
+      this.decimals = baked.view.decimals.F ?? 2;
+      this.draw = draw;
+      const contacts = baked.run.header.contacts;
+      const elements = (
+        /** @type {NodeListOf<HTMLElement>} */
+        root.querySelectorAll(".carts-guess")
+      );
+      this.#rows = [...elements].map((element) => {
+        const pair = element.dataset.pair ?? "";
+        const on = element.dataset.on ?? "";
+        const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
+        const side = bodies[0] === on ? "left" : "right";
+        const by = (side === "left" ? bodies[1] : bodies[0]) ?? "";
+        const row = {
+          pair,
+          on,
+          by,
+          side: (
+            /** @type {"left" | "right"} */
+            side
+          ),
+          style: element.className.split(" ").find((name2) => /^carts-(b\d|wall)$/.test(name2)) ?? "",
+          size: null,
+          slider: (
+            /** @type {HTMLInputElement} */
+            need(element, 'input[type="range"]')
+          ),
+          box: (
+            /** @type {HTMLInputElement} */
+            need(element, 'input[type="text"]')
+          ),
+          error: need(element, ".carts-error")
+        };
+        row.slider.addEventListener(
+          "input",
+          () => this.#take(row, row.slider.valueAsNumber, changed)
+        );
+        row.box.addEventListener("change", () => this.#typed(row, changed));
+        return row;
+      });
+    }
+    get value() {
+      return this.#rows.map(({ pair, on, size }) => ({ pair, on, size }));
+    }
+    set value(value) {
+      for (const saved of Array.isArray(value) ? value : []) {
+        const row = this.#rows.find(({ pair, on }) => pair === saved.pair && on === saved.on);
+        if (row && typeof saved.size === "number") this.#show(row, saved.size);
+      }
+      this.#picture();
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      for (const { slider, box: box2 } of this.#rows) {
+        slider.disabled = !on;
+        box2.disabled = !on;
+      }
+    }
+    problem() {
+      const missing2 = this.#rows.filter((row) => row.size === null);
+      if (!missing2.length) return null;
+      return `Set every arrow first: ${missing2.map(name).join(", ")}. Zero counts too: type 0.`;
+    }
+    /** Their arrows and the run's, on one scale. @param {import("./types.js").Run} run */
+    compare(run) {
+      this.draw([]);
+      const list = html("div", "carts-compare");
+      for (const row of this.#rows) {
+        const actual = greatest(run, row.pair);
+        const line = html("div", `carts-compare-row ${row.style}`);
+        line.append(
+          html("span", "carts-compare-name", name(row)),
+          arrow(row.size ?? 0, this.full, "carts-guessed", row.side),
+          html("span", "", `you: ${fixed(row.size ?? 0, this.decimals)} N`),
+          arrow(actual, this.full, "carts-block-arrow", row.side),
+          html("span", "", `run: ${fixed(actual, this.decimals)} N`)
+        );
+        list.append(line);
+      }
+      const text = "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.";
+      return [list, html("p", "", text)];
+    }
+    /** @param {Row} row @param {() => void} changed */
+    #typed(row, changed) {
+      const read = readTyped(row.box.value);
+      let problem = "";
+      if ("problem" in read) problem = read.problem;
+      else if ("text" in read) problem = "Type a number; the unit is N.";
+      else if (read.value < 0 || read.value > this.full)
+        problem = `0 to ${fixed(this.full, 0)} N, please.`;
+      say(row.error, problem);
+      row.error.hidden = !problem;
+      if ("value" in read && !problem) this.#take(row, read.value, changed);
+    }
+    /** @param {Row} row @param {number} size @param {() => void} changed */
+    #take(row, size, changed) {
+      this.#show(row, size);
+      this.#picture();
+      changed();
+    }
+    /** @param {Row} row @param {number} size */
+    #show(row, size) {
+      row.size = size;
+      row.slider.valueAsNumber = size;
+      row.slider.setAttribute("aria-valuetext", `${fixed(size, this.decimals)} newtons`);
+      row.box.value = fixed(size, this.decimals);
+      row.error.hidden = true;
+    }
+    #picture() {
+      this.draw(
+        this.#rows.flatMap(
+          ({ pair, on, side, size }) => size === null ? [] : [{ pair, on, side, size }]
+        )
+      );
+    }
+  };
+  function name({ on, by }) {
+    return `force on ${body(on)} by ${body(by)}`;
+  }
+  function greatest(run, pair) {
+    const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
+    const peak = run.header.events.find(
+      (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
+    );
+    if (typeof peak?.force === "number") return peak.force;
+    return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
+  }
+  function arrow(size, full, className, side) {
+    const length = arrowLength(size, full, LONG);
+    const width = Math.max(LONG, length) + 8;
+    const picture = svg("svg", {
+      viewBox: `0 0 ${width} 20`,
+      width,
+      height: 20,
+      "aria-hidden": "true"
+    });
+    const d = side === "left" ? blockArrow(width - 4, 10, -length) : blockArrow(4, 10, length);
+    picture.append(svg("path", { class: className, d }));
+    return picture;
+  }
+
+  // src/windows.js
+  function touches(events, until) {
+    const open2 = /* @__PURE__ */ new Map();
+    const peaks = /* @__PURE__ */ new Map();
+    const found = [];
+    for (const event of events) {
+      const pair = event.bodies.join("-");
+      const touch = open2.get(pair);
+      if (event.kind === "contact" && !event.impulse) {
+        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "peak") {
+        peaks.set(pair, event.t);
+      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
+        open2.delete(pair);
+        found.push({ ...touch, end: event.t });
+      }
+    }
+    for (const touch of open2.values()) {
+      const peak = peaks.get(touch.pair) ?? until;
+      found.push({ ...touch, end: peak > touch.start ? peak : until });
+    }
+    return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+
+  // src/predict-curve.js
+  var LEFT = 40;
+  var STEP = 77.5;
+  var BOTTOM = 130;
+  var PER_HEIGHT = 12;
+  var HIGHEST = 10;
+  var FINE = 48;
+  var CurveForm = class {
+    /** @type {(number | null)[]} */
+    #heights = [null, null, null, null, null];
+    #enabled = false;
+    /** @param {HTMLElement} root @param {import("./types.js").PredictSpec} spec @param {() => void} changed */
+    constructor(root, spec, changed) {
+      this.cart = spec.cart ?? "";
+      this.changed = changed;
+      this.pad = /** @type {SVGSVGElement} */
+      /** @type {unknown} */
+      need(root, ".carts-pad");
+      this.boxes = /** @type {HTMLInputElement[]} */
+      [...root.querySelectorAll(".carts-height")];
+      this.boxes.forEach((box2, k) => {
+        box2.addEventListener("input", () => {
+          if (Number.isFinite(box2.valueAsNumber)) this.#take(k, box2.valueAsNumber);
+        });
+      });
+      this.pad.addEventListener("pointerdown", (event) => {
+        if (!this.#enabled) return;
+        this.pad.setPointerCapture(event.pointerId);
+        this.#point(event);
+      });
+      this.pad.addEventListener("pointermove", (event) => {
+        if (this.#enabled && event.buttons & 1) this.#point(event);
+      });
+    }
+    get value() {
+      return this.#heights;
+    }
+    set value(value) {
+      if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
+      this.#draw();
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      this.#enabled = on;
+      for (const box2 of this.boxes) box2.disabled = !on;
+    }
+    problem() {
+      if (this.#heights.every((height) => height !== null)) return null;
+      return "Give all five heights first, also where you think it is 0.";
+    }
+    /** @param {import("./types.js").Run} run */
+    compare(run) {
+      const touch = touches(run.header.events, run.header.until).find(
+        ({ bodies }) => bodies.includes(this.cart)
+      );
+      if (!touch) return [html("p", "", `In this run nothing touches ${this.cart}.`)];
+      const { t, F, dF } = run.trajectory;
+      const forces2 = Array.from({ length: FINE + 1 }, (_, k) => {
+        const at = touch.start + (touch.end - touch.start) * k / FINE;
+        return valueAt(t, F[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
+      });
+      const top = Math.max(...forces2) || 1;
+      const points = forces2.map((force, k) => {
+        const x = LEFT + 4 * STEP * k / FINE;
+        return `${px(x)} ${px(BOTTOM - HIGHEST * PER_HEIGHT * force / top)}`;
+      });
+      put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
+      const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
+      const mine = this.#heights.map(Number);
+      const rows = [
+        ["starts from zero", mine[0] === 0, Number(forces2[0]) < 0.02 * top],
+        [
+          "is greatest in between",
+          Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
+          true
+        ],
+        ["is zero again at the end", mine[4] === 0, Number(forces2[FINE]) < 0.02 * top]
+      ];
+      const list = html("ul");
+      for (const [feature, yours, theirs] of rows) {
+        const said = (yes) => yes ? "yes" : "no";
+        list.append(html("li", "", `${feature}: your curve ${said(yours)}, the run ${said(theirs)}`));
+      }
+      const title = `Force on ${this.cart} by ${body(other)}: dashed is yours, solid is the run. Only the shape counts.`;
+      return [html("p", "", title), list];
+    }
+    /** @param {PointerEvent} event */
+    #point(event) {
+      const frame2 = this.pad.getBoundingClientRect();
+      const scale = 360 / frame2.width;
+      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT) / STEP);
+      const height = (BOTTOM - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
+      if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
+    }
+    /** @param {number} k @param {number} height */
+    #take(k, height) {
+      this.#heights[k] = Math.min(HIGHEST, Math.max(0, height));
+      this.#draw();
+      this.changed();
+    }
+    #draw() {
+      const points = this.#heights.map((height, k) => {
+        const y = px(BOTTOM - PER_HEIGHT * (height ?? 0));
+        const knob = this.pad.querySelector(`[data-index="${k}"]`);
+        if (knob) put(knob, "cy", y);
+        const box2 = this.boxes[k];
+        if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
+        return `${px(LEFT + STEP * k)} ${y}`;
+      });
+      put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
+    }
+  };
+
+  // src/predict-words.js
+  var ChoiceForm = class {
+    /** @param {HTMLElement} root @param {import("./types.js").PredictSpec} spec @param {() => void} changed */
+    constructor(root, spec, changed) {
+      this.options = spec.options;
+      this.radios = /** @type {HTMLInputElement[]} */
+      [
+        ...root.querySelectorAll('input[type="radio"]')
+      ];
+      for (const radio of this.radios) radio.addEventListener("change", changed);
+    }
+    get value() {
+      return this.radios.find((radio) => radio.checked)?.value ?? null;
+    }
+    set value(value) {
+      for (const radio of this.radios) radio.checked = radio.value === value;
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      for (const radio of this.radios) radio.disabled = !on;
+    }
+    problem() {
+      return this.value === null ? "Choose one first." : null;
+    }
+    compare() {
+      const chosen = this.options[Number(this.value)] ?? "";
+      return [html("p", "", `You chose: ${chosen}`), html("p", "", "Play the run. What do you see?")];
+    }
+  };
+  var WordsForm = class {
+    /** @param {HTMLElement} root @param {() => void} changed */
+    constructor(root, changed) {
+      this.box = /** @type {HTMLTextAreaElement} */
+      need(root, ".carts-words");
+      this.box.addEventListener("input", changed);
+    }
+    get value() {
+      return this.box.value;
+    }
+    set value(value) {
+      this.box.value = String(value ?? "");
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      this.box.disabled = !on;
+    }
+    problem() {
+      return this.box.value.trim() ? null : "Write your prediction first; a few words are enough.";
+    }
+    compare() {
+      return [html("p", "", "Play the run and compare it with what you wrote.")];
+    }
+  };
+
+  // src/storage.js
+  var STORE = "answers";
+  async function openStore(site) {
+    try {
+      return indexed(await open(`carts:${site}`));
+    } catch {
+      return textStore(site) ?? memory();
+    }
+  }
+  function open(name2) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name2, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+    });
+  }
+  function indexed(base) {
+    return {
+      kind: "kept",
+      get: (key) => new Promise((resolve, reject) => {
+        const request = base.transaction(STORE).objectStore(STORE).get(key);
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      }),
+      put: (key, value) => new Promise((resolve, reject) => {
+        const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+        work.objectStore(STORE).put(value, key);
+        work.oncomplete = () => resolve();
+        work.onerror = () => reject(work.error);
+        work.onabort = () => reject(work.error);
+      })
+    };
+  }
+  function textStore(site) {
+    try {
+      const probe = `carts:${site}:probe`;
+      localStorage.setItem(probe, "1");
+      localStorage.removeItem(probe);
+    } catch {
+      return null;
+    }
+    return {
+      kind: "kept",
+      get: async (key) => JSON.parse(localStorage.getItem(`carts:${site}:${key}`) ?? "null"),
+      put: async (key, value) => localStorage.setItem(`carts:${site}:${key}`, JSON.stringify(value))
+    };
+  }
+  function memory() {
+    const kept = /* @__PURE__ */ new Map();
+    return {
+      kind: "memory",
+      get: async (key) => kept.get(key),
+      put: async (key, value) => void kept.set(key, value)
+    };
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
+    const path2 = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path2
+    };
+  }
+
+  // src/predict.js
+  var Predict = class {
+    /** @type {Entry} */
+    #entry;
+    /** @type {import("./storage.js").Store | null} */
+    #store = null;
+    /**
+     * @param {HTMLElement} root of the prediction @param {Baked} baked
+     * @param {(arrows: import("./predict-arrows.js").Guess[]) => void} draw arrows on the picture
+     * @param {() => void} locked what to do once the prediction is locked
+     */
+    constructor(root, baked, draw, locked) {
+      const spec = (
+        /** @type {import("./types.js").PredictSpec} */
+        baked.fence.predict
+      );
+      this.root = root;
+      this.locked = locked;
+      this.saved = need(root, ".carts-saved");
+      this.error = need(root, ".carts-predict-error");
+      this.button = /** @type {HTMLButtonElement} */
+      need(root, ".carts-lock");
+      this.#entry = {
+        id: baked.fence.id,
+        type: spec.kind,
+        value: null,
+        first: null,
+        last: null,
+        tries: 0,
+        locked: null
+      };
+      const changed = () => void this.#changed();
+      const forms = {
+        arrows: () => new ArrowsForm(root, baked, draw, changed),
+        curve: () => new CurveForm(root, spec, changed),
+        choice: () => new ChoiceForm(root, spec, changed),
+        text: () => new WordsForm(root, changed)
+      };
+      this.form = forms[spec.kind]();
+      this.button.addEventListener("click", () => void this.#lock());
+    }
+    /** @returns {boolean} */
+    get isLocked() {
+      return this.#entry.locked !== null;
+    }
+    /** Brings back what the reader left here before. */
+    async restore() {
+      const { site, page: page2 } = place();
+      this.key = `${page2}#${this.#entry.id}`;
+      this.#store = await openStore(site);
+      if (this.#store.kind === "memory") {
+        say(
+          this.saved,
+          "This browser keeps nothing: your prediction is lost when you close the page."
+        );
+      }
+      const found = await this.#store.get(this.key).catch(() => null);
+      if (found?.type === this.#entry.type) {
+        this.#entry = found;
+        this.form.value = found.value;
+        say(this.saved, "Saved.");
+      }
+      this.form.enable(!this.isLocked);
+      this.button.disabled = this.isLocked;
+      if (this.isLocked) this.locked();
+    }
+    /** Shows the prediction beside the run. @param {Run} run */
+    compare(run) {
+      const place2 = need(this.root, ".carts-compared");
+      place2.replaceChildren(...this.form.compare(run));
+      place2.hidden = false;
+      say(need(this.root, ".carts-heading"), "Your prediction, locked");
+    }
+    /** @param {string} message for the reader; empty: none */
+    complain(message) {
+      say(this.error, message);
+      this.error.hidden = !message;
+    }
+    async #changed() {
+      const now = (/* @__PURE__ */ new Date()).toISOString();
+      this.#entry.value = this.form.value;
+      this.#entry.first ??= now;
+      this.#entry.last = now;
+      this.#entry.tries += 1;
+      this.complain("");
+      await this.#keep();
+    }
+    async #lock() {
+      const problem = this.form.problem();
+      if (problem) return this.complain(problem);
+      this.#entry.value = this.form.value;
+      this.#entry.locked = (/* @__PURE__ */ new Date()).toISOString();
+      this.form.enable(false);
+      this.button.disabled = true;
+      this.complain("");
+      await this.#keep();
+      this.locked();
+    }
+    async #keep() {
+      if (!this.#store || !this.key) return;
+      if (this.#store.kind === "kept") say(this.saved, "Saving…");
+      try {
+        await this.#store.put(this.key, this.#entry);
+        if (this.#store.kind === "kept") say(this.saved, "Saved.");
+      } catch {
+        say(this.saved, "Not saved: this browser refuses to keep it. Write it on paper too.");
+      }
+    }
+  };
+
+  // src/announcer.js
+  var MOST = 3;
+  var Announcer = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.region = need(root, ".carts-announcer");
+    }
+    /** @param {string[]} sentences */
+    tell(sentences) {
+      if (sentences.length) this.region.textContent = sentences.slice(-MOST).join(" ");
+    }
+  };
+
+  // src/scales.js
+  var STEP_SLACK = 1e-9;
+  function axisDecimals(axis2) {
+    return Math.max(0, -exponent(axis2.step));
+  }
+  function ticks(axis2) {
+    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
+    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
+    const found = [];
+    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
+    return found;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+  function axis(low, high, count) {
+    const bottom = Math.min(0, low);
+    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const step = niceAbove((top - bottom) / count);
+    return {
+      low: Math.floor(bottom / step + STEP_SLACK) * step,
+      high: Math.ceil(top / step - STEP_SLACK) * step,
+      step
+    };
+  }
+  function span(low, high, count) {
+    return { low, high, step: niceAbove((high - low) / count) };
+  }
+
+  // src/graph.js
+  var LEFT2 = 46;
+  var RIGHT = 350;
+  var TOP = 8;
+  var BOTTOM2 = 142;
+  var WIDTH = 360;
+  var NEAR = 0.7;
+  var STRAIGHT = 0.05;
+  function timeX(plane, t) {
+    return LEFT2 + (t - plane.time.low) * ((RIGHT - LEFT2) / (plane.time.high - plane.time.low));
+  }
+  function valueY(plane, value) {
+    return BOTTOM2 - (value - plane.value.low) * ((BOTTOM2 - TOP) / (plane.value.high - plane.value.low));
+  }
+  function extent(curves) {
+    let low = 0;
+    let high = 0;
+    for (const { values } of curves) {
+      for (let k = 0; k < values.length; k += 1) {
+        const value = (
+          /** @type {number} */
+          values[k]
+        );
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return [low, high];
+  }
+  function planeFor(values, window) {
+    return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 4) };
+  }
+  function path(curve, times, plane) {
+    const { values, slopes } = curve;
+    const kx = (RIGHT - LEFT2) / (plane.time.high - plane.time.low);
+    const ky = (BOTTOM2 - TOP) / (plane.value.high - plane.value.low);
+    const last = times.length - 1;
+    let drawn = 0;
+    let x0 = timeX(plane, Number(times[0]));
+    let y0 = valueY(plane, Number(values[0]));
+    let d = `M${px(x0)} ${px(y0)}`;
+    for (let k = 1; k <= last; k += 1) {
+      const x = timeX(plane, Number(times[k]));
+      const y = valueY(plane, Number(values[k]));
+      if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
+      const third = (Number(times[k]) - Number(times[k - 1])) / 3;
+      let bent = false;
+      if (slopes && drawn === k - 1 && third > 0) {
+        const [x1, x2] = [x0 + third * kx, x - third * kx];
+        const y1 = y0 - Number(slopes[k - 1]) * third * ky;
+        const y2 = y + Number(slopes[k]) * third * ky;
+        bent = Math.abs(y1 - (2 * y0 + y) / 3) > STRAIGHT || Math.abs(y2 - (y0 + 2 * y) / 3) > STRAIGHT;
+        if (bent) d += `C${px(x1)} ${px(y1)} ${px(x2)} ${px(y2)} ${px(x)} ${px(y)}`;
+      }
+      if (!bent) d += `L${px(x)} ${px(y)}`;
+      drawn = k;
+      x0 = x;
+      y0 = y;
+    }
+    return d;
+  }
+  function timeMarks(plane) {
+    const decimals = axisDecimals(plane.time);
+    return ticks(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
+  }
+  function valueMarks(plane) {
+    const decimals = axisDecimals(plane.value);
+    return ticks(plane.value).map((v) => ({
+      at: px(valueY(plane, v)),
+      label: fixed(v, decimals),
+      zero: v === 0
+    }));
+  }
+
+  // src/markers.js
+  var MARKERS = {
+    b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
+    b1: "M-3.5 -3.5H3.5V3.5H-3.5Z",
+    b2: "M0 -5L5 0L0 5L-5 0Z",
+    b3: "M-4.5 3.5L0 -4.5L4.5 3.5Z",
+    b4: "M-4.5 -3.5L0 4.5L4.5 -3.5Z",
+    b5: "M-4 -1.5H-1.5V-4H1.5V-1.5H4V1.5H1.5V4H-1.5V1.5H-4Z",
+    b6: "M-4.5 -2.5H4.5V2.5H-4.5Z",
+    b7: "M-2.5 -4.5H2.5V4.5H-2.5Z",
+    wall: "M-3 -3L3 3M-3 3L3 -3",
+    total: "M-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0Z"
+  };
+  function styleOf(index) {
+    return `b${index % 8}`;
+  }
+
+  // src/series.js
+  function seriesOf(quantity, header, run, camera, signed = false) {
+    if (quantity === "F") return forces(header, run, signed);
+    const times = Float64Array.from(run.t);
+    const curves = header.bodies.map((body2, i) => {
+      const { name: name2, mass } = body2;
+      const [x, v, a] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
+      const seen = Float64Array.from(v, (speed) => speed - camera);
+      const curve = { label: name2, style: styleOf(i), over: false };
+      switch (quantity) {
+        case "x": {
+          const values = Float64Array.from(x, (place2, k) => place2 - camera * Number(times[k]));
+          return { ...curve, values, slopes: seen };
+        }
+        case "v":
+          return { ...curve, values: seen, slopes: a };
+        case "a":
+          return { ...curve, values: a, slopes: null };
+        case "p":
+          return {
+            ...curve,
+            values: seen.map((speed) => mass * speed),
+            slopes: Float64Array.from(a, (value) => mass * value)
+          };
+        default:
+          return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
+      }
+    });
+    if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
+    return curves;
+  }
+  function total(curves) {
+    const sum = (columns) => {
+      const rows = Float64Array.from(columns[0] ?? []);
+      for (const column of columns.slice(1)) {
+        for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
+      }
+      return rows;
+    };
+    return {
+      label: "all carts",
+      style: "total",
+      over: false,
+      values: sum(curves.map((c) => c.values)),
+      slopes: curves.every((c) => c.slopes) ? sum(curves.map((c) => c.slopes)) : null
+    };
+  }
+  function forces(header, run, signed) {
+    const styles = new Map(header.bodies.map((body2, i) => [body2.name, styleOf(i)]));
+    const sign = signed ? -1 : 1;
+    const curves = [];
+    for (const contact of header.contacts) {
+      const force = run.F[contact.pair];
+      const slope = run.dF[contact.pair];
+      if (!force || !slope || !Array.prototype.some.call(force, (f) => f > 0)) continue;
+      const [left, right] = contact.bodies;
+      curves.push({
+        label: `on ${brief(left)} by ${brief(right)}`,
+        style: styles.get(left) ?? "wall",
+        over: false,
+        values: Float64Array.from(force, (f) => sign * f),
+        slopes: Float64Array.from(slope, (s) => sign * s)
+      });
+      curves.push({
+        label: `on ${brief(right)} by ${brief(left)}`,
+        style: styles.get(right) ?? "wall",
+        over: true,
+        values: force,
+        slopes: slope
+      });
+    }
+    return curves;
+  }
+
+  // src/table.js
+  var ROWS = 10;
+  var MOST_EVENTS = 24;
+  var REST = 250;
+  var Table = class {
+    /** @type {{run: Run, curves: Series[]} | null} */
+    #waiting = null;
+    #timer = 0;
+    /** @param {HTMLElement} details @param {string} quantity @param {import("./types.js").View} view */
+    constructor(details, quantity, view) {
+      this.details = /** @type {HTMLDetailsElement} */
+      details;
+      this.quantity = quantity;
+      this.view = view;
+      details.addEventListener("toggle", () => this.fill());
+    }
+    /** @param {Run} run @param {Series[]} curves */
+    show(run, curves) {
+      this.#waiting = { run, curves };
+      clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
+    }
+    fill() {
+      if (!this.#waiting) return;
+      const { run, curves } = this.#waiting;
+      this.#waiting = null;
+      const unit = QUANTITIES[this.quantity]?.[2] ?? "";
+      const head = html("tr");
+      head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
+      need(this.details, "thead").replaceChildren(head);
+      const decimals = this.view.decimals[this.quantity] ?? 3;
+      const scale = greatest2(curves);
+      const rows = tableTimes(run).map((t) => {
+        const row = html("tr");
+        row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
+        for (const { values, slopes } of curves) {
+          const value = valueAt(run.trajectory.t, values, slopes, t);
+          row.append(html("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
+        }
+        return row;
+      });
+      need(this.details, "tbody").replaceChildren(...rows);
+    }
+  };
+  function tableTimes({ header }) {
+    const times = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS)), header.until]);
+    for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
+    return [...times].sort((a, b) => a - b);
+  }
+  function heading(text) {
+    const cell = html("th", "", text);
+    cell.setAttribute("scope", "col");
+    return cell;
+  }
+  function greatest2(curves) {
+    let found = 0;
+    for (const { values } of curves) {
+      for (let k = 0; k < values.length; k += 1) found = Math.max(found, Math.abs(Number(values[k])));
+    }
+    return found || 1;
+  }
+
+  // src/graph-view.js
+  var GraphView = class {
+    /** @type {Series[]} */
+    #curves = [];
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {g.Plane} */
+    #plane = planeFor([0, 1], [0, 1]);
+    /** @type {Element[]} */
+    #dots = [];
+    #signed = false;
+    /** @type {[number, number] | null} */
+    #window = null;
+    /**
+     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {(t: number) => void} seek when the reader points at a time
+     */
+    constructor(root, baked, seek) {
+      this.root = root;
+      this.quantity = root.dataset.quantity ?? "x";
+      this.camera = baked.fence.camera;
+      this.reference = baked;
+      this.plot = /** @type {SVGSVGElement} */
+      /** @type {unknown} */
+      need(root, ".carts-plot");
+      this.table = new Table(need(root, "details"), this.quantity, baked.view);
+      this.sign = /** @type {HTMLButtonElement | null} */
+      root.querySelector(".carts-sign");
+      this.sign?.addEventListener("click", () => this.#toggleSign());
+      const point = (event) => {
+        if (event.type === "pointermove" && !(event.buttons & 1)) return;
+        const frame2 = this.plot.getBoundingClientRect();
+        const x = (event.clientX - frame2.left) / frame2.width * WIDTH;
+        const part = Math.min(1, Math.max(0, (x - LEFT2) / (RIGHT - LEFT2)));
+        const { low, high } = this.#plane.time;
+        seek(low + part * (high - low));
+      };
+      this.plot.addEventListener("pointerdown", point);
+      this.plot.addEventListener("pointermove", point);
+    }
+    enable() {
+      if (this.sign) this.sign.disabled = false;
+    }
+    /** @param {Run} run @param {number} t the instant shown */
+    show(run, t) {
+      this.#run = run;
+      this.#draw(t);
+      this.table.show(run, this.#curves);
+    }
+    /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
+    zoom(window, t) {
+      this.#window = window;
+      if (this.#run) this.#draw(t);
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      if (!run) return;
+      const x = px(timeX(this.#plane, t));
+      put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
+      this.#curves.forEach((curve, i) => {
+        const y = valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t));
+        const dot2 = this.#dots[i];
+        if (dot2) put(dot2, "transform", `translate(${x} ${px(y)})`);
+      });
+    }
+    #toggleSign() {
+      this.#signed = !this.#signed;
+      this.sign?.setAttribute("aria-pressed", String(this.#signed));
+      const name2 = need(this.root, ".carts-graph-name");
+      name2.replaceChildren(
+        this.#signed ? "Contact force " : "Size of the contact force ",
+        Object.assign(document.createElement("i"), { textContent: this.#signed ? "F" : "|F|" }),
+        this.#signed ? " in N, + means to the right" : " in N"
+      );
+      this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
+    }
+    /** @param {number} t */
+    #draw(t) {
+      const run = (
+        /** @type {Run} */
+        this.#run
+      );
+      const { header, trajectory } = run;
+      this.#curves = seriesOf(this.quantity, header, trajectory, this.camera, this.#signed);
+      const values = extent(this.#curves);
+      const reference = this.reference.run;
+      if (reference.trajectory.t.length > 1 && reference !== run) {
+        const before = extent(
+          seriesOf(this.quantity, reference.header, reference.trajectory, this.camera, this.#signed)
+        );
+        values[0] = Math.min(values[0], before[0]);
+        values[1] = Math.max(values[1], before[1]);
+      }
+      this.#plane = planeFor(values, this.#window ?? [0, header.until]);
+      this.#axes();
+      const group = need(this.root, '[data-part="curves"]');
+      fit(group, this.#curves.length, () => svg("path"));
+      this.#curves.forEach((curve, i) => {
+        const line = (
+          /** @type {Element} */
+          group.children[i]
+        );
+        put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
+        put(line, "d", path(curve, trajectory.t, this.#plane));
+      });
+      this.#cursor();
+      this.#key();
+      this.at(t);
+    }
+    #axes() {
+      const times = timeMarks(this.#plane);
+      const rows = valueMarks(this.#plane);
+      marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
+        const { at, label } = (
+          /** @type {{at: string, label: string}} */
+          times[i]
+        );
+        put(line, "class", "carts-grid");
+        put(line, "d", `M${at} ${TOP}V${BOTTOM2}`);
+        put(text, "class", "carts-tick-x");
+        put(text, "x", at);
+        put(text, "y", String(BOTTOM2 + 14));
+        say(text, label);
+      });
+      marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
+        const { at, label, zero } = (
+          /** @type {{at: string, label: string, zero: boolean}} */
+          rows[i]
+        );
+        put(line, "class", zero ? "carts-zero" : "carts-grid");
+        put(line, "d", `M${LEFT2} ${at}H${RIGHT}`);
+        put(text, "class", "carts-tick-y");
+        put(text, "x", String(LEFT2 - 5));
+        put(text, "y", px(Number(at) + 4));
+        say(text, label);
+      });
+    }
+    #cursor() {
+      const group = need(this.root, '[data-part="cursor"]');
+      fit(group, this.#curves.length + 1, () => svg("path"));
+      this.#dots = [...group.children].slice(1);
+      this.#dots.forEach((dot2, i) => {
+        const style = this.#curves[i]?.style ?? "b0";
+        put(dot2, "class", `carts-dot carts-${style}`);
+        put(dot2, "d", MARKERS[style] ?? "");
+      });
+    }
+    #key() {
+      const key = need(this.root, ".carts-key");
+      const wanted = this.#curves.map((c) => `${c.style}${c.over}${c.label}`).join("|");
+      if (key.dataset.curves === wanted) return;
+      const first = key.dataset.curves === void 0;
+      key.dataset.curves = wanted;
+      if (first && key.children.length === Math.max(1, this.#curves.length)) return;
+      const empty = this.quantity === "F" ? "no contact force in this run" : "";
+      key.replaceChildren(...this.#curves.length ? this.#curves.map(keyEntry) : [span2(empty)]);
+    }
+  };
+  function span2(text) {
+    return Object.assign(document.createElement("span"), { textContent: text });
+  }
+  function keyEntry(curve) {
+    const entry = span2("");
+    entry.className = `carts-${curve.style}`;
+    const sample = svg("svg", {
+      viewBox: "0 0 26 10",
+      width: 26,
+      height: 10,
+      "aria-hidden": "true",
+      focusable: "false"
+    });
+    const over = curve.over ? " carts-over" : "";
+    sample.append(
+      svg("path", { class: `carts-curve carts-${curve.style}${over}`, d: "M0 5H26" }),
+      svg("path", {
+        class: `carts-dot carts-${curve.style}`,
+        d: MARKERS[curve.style] ?? "",
+        transform: "translate(13 5)"
+      })
+    );
+    entry.append(sample, curve.label);
+    return entry;
+  }
+  function fit(group, count, make) {
+    while (group.children.length > count) group.lastElementChild?.remove();
+    while (group.children.length < count) group.append(make());
+  }
+  function marks(group, count, draw) {
+    while (group.children.length > 2 * count) group.lastElementChild?.remove();
+    while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
+    for (let i = 0; i < count; i += 1) {
+      draw(
+        /** @type {Element} */
+        group.children[2 * i],
+        /** @type {Element} */
+        group.children[2 * i + 1],
+        i
+      );
+    }
+  }
+
+  // src/slow.js
+  var WATCH = 3;
+  var BEFORE = 0.15;
+  var AFTER = 0.25;
+  var RATES = [0.5, 0.2, 0.1];
+  function rateFor(duration) {
+    const wanted = duration / WATCH;
+    for (let power = 1; power > 1e-12; power /= 10) {
+      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
+    }
+    return wanted;
+  }
+  function slowParts(touches2) {
+    const parts = [];
+    for (const { start, end } of touches2) {
+      const duration = end - start;
+      const rate = rateFor(duration);
+      if (rate >= 1) continue;
+      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
+      const last = parts.at(-1);
+      if (last && part.from <= last.to) {
+        last.to = Math.max(last.to, part.to);
+        last.rate = Math.min(last.rate, rate);
+      } else parts.push(part);
+    }
+    return parts;
+  }
+  function slowAt(parts, t) {
+    return parts.find((part) => t >= part.from && t < part.to);
+  }
+  function advance(t, seconds, speed, parts, until) {
+    let now = t;
+    let left = seconds;
+    while (left > 0 && now < until) {
+      const inside = slowAt(parts, now);
+      const rate = inside ? Math.min(speed, inside.rate) : speed;
+      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge, until);
+      if (now + left * rate < next) return now + left * rate;
+      left -= (next - now) / rate;
+      now = next;
+    }
+    return Math.min(now, until);
+  }
+  function rateText(rate) {
+    return rate < 1 ? `1/${Math.round(1 / rate)}` : `${rate}×`;
+  }
+
+  // src/player.js
+  var STEP2 = 0.04;
+  var LONGEST_FRAME = 0.1;
+  var Player = class {
+    time = 0;
+    own = 0;
+    // s that the reader has watched since the start
+    playing = false;
+    speed = 1;
+    slow = true;
+    until = 1;
+    /** @type {import("./slow.js").SlowPart[]} */
+    parts = [];
+    /** @type {number[]} */
+    stops = [];
+    #frame = 0;
+    #last = 0;
+    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+    constructor(changed) {
+      this.changed = changed;
+    }
+    get #parts() {
+      return this.slow ? this.parts : [];
+    }
+    /** @returns {number} cart seconds per second now */
+    get rate() {
+      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+    }
+    /** @returns {boolean} whether slow motion is on at this instant */
+    get isSlow() {
+      return this.rate < this.speed;
+    }
+    toggle() {
+      if (this.playing) this.pause();
+      else this.play();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.until) this.#move(0);
+      if (this.time === 0) this.own = 0;
+      this.playing = true;
+      this.#last = 0;
+      this.changed(this.time, false);
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      cancelAnimationFrame(this.#frame);
+      this.changed(this.time, false);
+    }
+    /** @param {number} t in s */
+    seek(t) {
+      this.#move(t);
+      if (t <= 0) this.own = 0;
+      this.changed(this.time, false);
+    }
+    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+    step(way, count = 1) {
+      this.pause();
+      for (let k = 0; k < count; k += 1) {
+        const before = this.time;
+        const target = before + way * STEP2 * this.rate;
+        const event = way > 0 ? this.stops.find((t) => t > before + 1e-12) : this.stops.findLast((t) => t < before - 1e-12);
+        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
+        this.#move(passed ? event : target);
+        this.changed(before, way > 0);
+      }
+    }
+    /** @param {number} now */
+    #tick(now) {
+      if (!this.playing) return;
+      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      this.#last = now;
+      const before = this.time;
+      this.own += seconds;
+      this.#move(advance(before, seconds, this.speed, this.#parts, this.until));
+      if (this.time >= this.until) this.playing = false;
+      this.changed(before, true);
+      if (this.playing) this.#frame = requestAnimationFrame((next) => this.#tick(next));
+    }
+    /** @param {number} t */
+    #move(t) {
+      this.time = Math.min(this.until, Math.max(0, t));
+    }
+  };
+
+  // src/readouts.js
+  var Readouts = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.camera = baked.fence.camera;
+      this.decimals = baked.view.decimals;
+      this.cards = baked.run.header.bodies.map(({ name: name2 }) => {
+        const card = need(root, `.carts-card[data-body="${name2}"]`);
+        const outputs = [...card.querySelectorAll("output")];
+        return { name: name2, outputs: new Map(outputs.map((o) => [o.dataset.quantity ?? "", o])) };
+      });
+    }
+    /** @param {Run} run */
+    show(run) {
+      this.#run = run;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      if (!run) return;
+      const { t: times, x, v, a } = run.trajectory;
+      for (const { name: name2, outputs } of this.cards) {
+        const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
+        const acceleration = valueAt(times, a[name2] ?? [], null, t);
+        const values = /* @__PURE__ */ new Map([
+          ["x", valueAt(times, x[name2] ?? [], v[name2] ?? [], t) - this.camera * t],
+          ["v", valueAt(times, v[name2] ?? [], a[name2] ?? [], t) - this.camera],
+          ["F", mass * acceleration],
+          ["a", acceleration]
+        ]);
+        for (const [quantity, output] of outputs) {
+          const value = values.get(quantity);
+          const decimals = this.decimals[quantity] ?? 3;
+          const text = value === void 0 ? short(mass) : fixed(value, decimals);
+          say(output, text);
+        }
+      }
+    }
+  };
+
+  // src/pushes.js
+  var PER_CHARACTER = 6.6;
+  var GAP = 8;
+  var Pushes = class {
+    /** @type {Push[]} */
+    #pushes = [];
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("./windows.js").Touch[]} */
+    #windows = [];
+    /** @param {SVGElement} root @param {import("./types.js").Layout} layout @param {import("./types.js").View} view */
+    constructor(root, layout, view) {
+      this.root = root;
+      this.layout = layout;
+      this.view = view;
+    }
+    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+      this.#pushes = [];
+      run.header.contacts.forEach((contact, k) => {
+        const groups = contact.bodies.map(
+          (name2) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name2}"]`)
+        );
+        if (groups[0] && groups[1]) {
+          const row = this.layout.rows[k] ?? 0;
+          this.#pushes.push({
+            pair: contact.pair,
+            bodies: contact.bodies,
+            row,
+            groups: [groups[0], groups[1]]
+          });
+        }
+      });
+    }
+    /** @param {number} t in s @param {Face} face */
+    at(t, face) {
+      const run = this.#run;
+      if (!run) return;
+      const { layout, view } = this;
+      for (const push of this.#pushes) {
+        const { t: times, F, dF } = run.trajectory;
+        const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
+        const size = Math.max(0, force < 1e-9 * view.force ? 0 : force);
+        const length = Math.abs(arrowLength(size, view.force, layout.force));
+        const y = layout.track - PUSH;
+        const [left, right] = push.bodies;
+        const ends = [face(left, "right"), face(right, "left")];
+        const touching = this.#windows.some(
+          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+        );
+        push.groups.forEach((group, side) => {
+          const x = Number(ends[side]);
+          put(
+            need(group, '[data-part="arrow"]'),
+            "d",
+            blockArrow(x, y, side === 0 ? -length : length)
+          );
+        });
+        this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
+      }
+    }
+    /** Both names on the beam, left and right of the contact, clear of each other and of the edges. */
+    /** @param {Push} push @param {number} size @param {number} x @param {boolean} visible */
+    #names(push, size, x, visible) {
+      const texts = push.groups.map((group) => need(group, '[data-part="text"]'));
+      for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
+      if (!visible) return;
+      const value = `${fixed(size, this.view.decimals.F ?? 2)} N`;
+      const labels = push.bodies.map((on, side) => {
+        const by = push.bodies[1 - side] ?? "";
+        return `on ${brief2(on)} by ${brief2(by)}: ${value}`;
+      });
+      const widths = labels.map((label) => label.length * PER_CHARACTER);
+      const [first, second] = [Number(widths[0]), Number(widths[1])];
+      const room = this.layout.width - 6;
+      const right = Math.min(Math.max(x + GAP, 6 + first + 2 * GAP), room - second);
+      const left = Math.min(x - GAP, right - 2 * GAP);
+      texts.forEach((text, side) => {
+        put(text, "x", px(side === 0 ? left : right));
+        put(text, "y", px(push.row));
+        put(text, "text-anchor", side === 0 ? "end" : "start");
+        say(text, labels[side] ?? "");
+      });
+    }
+  };
+  function brief2(name2) {
+    return name2 === "left" || name2 === "right" ? "wall" : name2;
+  }
+
+  // src/stage.js
+  var Stage = class {
+    /** @type {Run} */
+    #run;
+    /** @type {Cart[]} */
+    #carts = [];
+    /** @type {Pushes} */
+    #pushes;
+    /** @param {SVGElement} root @param {Baked} baked */
+    constructor(root, baked) {
+      const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
+      if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
+      this.root = root;
+      this.layout = layout;
+      this.view = baked.view;
+      this.camera = baked.fence.camera;
+      this.#run = baked.run;
+      this.#pushes = new Pushes(root, layout, baked.view);
+    }
+    /** Takes a run: boxes for its masses. @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      const { layout, view } = this;
+      const boxes = run.header.bodies.map(
+        (body2, i) => box(body2, view, layout, layout.stagger * (i % 2))
+      );
+      const tallest = Math.max(...boxes.map((box2) => box2.height));
+      this.#carts = run.header.bodies.map((body2, i) => {
+        const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
+        const box2 = (
+          /** @type {shapes.Box} */
+          boxes[i]
+        );
+        drawBox(group, body2.name, box2);
+        return {
+          half: body2.length * layout.scale / 2,
+          edge: -box2.x,
+          bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
+          top: layout.track + box2.labelY - 12,
+          lane: lane(i, tallest, layout),
+          group,
+          velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
+        };
+      });
+      this.#pushes.show(run, windows);
+    }
+    /** Draws the instant t. @param {number} t in s */
+    at(t) {
+      const { header, trajectory } = this.#run;
+      const shift = this.camera * t;
+      put(
+        need(this.root, '[data-part="ground"]'),
+        "transform",
+        `translate(${px(-shift * this.layout.scale)} 0)`
+      );
+      const centres = header.bodies.map((body2) => {
+        const x = valueAt(
+          trajectory.t,
+          trajectory.x[body2.name] ?? [],
+          trajectory.v[body2.name] ?? [],
+          t
+        );
+        return this.layout.origin + (x - shift) * this.layout.scale;
+      });
+      const { left, right } = this.#squeezes(centres, shift);
+      this.#carts.forEach((cart, i) => {
+        const centre = Number(centres[i]);
+        const faces = (
+          /** @type {const} */
+          [
+            -cart.half + Number(left[i]),
+            cart.half - Number(right[i])
+          ]
+        );
+        put(cart.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+        put(need(cart.group, '[data-part="spring-left"]'), "d", spring(-cart.edge, faces[0]));
+        put(need(cart.group, '[data-part="spring-right"]'), "d", spring(cart.edge, faces[1]));
+        put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
+        put(
+          need(cart.group, '[data-part="face-right"]'),
+          "transform",
+          `translate(${px(faces[1])} 0)`
+        );
+        this.#velocity(cart, header.bodies[i]?.name ?? "", centre, t);
+      });
+      this.#pushes.at(t, (name2, side) => {
+        const i = header.bodies.findIndex((body2) => body2.name === name2);
+        if (i < 0) {
+          const wall = name2 === "left" ? 0 : header.track.length ?? 0;
+          return this.layout.origin + (wall - shift) * this.layout.scale;
+        }
+        const half = this.#carts[i]?.half ?? 0;
+        const centre = Number(centres[i]);
+        return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
+      });
+    }
+    /**
+     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+     * @param {import("./predict-arrows.js").Guess[]} guesses
+     */
+    guess(guesses) {
+      const { header } = this.#run;
+      const group = need(this.root, '[data-part="guess"]');
+      const arrows = guesses.map(({ pair, on, side, size }) => {
+        const i = header.bodies.findIndex((body3) => body3.name === on);
+        const body2 = header.bodies[i];
+        const half = (body2?.length ?? 0) / 2;
+        const wall = on === "left" ? 0 : header.track.length ?? 0;
+        const x = body2 ? body2.position + (side === "left" ? half : -half) : wall;
+        const way = side === "left" ? -1 : 1;
+        const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
+        const from = this.layout.origin + x * this.layout.scale;
+        return svg("path", {
+          class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
+          d: blockArrow(from, this.layout.track - PUSH, length),
+          "data-pair": pair,
+          "data-on": on
+        });
+      });
+      group.replaceChildren(...arrows);
+    }
+    /**
+     * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
+     * Two carts share the overlap; a bumper gives way by its own length at most.
+     * @param {number[]} centres @param {number} shift of the camera in m
+     */
+    #squeezes(centres, shift) {
+      const { bodies, track } = this.#run.header;
+      const left = bodies.map(() => 0);
+      const right = bodies.map(() => 0);
+      const at = (
+        /** @param {number} x */
+        (x) => this.layout.origin + (x - shift) * this.layout.scale
+      );
+      for (let gap = 0; gap <= bodies.length; gap += 1) {
+        const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
+        if (!a && track.left !== "wall" || !b && track.right !== "wall") continue;
+        const end = a ? Number(centres[gap - 1]) + a.half : at(0);
+        const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
+        const overlap = Math.max(0, end - start);
+        const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
+        const rest = Math.min(b?.bumper ?? 0, overlap - share);
+        if (b) left[gap] = rest;
+        if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+      }
+      return { left, right };
+    }
+    /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
+    #velocity(cart, name2, x, t) {
+      const { trajectory } = this.#run;
+      const { layout, view } = this;
+      const v = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t) - this.camera;
+      const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
+      const length = arrowLength(seen, view.velocity, layout.velocity);
+      const [at, anchor] = velocityText(x, length, layout.width);
+      put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x, cart.lane, length));
+      put(
+        need(cart.velocity, '[data-part="leader"]'),
+        "d",
+        `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`
+      );
+      const text = need(cart.velocity, '[data-part="text"]');
+      put(text, "x", px(at));
+      put(text, "y", px(cart.lane + 4));
+      put(text, "text-anchor", anchor);
+      say(text, `${fixed(seen, view.decimals.v ?? 2)} m/s`);
+    }
+  };
+  function drawBox(group, name2, box2) {
+    const rect = need(group, '[data-part="box"]');
+    put(rect, "x", px(box2.x));
+    put(rect, "y", px(-box2.height));
+    put(rect, "width", px(box2.width));
+    put(rect, "height", px(box2.height));
+    put(need(group, '[data-part="break"]'), "visibility", box2.cut ? "visible" : "hidden");
+    const title = need(group, '[data-part="name"]');
+    put(title, "y", px(box2.nameY ?? 0));
+    put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
+    say(title, name2);
+    const mass = need(group, '[data-part="mass"]');
+    put(mass, "y", px(box2.labelY));
+    say(mass, box2.label);
+  }
+
+  // src/story.js
+  var MOST_EVENTS2 = 60;
+  var Story = class {
+    /** @type {{t: number, sentence: string}[]} */
+    told = [];
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {(t: number) => void} seek */
+    constructor(root, baked, seek) {
+      const { fence, view } = baked;
+      this.view = view;
+      this.telling = {
+        decimals: view.decimals,
+        scale: view.velocity,
+        camera: fence.camera,
+        forces: fence.forces === "shown"
+      };
+      this.list = need(root, ".carts-events");
+      this.model = need(root, ".carts-model ul");
+      this.list.addEventListener("click", (event) => {
+        const button = (
+          /** @type {Element} */
+          event.target.closest("button")
+        );
+        if (button?.dataset.time) seek(Number(button.dataset.time));
+      });
+    }
+    /** @param {import("./types.js").Run} run */
+    show({ header }) {
+      this.told = header.events.map((event) => ({
+        t: event.t,
+        sentence: eventSentence(event, this.telling)
+      }));
+      const items = this.told.slice(0, MOST_EVENTS2).map(({ t, sentence: sentence2 }) => {
+        const item = html("li");
+        const button = html("button", "carts-jump", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+        button.setAttribute("type", "button");
+        button.dataset.time = String(t);
+        item.append(button, " ", html("span", "", sentence2));
+        return item;
+      });
+      const more = this.told.length - items.length;
+      if (more > 0) items.push(html("li", "carts-more-events", `… and ${more} more events.`));
+      this.list.replaceChildren(...items);
+      this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
+    }
+    /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
+    between(before, now) {
+      return this.told.filter(({ t }) => t > before && t <= now).map(({ sentence: sentence2 }) => sentence2);
+    }
+  };
+
+  // src/timeline.js
+  var MOST_EVENTS3 = 60;
+  var Timeline = class {
+    /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
+    constructor(root, seek) {
+      this.scrub = /** @type {HTMLInputElement} */
+      need(root, ".carts-scrub");
+      this.bands = need(root, '.carts-ticks [data-part="contacts"]');
+      this.marks = need(root, '.carts-ticks [data-part="events"]');
+      this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
+      this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
+    }
+    /** @param {import("./types.js").Run} run @param {import("./windows.js").Touch[]} windows */
+    show({ header }, windows) {
+      const at = (t) => `${px(100 * t / header.until, 3)}%`;
+      this.bands.replaceChildren(
+        ...windows.map(
+          (w) => svg("rect", {
+            class: "carts-contact-band",
+            x: at(w.start),
+            y: 0,
+            width: at(w.end - w.start),
+            height: 18
+          })
+        )
+      );
+      this.marks.replaceChildren(
+        ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").map(
+          (event) => svg("line", {
+            class: `carts-event carts-event-${event.kind}`,
+            x1: at(event.t),
+            x2: at(event.t),
+            y1: 1,
+            y2: 17
+          })
+        )
+      );
+      if (Number(this.scrub.max) !== header.until) this.#renumber(header.until);
+    }
+    /** @param {number} t in s @param {string} spoken */
+    at(t, spoken) {
+      this.scrub.valueAsNumber = t;
+      put(this.scrub, "aria-valuetext", spoken);
+    }
+    /** @param {number} until */
+    #renumber(until) {
+      this.scrub.max = String(until);
+      const axis2 = span(0, until, 6);
+      const times = ticks(axis2);
+      this.numbers.replaceChildren(
+        ...times.flatMap((t, i) => {
+          const x = `${px(100 * t / until, 3)}%`;
+          const text = svg("text", { class: "carts-number", x, y: 32 });
+          text.textContent = fixed(t, axisDecimals(axis2)) + (i === times.length - 1 ? " s" : "");
+          return [svg("line", { class: "carts-fine", x1: x, x2: x, y1: 14, y2: 20 }), text];
+        })
+      );
+    }
+  };
+
+  // src/transport.js
+  var Transport = class {
+    /** @param {HTMLElement} root @param {Player} player @param {Record<string, number>} decimals */
+    constructor(root, player, decimals) {
+      this.player = player;
+      this.decimals = decimals;
+      this.bar = need(root, ".carts-transport");
+      this.world = need(root, ".carts-world");
+      this.play = need(root, ".carts-play");
+      this.playText = need(this.play, "span");
+      this.clock = need(root, ".carts-clock");
+      this.ownClock = root.querySelector(".carts-own-clock");
+      this.rate = root.querySelector(".carts-rate");
+      this.scrub = need(root, ".carts-scrub");
+      const click = (selector, act) => need(root, selector).addEventListener("click", act);
+      click(".carts-start", () => {
+        player.pause();
+        player.seek(0);
+      });
+      click(".carts-back", () => player.step(-1));
+      click(".carts-play", () => player.toggle());
+      click(".carts-forward", () => player.step(1));
+      const speed = (
+        /** @type {HTMLSelectElement} */
+        need(root, ".carts-speed")
+      );
+      speed.addEventListener("change", () => {
+        player.speed = Number(speed.value);
+        player.changed(player.time, false);
+      });
+      const slow = (
+        /** @type {HTMLInputElement | null} */
+        root.querySelector(".carts-slow")
+      );
+      player.slow = slow?.checked ?? false;
+      slow?.addEventListener("change", () => {
+        player.slow = slow.checked;
+        player.changed(player.time, false);
+      });
+      this.world.addEventListener("keydown", (event) => {
+        if (event.target === this.world) this.#key(event);
+      });
+      this.scrub.addEventListener("keydown", (event) => this.#key(event));
+      this.scrub.addEventListener("pointerdown", () => player.pause());
+    }
+    /** Shows the time and the state of the player. */
+    show() {
+      const { player } = this;
+      say(this.clock, fixed(player.time, player.isSlow ? 4 : this.decimals.t ?? 3));
+      say(this.playText, player.playing ? "Pause" : player.time >= player.until ? "Again" : "Play");
+      this.bar.classList.toggle("carts-is-playing", player.playing);
+      this.bar.classList.toggle("carts-is-slow", player.isSlow);
+      this.world.classList.toggle("carts-is-slow", player.isSlow);
+      if (this.rate) say(this.rate, rateText(player.rate));
+      if (this.ownClock) say(this.ownClock, fixed(player.own, 1));
+    }
+    /** @param {KeyboardEvent} event */
+    #key(event) {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const act = {
+        " ": () => this.player.toggle(),
+        ArrowLeft: () => this.player.step(-1),
+        ArrowDown: () => this.player.step(-1),
+        ArrowRight: () => this.player.step(1),
+        ArrowUp: () => this.player.step(1),
+        PageDown: () => this.player.step(-1, 10),
+        PageUp: () => this.player.step(1, 10),
+        Home: () => this.player.seek(0),
+        End: () => this.player.seek(this.player.until)
+      }[event.key];
+      if (!act || /** @type {HTMLInputElement} */
+      this.scrub.disabled) return;
+      event.preventDefault();
+      act();
+    }
+  };
+
+  // src/scene-view.js
+  var SceneView = class {
+    /** @type {Run} */
+    run;
+    /** @type {Touch[]} */
+    #windows = [];
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.root = root;
+      this.baked = baked;
+      this.run = baked.run;
+      this.player = new Player((before, forward) => this.#moved(before, forward));
+      const seek = (t) => {
+        this.player.pause();
+        this.player.seek(t);
+      };
+      const stages = (
+        /** @type {NodeListOf<SVGElement>} */
+        root.querySelectorAll(".carts-stage")
+      );
+      this.stages = [...stages].map((stage) => new Stage(stage, baked));
+      const graphs = (
+        /** @type {NodeListOf<HTMLElement>} */
+        root.querySelectorAll(".carts-graph")
+      );
+      this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
+      this.readouts = new Readouts(root, baked);
+      this.timeline = new Timeline(root, seek);
+      this.story = new Story(root, baked, seek);
+      this.transport = new Transport(root, this.player, baked.view.decimals);
+      this.announcer = new Announcer(root);
+      this.warnings = need(root, ".carts-warnings");
+      this.zoom = /** @type {HTMLSelectElement | null} */
+      root.querySelector(".carts-window");
+      this.zoom?.addEventListener("change", () => this.#zoom());
+      root.addEventListener("carts-redraw", () => {
+        for (const graph of this.graphs) graph.show(this.run, this.player.time);
+      });
+    }
+    /** Puts a run on the page, at the time that is shown now. @param {Run} run */
+    show(run) {
+      this.run = run;
+      const { header } = run;
+      this.#windows = touches(header.events, header.until);
+      this.player.until = header.until;
+      this.player.parts = slowParts(this.#windows);
+      this.player.stops = header.events.map((event) => event.t);
+      this.#offerWindows();
+      for (const stage of this.stages) stage.show(run, this.#windows);
+      for (const graph of this.graphs) graph.show(run, this.player.time);
+      this.readouts.show(run);
+      this.timeline.show(run, this.#windows);
+      this.story.show(run);
+      this.#warn();
+      this.player.seek(this.player.time);
+    }
+    /** Lets the reader move the time. @param {boolean} on */
+    enable(on) {
+      const parts = ".carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+      for (const part of this.root.querySelectorAll(parts)) {
+        part.disabled = !on;
+      }
+      if (on) for (const graph of this.graphs) graph.enable();
+    }
+    /** Fills and opens the tables for paper. @param {boolean} open */
+    print(open2) {
+      for (const { table } of this.graphs) {
+        table.fill();
+        table.details.open = open2;
+      }
+    }
+    /** @param {number} before @param {boolean} forward */
+    #moved(before, forward) {
+      const t = this.player.time;
+      for (const stage of this.stages) stage.at(t);
+      for (const graph of this.graphs) graph.at(t);
+      this.readouts.at(t);
+      this.timeline.at(t, `${fixed(t, 2)} seconds`);
+      this.transport.show();
+      if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+    }
+    #warn() {
+      const { warnings } = this.run.header;
+      this.warnings.hidden = warnings.length === 0;
+      this.warnings.replaceChildren(...warnings.map(({ message }) => html("p", "", message)));
+    }
+    #offerWindows() {
+      if (!this.zoom) return;
+      const chosen = this.zoom.selectedIndex;
+      const options = this.#windows.map(({ bodies, start }, i) => {
+        const names = bodies.map(brief).join("–");
+        const option = html("option", "", `${names} at ${fixed(start, 2)} s`);
+        option.setAttribute("value", String(i));
+        return option;
+      });
+      while (this.zoom.options.length > 1) this.zoom.remove(1);
+      this.zoom.append(...options);
+      this.zoom.selectedIndex = chosen <= this.#windows.length ? chosen : 0;
+      this.#zoom();
+    }
+    #zoom() {
+      const touch = this.zoom?.value ? this.#windows[Number(this.zoom.value)] : void 0;
+      const room = touch ? 0.3 * (touch.end - touch.start) : 0;
+      const window = touch ? [Math.max(0, touch.start - room), Math.min(this.run.header.until, touch.end + room)] : null;
+      for (const graph of this.graphs) graph.zoom(window, this.player.time);
+    }
+  };
+
+  // src/element.js
+  var ASK_FIRST = "Make your prediction and lock it first.";
+  function sceneElement(client) {
+    return class CartsScene extends HTMLElement {
+      /** @type {SceneView | null} */
+      #view = null;
+      /** @type {import("./types.js").Baked | null} */
+      #baked = null;
+      /** @type {Controls | null} */
+      #controls = null;
+      /** @type {Predict | null} */
+      #predict = null;
+      /** @type {Run | null} the run that “reset” goes back to */
+      #lesson = null;
+      /** @type {Settings} */
+      #settings = {};
+      /** @type {Settings} */
+      #wanted = {};
+      #generation = 0;
+      #waiting = deferred();
+      connectedCallback() {
+        if (this.#view) return;
+        const baked = readBaked(this);
+        const view = new SceneView(this, baked);
+        this.#baked = baked;
+        this.#view = view;
+        this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
+          this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+        });
+        this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
+        this.#waiting.promise.catch(() => {
+        });
+        const ask = this.querySelector(".carts-predict");
+        if (ask instanceof HTMLElement) {
+          const draw = (guesses) => {
+            for (const stage of view.stages) stage.guess(guesses);
+          };
+          this.#predict = new Predict(ask, baked, draw, () => void this.#reveal());
+        } else this.#lesson = baked.run;
+        view.show(baked.run);
+        view.enable(!this.#predict);
+        this.#controls.enable(!this.#predict);
+        void this.#predict?.restore();
+        client.addEventListener("state", () => this.#follow());
+        for (const kind of ["pointerdown", "keydown", "focusin"]) {
+          this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
+        }
+        addEventListener("beforeprint", () => view.print(true));
+        addEventListener("afterprint", () => view.print(false));
+        requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+        this.#follow();
+      }
+      /** Resolves when Python has answered for this scene; rejects when it cannot start. */
+      get ready() {
+        return this.#waiting.promise;
+      }
+      get trajectory() {
+        return this.#told ? this.#view?.run.trajectory ?? null : null;
+      }
+      get plan() {
+        return this.#told ? this.#view?.run.header.plan ?? [] : [];
+      }
+      get time() {
+        return this.#view?.player.time ?? 0;
+      }
+      set time(t) {
+        if (!this.#told) return;
+        this.#view?.player.pause();
+        this.#view?.player.seek(Number(t));
+      }
+      /**
+       * Changes values and resolves when the new run is drawn. Rejects with a message for the reader
+       * and leaves the run as it is when a value makes no sense.
+       * @param {Settings} changes @param {number} at time of the input, for the measure
+       */
+      async set(changes, at = performance.now()) {
+        if (!this.#told) throw new Error(ASK_FIRST);
+        Object.assign(this.#wanted, changes);
+        const generation = this.#generation;
+        const reply = await this.#ask();
+        if (!reply.header.ok) {
+          for (const key of Object.keys(changes)) this.#giveUp(key, changes[key]);
+          throw refusal(reply.header.problems ?? []);
+        }
+        if (generation !== this.#generation) return;
+        this.#settings = reply.sent.set;
+        this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
+        await frame();
+        performance.measure("carts:update", { start: at, end: performance.now() });
+        this.dispatchEvent(
+          new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#settings } })
+        );
+      }
+      get #told() {
+        return !this.#predict || this.#lesson !== null;
+      }
+      #ask() {
+        const scene = this.#baked?.fence.scene;
+        return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#wanted } }));
+      }
+      /** A refused value goes back to the last good one. @param {string} key @param {unknown} value */
+      #giveUp(key, value) {
+        if (this.#wanted[key] !== value) return;
+        const good = this.#settings[key];
+        if (good === void 0) delete this.#wanted[key];
+        else this.#wanted[key] = good;
+      }
+      /** @param {Run} run */
+      #draw(run) {
+        this.#view?.show(run);
+        this.#controls?.show(this.#settings, run.header);
+      }
+      #reset() {
+        this.#generation += 1;
+        this.#wanted = {};
+        this.#settings = {};
+        this.#view?.player.pause();
+        if (this.#lesson) this.#draw(this.#lesson);
+        this.#view?.player.seek(0);
+      }
+      /** Follows the page's worker: starting, live, failed. */
+      #follow() {
+        if (client.state === "starting" || client.state === "idle") {
+          this.dataset.state = client.state === "idle" ? "still" : "starting";
+        } else if (client.state === "failed") this.#fail();
+        else if (this.dataset.state !== "live") void this.#goLive();
+      }
+      async #goLive() {
+        try {
+          const { header, numbers } = await this.#ask();
+          if (!header.ok) throw refusal(header.problems ?? []);
+          if (this.#told && !this.#view?.player.playing) {
+            this.#draw({ header, trajectory: fromWire(header, numbers) });
+          }
+          await frame();
+          if (client.state !== "ready") return;
+          this.dataset.state = "live";
+          const mark = need(this, ".carts-mark");
+          mark.setAttribute("aria-label", "live: Python computes in this page");
+          performance.mark("carts:live");
+          this.#waiting.resolve(void 0);
+        } catch (error) {
+          if (client.state !== "failed") this.#fail(
+            /** @type {Error} */
+            error
+          );
+        }
+      }
+      /** @param {Error & {reason?: string}} error */
+      #fail(error = client.error ?? new Error("Python could not start.")) {
+        this.dataset.state = "failed";
+        this.dataset.reason = error.reason ?? "failed";
+        this.#controls?.enable(false);
+        const note = need(this, ".carts-note");
+        note.hidden = false;
+        const still = this.#told ? "The prepared run still plays; values cannot be changed." : "Your prediction is kept; the run cannot be shown.";
+        say(note, `${error.message} ${still}`);
+        this.#waiting.reject(error);
+        this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+      }
+      /** After the lock: the run, and the prediction beside it. */
+      async #reveal() {
+        this.#predict?.complain("");
+        try {
+          const { header, numbers } = await this.#ask();
+          if (!header.ok) throw refusal(header.problems ?? []);
+          const run = { header, trajectory: fromWire(header, numbers) };
+          this.#lesson = run;
+          this.classList.remove("carts-asks");
+          need(this, ".carts-results").hidden = false;
+          this.#draw(run);
+          this.#view?.enable(true);
+          this.#controls?.enable(true);
+          this.#predict?.compare(run);
+        } catch (error) {
+          this.#predict?.complain(`${/** @type {Error} */
+          error.message} Your prediction is kept.`);
+        }
+      }
+      /** @param {string} target @param {Error} error */
+      #complain(target, error) {
+        this.#controls?.complain(target, error.message);
+        this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+      }
+    };
+  }
+  function refusal(problems) {
+    const [first] = problems;
+    if (!first) return new Error("This value does not work.");
+    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+  }
+  function frame() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  function deferred() {
+    const made = {};
+    made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
+    return made;
+  }
+
+  // src/features.js
+  function missingFeatures() {
+    const needed = [
+      ["custom elements", typeof customElements === "object"],
+      ["WebAssembly", typeof WebAssembly === "object"],
+      ["workers", typeof Worker === "function"],
+      ["decompression", typeof DecompressionStream === "function"],
+      ["array methods", typeof Array.prototype.findLast === "function"],
+      ["container queries", typeof CSS === "object" && CSS.supports("container-type: inline-size")]
+    ];
+    return needed.filter(([, there]) => !there).map(([name2]) => name2);
+  }
+  function excuse(scene, missing2) {
+    const note = scene.querySelector(".carts-note");
+    if (!(note instanceof HTMLElement)) return;
+    note.hidden = false;
+    note.textContent = `This browser is too old to play the run (missing: ${missing2.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.`;
+  }
+
+  // src/runtime-failure.js
+  var MESSAGES = {
+    "payload-missing": "A file of this page is missing, so Python can't start. Copy the whole folder again.",
+    "payload-damaged": "A file of this page is damaged, so Python can't start. Copy the whole folder again.",
+    "no-wasm": "This browser has no WebAssembly, so Python can't start here. Try another browser.",
+    "wasm-refused": "This browser, or the rules of this network, do not allow Python to start. Try another browser.",
+    "too-old": "This browser is too old to run Python. Try Chrome or Edge 103, Firefox 113, Safari 16.4, or newer.",
+    "worker-refused": "This browser does not let the page start Python. Try another browser.",
+    "worker-lost": "Python stopped. It may have run out of memory.",
+    "snapshot-refused": "Python could not start the quick way.",
+    "python-failed": "Python could not start. Copy the whole folder again or try another browser.",
+    stalled: "Python does not answer. Close other programs and load the page again.",
+    stopped: "Python was stopped."
+  };
+  var RuntimeFailure = class extends Error {
+    /**
+     * @param {Reason} reason
+     * @param {string} [detail]
+     * @param {string} [file] the payload that is missing or damaged
+     */
+    constructor(reason, detail = "", file = "") {
+      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      this.name = "RuntimeFailure";
+      this.reason = reason;
+      this.detail = detail;
+      this.file = file;
+    }
+  };
+
+  // src/runtime-payload.js
+  var page = self;
+  var indexes = /* @__PURE__ */ new Map();
+  function runScript(src, name2) {
+    return new Promise((resolve, reject) => {
+      const script = document.createElement("script");
+      script.src = src;
+      script.async = true;
+      const settle = (then) => () => {
+        script.remove();
+        then();
+      };
+      script.onload = settle(resolve);
+      script.onerror = settle(() => reject(new RuntimeFailure("payload-missing", src, name2)));
+      document.head.append(script);
+    });
+  }
+  function loadIndex(base) {
+    const known = indexes.get(base);
+    if (known) return known;
+    const loading = runScript(`${base}index.js`, "index.js").then(() => {
+      const index = page.__cartsRuntime;
+      delete page.__cartsRuntime;
+      if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
+      if (!index.files) throw new RuntimeFailure("payload-missing", index.missing, "index.js");
+      return index;
+    });
+    loading.catch(() => indexes.delete(base));
+    indexes.set(base, loading);
+    return loading;
+  }
+  async function loadPart(base, name2, number, part) {
+    await runScript(base + part.src, name2);
+    const key = `${name2}.${number}`;
+    const text = page.__cartsParts?.[key];
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name2);
+    delete page.__cartsParts[key];
+    const bytes = decode(text, part.src, name2);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name2);
+    }
+    return bytes;
+  }
+  function decode(text, src, name2) {
+    try {
+      const fast = Uint8Array;
+      return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    } catch {
+      throw new RuntimeFailure("payload-damaged", src, name2);
+    }
+  }
+  async function matches(bytes, sha256) {
+    if (!globalThis.crypto?.subtle) return true;
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
+  }
+  async function gunzip(parts) {
+    const zip = new DecompressionStream("gzip");
+    const writer = zip.writable.getWriter();
+    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    return bytes;
+  }
+
+  // src/runtime-watch.js
+  var SECOND = 1e3;
+  function watch(patience, late) {
+    let left = patience;
+    const timer = setInterval(() => {
+      left -= 1;
+      if (left > 0) return;
+      clearInterval(timer);
+      late();
+    }, SECOND);
+    return {
+      progress() {
+        left = patience;
+      },
+      stop() {
+        clearInterval(timer);
+      }
+    };
+  }
+
+  // as-text:/work/main/sim/web/src/worker.js
+  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var APPEND_MORE = `\nimport importlib, os, zipfile\nwith zipfile.ZipFile("/lib/${MORE}") as more, zipfile.ZipFile("/lib/python314.zip", "a") as whole:\n    for entry in more.infolist():\n        whole.writestr(entry, more.read(entry))\nos.remove("/lib/${MORE}")\nimportlib.invalidate_caches()\n`;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";\n      const response = new Response(zip.readable, { headers: { "Content-Type": type } });\n      found = { writer: zip.writable.getWriter(), response };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    return file(name).response;\n  };\n  function compileWasm() {\n    const compiled = WebAssembly.compileStreaming(file(WASM).response);\n    compiled.catch((error) => fail("too-old", error));\n    const wasm = WebAssembly;\n    wasm.instantiateStreaming = async (_, imports) => {\n      const module = await compiled;\n      return { module, instance: await WebAssembly.instantiate(module, imports) };\n    };\n  }\n  function wasmRefusal() {\n    if (typeof WebAssembly !== "object") return "no-wasm";\n    try {\n      new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));\n      return "";\n    } catch {\n      return "wasm-refused";\n    }\n  }\n  async function boot({ index, snapshot, packages, more }) {\n    const refusal = wasmRefusal();\n    if (refusal) return fail(refusal, "");\n    try {\n      compileWasm();\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: index.lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      await load(index, snapshot, packages, more);\n      answer = python.pyimport(index.entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function load(index, snapshot, packages, more) {\n    if (more) {\n      python.FS.writeFile(`/lib/${MORE}`, await bytesOf(MORE));\n      python.runPython(APPEND_MORE);\n    }\n    if (snapshot && !packages.length) return;\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage([index.package, ...packages], { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    for (const name of [...packages, ...index.later]) {\n      importIfPossible(name);\n      progress(name);\n    }\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+
+  // src/runtime.js
+  var LOADER = "pyodide.js";
+  var SNAPSHOT = "memory.snapshot";
+  var MORE = "python-more.zip";
+  var PATIENCE = 8;
+  var PICK_UP = 3;
+  async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
+  } }) {
+    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
+    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
+    const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
+    const index = await loadIndex(folder);
+    const options = { folder, index, packages: order(packages2), onProgress };
+    if (!(SNAPSHOT in index.files)) return new Start(options, false).run();
+    try {
+      return await new Start(options, true).run();
+    } catch (error) {
+      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
+      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
+      return new Start(options, false).run();
+    }
+  }
+  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
+  var order = (packages2) => packages2.includes("scipy") ? ["numpy", "scipy"] : [...new Set(packages2)];
+  var Start = class {
+    /**
+     * @param {{folder: string, index: Index, packages: string[],
+     *   onProgress: (progress: Progress) => void}} options
+     * @param {boolean} snapshot
+     */
+    constructor({ folder, index, packages: packages2, onProgress }, snapshot) {
+      this.folder = folder;
+      this.index = index;
+      this.packages = packages2;
+      this.onProgress = onProgress;
+      this.snapshot = snapshot;
+      this.worker = null;
+      this.over = false;
+      this.done = 0;
+      this.names = this.files();
+      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part) => sum + part.size, 0);
+    }
+    /** The files to load, the most urgent first. */
+    files() {
+      const { index, packages: packages2, snapshot } = this;
+      const names = [LOADER, "pyodide.asm.wasm"];
+      if (snapshot) names.push(SNAPSHOT);
+      names.push("python.zip");
+      const wheels = packages2.length || !snapshot ? [index.package, ...packages2] : [];
+      if (packages2.length) names.push(MORE);
+      names.push(...wheels.map((wheel) => index.wheels[wheel]));
+      if (names.every((name2) => name2 in index.files)) return names;
+      throw new RuntimeFailure("payload-missing", index.missing || packages2.join());
+    }
+    /** @returns {Promise<Runtime>} */
+    async run() {
+      let reject = () => {
+      };
+      const failed = new Promise((_, no) => {
+        reject = no;
+      });
+      this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+      try {
+        const parts = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
+        return await Promise.race([failed, this.boot(parts, reject)]);
+      } catch (error) {
+        this.worker?.terminate();
+        throw error;
+      } finally {
+        this.over = true;
+        this.watch.stop();
+      }
+    }
+    /**
+     * All parts of a file are asked for at once and come in any order.
+     * @param {string} name
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
+     */
+    load(name2, reject) {
+      return this.index.files[name2].parts.map(async (part, number) => {
+        try {
+          const bytes = await loadPart(this.folder, name2, number, part);
+          this.done += part.size;
+          this.progress(name2);
+          return bytes;
+        } catch (error) {
+          reject(
+            /** @type {RuntimeFailure} */
+            error
+          );
+          return new Promise(() => {
+          });
+        }
+      });
+    }
+    /** @param {string} stage */
+    progress(stage) {
+      if (this.over) return;
+      this.watch?.progress();
+      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
+    }
+    /**
+     * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<any>}
+     */
+    async boot(parts, reject) {
+      const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
+      if (this.over) return null;
+      const { worker, address } = startWorker(loader);
+      this.worker = worker;
+      const ready = new Promise((resolve) => {
+        worker.onmessage = ({ data }) => {
+          if (data.tell === "hello") URL.revokeObjectURL(address);
+          else if (data.tell === "ready") resolve(data);
+          else if (data.tell === "failed") {
+            reject(new RuntimeFailure(data.reason, data.detail, data.file));
+          }
+          this.progress(data.stage ?? data.tell);
+        };
+        worker.onerror = (event) => {
+          event.preventDefault();
+          reject(new RuntimeFailure("worker-refused", event.message));
+        };
+      });
+      const { index, packages: packages2, snapshot } = this;
+      const { lock, package: own2, entry, later } = index;
+      const wanted = { lock, package: own2, entry, later };
+      worker.postMessage({
+        do: "boot",
+        index: wanted,
+        snapshot,
+        packages: packages2,
+        more: packages2.length > 0
+      });
+      for (const name2 of this.names.slice(1)) this.send(name2, parts.get(name2) ?? []);
+      const { start } = await ready;
+      this.onProgress({ fraction: 1, stage: "ready" });
+      return new Runtime(worker, start);
+    }
+    /**
+     * @param {string} name
+     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
+     */
+    async send(name2, parts) {
+      for (const [number, part] of parts.entries()) {
+        const bytes = await part;
+        if (this.over) return;
+        const last = number === parts.length - 1;
+        this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);
+      }
+    }
+  };
+  function startWorker(loader) {
+    const address = URL.createObjectURL(new Blob([loader, worker_default], { type: "text/javascript" }));
+    try {
+      return { worker: new Worker(address), address };
+    } catch (error) {
+      throw new RuntimeFailure("worker-refused", String(error));
+    }
+  }
+  var Runtime = class {
+    /**
+     * @param {Worker} worker
+     * @param {"snapshot" | "plain"} start how it started
+     */
+    constructor(worker, start) {
+      this.start = start;
+      this.onlost = () => {
+      };
+      this.worker = worker;
+      this.gone = "";
+      this.number = 0;
+      this.queue = [];
+      worker.onmessage = ({ data }) => this.hear(data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        this.lose("worker-lost", event.message);
+      };
+    }
+    /**
+     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
+     * @param {object} message
+     * @returns {Promise<Answer>}
+     */
+    request(message) {
+      if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
+      return new Promise((resolve, reject) => {
+        this.number += 1;
+        this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
+        if (this.queue.length === 1) this.send();
+      });
+    }
+    /** Ends Python. What is under way is rejected. */
+    stop() {
+      this.end("stopped", "");
+    }
+    send() {
+      const next = this.queue[0];
+      if (!next) return;
+      this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
+      this.worker.postMessage({ do: "request", number: next.number, text: next.text });
+    }
+    /** @param {any} data */
+    hear(data) {
+      const current = this.queue[0];
+      if (data.number !== current?.number) return;
+      this.watch?.stop();
+      if (data.tell === "begun") {
+        this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        return;
+      }
+      this.queue.shift();
+      if (data.tell === "answer") {
+        current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
+      } else {
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        if (data.dead) this.lose("worker-lost", data.detail);
+      }
+      if (!this.gone) this.send();
+    }
+    /** @param {Reason} reason @param {string} detail */
+    lose(reason, detail) {
+      if (this.end(reason, detail)) this.onlost(reason);
+    }
+    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
+    end(reason, detail) {
+      if (this.gone) return false;
+      this.gone = reason;
+      this.watch?.stop();
+      this.worker.terminate();
+      for (const { reject } of this.queue.splice(0)) reject(new RuntimeFailure(reason, detail));
+      return true;
+    }
+  };
+
+  // src/main.js
+  var own = (
+    /** @type {HTMLScriptElement | null} */
+    document.currentScript?.src ?? document.baseURI
+  );
+  function packages() {
+    const scenes = [...document.querySelectorAll("carts-scene")];
+    const names = scenes.flatMap((scene) => (scene.getAttribute("data-packages") ?? "").split(" "));
+    return [...new Set(names.filter(Boolean))];
+  }
+  var missing = missingFeatures();
+  if (missing.length) {
+    for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
+  } else {
+    const base = new URL("runtime/", own).href;
+    const client = new Client(() => startRuntime({ base, packages: packages() }));
+    customElements.define("carts-scene", sceneElement(client));
+    if (document.querySelector("carts-scene")) {
+      if (typeof requestIdleCallback === "function") {
+        requestIdleCallback(() => client.wake(), { timeout: 1e3 });
+      } else setTimeout(() => client.wake(), 200);
+    }
+  }
+})();

@@ -1,0 +1,133 @@
+/**
+ * The page's one worker, shared by all scenes. One request is in flight; of each scene only the
+ * newest waiting request is kept; a worker that dies is started again, three times at most.
+ */
+
+/** @typedef {{header: import("./types.js").Header, numbers: Float64Array, sent: Record<string, any>}} Reply */
+/** @typedef {{request: (message: object) => Promise<{header: any, numbers: Float64Array}>, stop: () => void, onlost: (reason: any) => void}} Runtime */
+/** @typedef {() => Promise<Runtime>} Start */
+/** @typedef {"idle" | "starting" | "ready" | "failed"} State */
+/** @typedef {() => Record<string, unknown>} Message made when it is sent, so that it is the newest */
+/** @typedef {{owner: object, message: Message, settle: {resolve: (reply: Reply) => void, reject: (error: Error) => void}[]}} Job */
+
+const RESTARTS = 3;
+
+export class Client extends EventTarget {
+  /** @type {State} */
+  state = "idle";
+  /** @type {(Error & {reason?: string}) | null} */
+  error = null;
+  /** @type {Runtime | null} */
+  #runtime = null;
+  /** @type {Job[]} */
+  #waiting = [];
+  /** @type {Job | null} */
+  #flying = null;
+  #restarts = 0;
+  #lastId = 0;
+
+  /** @param {Start} start */
+  constructor(start) {
+    super();
+    this.start = start;
+  }
+
+  /** Starts Python if nobody has yet. */
+  wake() {
+    if (this.state === "idle") void this.#boot();
+  }
+
+  /**
+   * Asks for a run. A newer request of the same owner takes the place of one that still waits;
+   * both promises then get the newer answer.
+   * @param {object} owner @param {Message} message @returns {Promise<Reply>}
+   */
+  ask(owner, message) {
+    if (this.state === "failed") return Promise.reject(this.error);
+    this.wake();
+    return new Promise((resolve, reject) => {
+      const settle = { resolve, reject };
+      const older = this.#waiting.find((job) => job.owner === owner);
+      if (older) {
+        older.message = message;
+        older.settle.push(settle);
+      } else this.#waiting.push({ owner, message, settle: [settle] });
+      this.#next();
+    });
+  }
+
+  #next() {
+    if (this.#flying || !this.#runtime) return;
+    const job = this.#waiting.shift();
+    if (!job) return;
+    this.#flying = job;
+    const runtime = this.#runtime;
+    this.#lastId += 1;
+    const sent = { ...job.message(), id: this.#lastId };
+    const landed = () => {
+      if (runtime !== this.#runtime || this.#flying !== job) return false; // a late reply: dropped
+      this.#flying = null;
+      return true;
+    };
+    runtime.request(sent).then(
+      (reply) => {
+        if (!landed()) return;
+        this.#restarts = 0;
+        for (const { resolve } of job.settle) resolve({ ...reply, sent });
+        this.#next();
+      },
+      (error) => {
+        if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+        if (!landed()) return;
+        for (const { reject } of job.settle) reject(error);
+        this.#next();
+      },
+    );
+  }
+
+  async #boot() {
+    this.#become("starting");
+    try {
+      const runtime = await this.start();
+      runtime.onlost = (reason) => this.#lost(runtime, reason);
+      this.#runtime = runtime;
+      this.#become("ready");
+      this.#next();
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  /** @param {Runtime} runtime @param {unknown} reason */
+  #lost(runtime, reason) {
+    if (runtime !== this.#runtime) return;
+    this.#runtime = null;
+    const job = this.#flying;
+    this.#flying = null;
+    runtime.stop();
+    if (job) {
+      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+      if (newer) newer.settle.unshift(...job.settle);
+      else this.#waiting.unshift(job);
+    }
+    this.#restarts += 1;
+    if (this.#restarts > RESTARTS) this.#fail(reason);
+    else void this.#boot();
+  }
+
+  /** @param {unknown} reason */
+  #fail(reason) {
+    this.error =
+      reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
+    this.#become("failed");
+    for (const { settle } of this.#waiting.splice(0)) {
+      for (const { reject } of settle) reject(this.error);
+    }
+  }
+
+  /** @param {State} state */
+  #become(state) {
+    this.state = state;
+    this.dispatchEvent(new Event("state"));
+  }
+}

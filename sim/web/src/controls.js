@@ -1,0 +1,144 @@
+/** Sliders and their number boxes. A wrong value is explained beside the box; the picture stays. */
+
+import { need, put, say } from "./dom.js";
+import { fixed, short } from "./numbers.js";
+import { readTyped } from "./typed.js";
+
+/** @typedef {import("./types.js").Control} Control */
+/** @typedef {(target: string, value: number | string, at: number) => void} Change `at`: time of the input */
+
+export class Controls {
+  /** @type {Map<string, ControlView>} */
+  #views = new Map();
+
+  /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change */
+  constructor(root, controls, change) {
+    for (const control of controls) {
+      const element = /** @type {HTMLElement | null} */ (
+        root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
+      );
+      if (element) this.#views.set(control.set, new ControlView(element, control, change));
+    }
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    for (const view of this.#views.values()) view.enable(on);
+  }
+
+  /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("./types.js").Header} header */
+  show(settings, header) {
+    for (const [target, view] of this.#views) {
+      const value = target in settings ? settings[target] : view.control.value;
+      const number = valueIn(header, target) ?? Number(value);
+      view.show(Number.isFinite(number) ? number : view.control.value);
+    }
+  }
+
+  /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
+  complain(target, message) {
+    this.#views.get(target)?.complain(message);
+    return this.#views.has(target);
+  }
+}
+
+class ControlView {
+  /** @param {HTMLElement} root @param {Control} control @param {Change} change */
+  constructor(root, control, change) {
+    this.root = root;
+    this.control = control;
+    this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-slider"));
+    this.box = /** @type {HTMLInputElement} */ (need(root, ".carts-number-box"));
+    this.error = need(root, ".carts-error");
+    this.decimals = Math.max(...[control.step, control.low, control.value].map(decimalsOf));
+    this.slider.addEventListener("input", (event) => {
+      const value = this.slider.valueAsNumber;
+      this.#accept(value);
+      change(control.set, value, event.timeStamp);
+    });
+    this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
+    this.box.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") this.#typed(change, event.timeStamp);
+    });
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    this.slider.disabled = !on;
+    this.box.disabled = !on;
+  }
+
+  /** @param {number} value SI; leaves alone what the reader is typing */
+  show(value) {
+    this.slider.valueAsNumber = value;
+    put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
+    if (document.activeElement !== this.box) this.#write(value);
+    this.clear();
+  }
+
+  /** @param {string} message */
+  complain(message) {
+    say(this.error, message);
+    this.error.hidden = false;
+    this.root.classList.add("carts-wrong");
+    this.box.setAttribute("aria-invalid", "true");
+  }
+
+  clear() {
+    this.error.hidden = true;
+    this.root.classList.remove("carts-wrong");
+    this.box.removeAttribute("aria-invalid");
+  }
+
+  /** @param {Change} change @param {number} at */
+  #typed(change, at) {
+    const read = readTyped(this.box.value);
+    const { low, high, unit, label } = this.control;
+    if ("problem" in read) return this.complain(read.problem);
+    if ("text" in read) return change(this.control.set, read.text, at);
+    if (read.value < low || read.value > high) {
+      const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
+      return this.complain(`${label}: ${range}, please.`);
+    }
+    this.#accept(read.value);
+    return change(this.control.set, read.value, at);
+  }
+
+  /** @param {number} value */
+  #accept(value) {
+    this.slider.valueAsNumber = value;
+    put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
+    this.#write(value);
+    this.clear();
+  }
+
+  /** @param {number} value */
+  #write(value) {
+    const text = this.#text(value).replace("−", "-");
+    if (this.box.value !== text) this.box.value = text;
+  }
+
+  /** @param {number} value */
+  #text(value) {
+    return fixed(value, Math.max(this.decimals, decimalsOf(value)));
+  }
+}
+
+/** @param {number} value @returns {number} decimals that a round number such as 0.25 is written with */
+function decimalsOf(value) {
+  return Math.abs(value) < 1e5 ? (short(value, 4).split(".")[1]?.length ?? 0) : 0;
+}
+
+/** What a run says about a control's target; null where the header has no such number. */
+/** @param {import("./types.js").Header} header @param {string} target @returns {number | null} */
+function valueIn(header, target) {
+  const [owner, key] = target.split(".");
+  const body = header.bodies.find(({ name }) => name === owner);
+  if (body) return Number(/** @type {any} */ (body)[String(key)]);
+  if (target === "until") return header.until;
+  if (owner === "contact" && (key === "restitution" || key === "stiffness")) {
+    const values = new Set(header.contacts.map((contact) => contact[key]));
+    return values.size === 1 ? ([...values][0] ?? null) : null;
+  }
+  return null;
+}

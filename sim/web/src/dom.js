@@ -1,0 +1,38 @@
+/** Small helpers for elements. Attributes are only written when they change: writing costs layout. */
+
+const SVG = "http://www.w3.org/2000/svg";
+
+/** @param {string} tag @param {Record<string, string | number>} attributes @returns {SVGElement} */
+export function svg(tag, attributes = {}) {
+  const made = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  return made;
+}
+
+/** @param {string} tag @param {string} className @param {string} text @returns {HTMLElement} */
+export function html(tag, className = "", text = "") {
+  const made = document.createElement(tag);
+  if (className) made.className = className;
+  if (text) made.textContent = text;
+  return made;
+}
+
+/** @param {Element} element @param {string} name @param {string} value */
+export function put(element, name, value) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+/** @param {Element} element @param {string} text */
+export function say(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/**
+ * The one element that a selector names; the generator wrote it, so its absence is a fault.
+ * @template {Element} [T=HTMLElement] @param {ParentNode} root @param {string} selector @returns {T}
+ */
+export function need(root, selector) {
+  const found = root.querySelector(selector);
+  if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+  return /** @type {T} */ (found);
+}

@@ -1,0 +1,233 @@
+/** `<carts-scene>`: adopts the baked page, then lets Python compute what the reader asks for. */
+
+import { readBaked } from "./baked.js";
+import { Controls } from "./controls.js";
+import { need, say } from "./dom.js";
+import { Predict } from "./predict.js";
+import { SceneView } from "./scene-view.js";
+import { fromWire } from "./trajectory.js";
+
+/** @typedef {import("./types.js").Run} Run */
+/** @typedef {Record<string, number | string>} Settings paths such as A.mass to SI numbers or text with a unit */
+
+const ASK_FIRST = "Make your prediction and lock it first.";
+
+/** The element class for a client. @param {import("./client.js").Client} client */
+export function sceneElement(client) {
+  return class CartsScene extends HTMLElement {
+    /** @type {SceneView | null} */
+    #view = null;
+    /** @type {import("./types.js").Baked | null} */
+    #baked = null;
+    /** @type {Controls | null} */
+    #controls = null;
+    /** @type {Predict | null} */
+    #predict = null;
+    /** @type {Run | null} the run that “reset” goes back to */
+    #lesson = null;
+    /** @type {Settings} */
+    #settings = {};
+    /** @type {Settings} */
+    #wanted = {};
+    #generation = 0;
+    #waiting = deferred();
+
+    connectedCallback() {
+      if (this.#view) return;
+      const baked = readBaked(this);
+      const view = new SceneView(this, baked);
+      this.#baked = baked;
+      this.#view = view;
+      this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
+        this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+      });
+      this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
+      this.#waiting.promise.catch(() => {}); // readers see the state; nobody has to listen
+      const ask = this.querySelector(".carts-predict");
+      if (ask instanceof HTMLElement) {
+        const draw = (/** @type {any} */ guesses) => {
+          for (const stage of view.stages) stage.guess(guesses);
+        };
+        this.#predict = new Predict(ask, baked, draw, () => void this.#reveal());
+      } else this.#lesson = baked.run;
+      view.show(baked.run);
+      view.enable(!this.#predict);
+      this.#controls.enable(!this.#predict);
+      void this.#predict?.restore();
+      client.addEventListener("state", () => this.#follow());
+      for (const kind of ["pointerdown", "keydown", "focusin"]) {
+        this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
+      }
+      addEventListener("beforeprint", () => view.print(true));
+      addEventListener("afterprint", () => view.print(false));
+      requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+      this.#follow();
+    }
+
+    /** Resolves when Python has answered for this scene; rejects when it cannot start. */
+    get ready() {
+      return this.#waiting.promise;
+    }
+
+    get trajectory() {
+      return this.#told ? (this.#view?.run.trajectory ?? null) : null;
+    }
+
+    get plan() {
+      return this.#told ? (this.#view?.run.header.plan ?? []) : [];
+    }
+
+    get time() {
+      return this.#view?.player.time ?? 0;
+    }
+
+    set time(t) {
+      if (!this.#told) return;
+      this.#view?.player.pause();
+      this.#view?.player.seek(Number(t));
+    }
+
+    /**
+     * Changes values and resolves when the new run is drawn. Rejects with a message for the reader
+     * and leaves the run as it is when a value makes no sense.
+     * @param {Settings} changes @param {number} at time of the input, for the measure
+     */
+    async set(changes, at = performance.now()) {
+      if (!this.#told) throw new Error(ASK_FIRST);
+      Object.assign(this.#wanted, changes);
+      const generation = this.#generation;
+      const reply = await this.#ask();
+      if (!reply.header.ok) {
+        for (const key of Object.keys(changes)) this.#giveUp(key, changes[key]);
+        throw refusal(reply.header.problems ?? []);
+      }
+      if (generation !== this.#generation) return;
+      this.#settings = reply.sent.set;
+      this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
+      await frame();
+      performance.measure("carts:update", { start: at, end: performance.now() });
+      this.dispatchEvent(
+        new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#settings } }),
+      );
+    }
+
+    get #told() {
+      return !this.#predict || this.#lesson !== null;
+    }
+
+    #ask() {
+      const scene = this.#baked?.fence.scene;
+      return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#wanted } }));
+    }
+
+    /** A refused value goes back to the last good one. @param {string} key @param {unknown} value */
+    #giveUp(key, value) {
+      if (this.#wanted[key] !== value) return;
+      const good = this.#settings[key];
+      if (good === undefined) delete this.#wanted[key];
+      else this.#wanted[key] = good;
+    }
+
+    /** @param {Run} run */
+    #draw(run) {
+      this.#view?.show(run);
+      this.#controls?.show(this.#settings, run.header);
+    }
+
+    #reset() {
+      this.#generation += 1;
+      this.#wanted = {};
+      this.#settings = {};
+      this.#view?.player.pause();
+      if (this.#lesson) this.#draw(this.#lesson);
+      this.#view?.player.seek(0);
+    }
+
+    /** Follows the page's worker: starting, live, failed. */
+    #follow() {
+      if (client.state === "starting" || client.state === "idle") {
+        this.dataset.state = client.state === "idle" ? "still" : "starting";
+      } else if (client.state === "failed") this.#fail();
+      else if (this.dataset.state !== "live") void this.#goLive();
+    }
+
+    async #goLive() {
+      try {
+        const { header, numbers } = await this.#ask();
+        if (!header.ok) throw refusal(header.problems ?? []);
+        if (this.#told && !this.#view?.player.playing) {
+          this.#draw({ header, trajectory: fromWire(header, numbers) });
+        }
+        await frame();
+        if (client.state !== "ready") return;
+        this.dataset.state = "live";
+        const mark = need(this, ".carts-mark");
+        mark.setAttribute("aria-label", "live: Python computes in this page");
+        performance.mark("carts:live");
+        this.#waiting.resolve(undefined);
+      } catch (error) {
+        if (client.state !== "failed") this.#fail(/** @type {Error} */ (error));
+      }
+    }
+
+    /** @param {Error & {reason?: string}} error */
+    #fail(error = client.error ?? new Error("Python could not start.")) {
+      this.dataset.state = "failed";
+      this.dataset.reason = error.reason ?? "failed";
+      this.#controls?.enable(false);
+      const note = need(this, ".carts-note");
+      note.hidden = false;
+      const still = this.#told
+        ? "The prepared run still plays; values cannot be changed."
+        : "Your prediction is kept; the run cannot be shown.";
+      say(note, `${error.message} ${still}`);
+      this.#waiting.reject(error);
+      this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+    }
+
+    /** After the lock: the run, and the prediction beside it. */
+    async #reveal() {
+      this.#predict?.complain("");
+      try {
+        const { header, numbers } = await this.#ask();
+        if (!header.ok) throw refusal(header.problems ?? []);
+        const run = { header, trajectory: fromWire(header, numbers) };
+        this.#lesson = run;
+        this.classList.remove("carts-asks");
+        need(this, ".carts-results").hidden = false;
+        this.#draw(run);
+        this.#view?.enable(true);
+        this.#controls?.enable(true);
+        this.#predict?.compare(run);
+      } catch (error) {
+        this.#predict?.complain(`${/** @type {Error} */ (error).message} Your prediction is kept.`);
+      }
+    }
+
+    /** @param {string} target @param {Error} error */
+    #complain(target, error) {
+      this.#controls?.complain(target, error.message);
+      this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+    }
+  };
+}
+
+/** @param {import("./types.js").Problem[]} problems @returns {Error} what a reader can do about it */
+function refusal(problems) {
+  const [first] = problems;
+  if (!first) return new Error("This value does not work.");
+  return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+}
+
+/** Resolves in the next animation frame, when what was drawn is on the screen. @returns {Promise<unknown>} */
+function frame() {
+  return new Promise((resolve) => requestAnimationFrame(resolve));
+}
+
+/** @returns {{promise: Promise<unknown>, resolve: (value: unknown) => void, reject: (error: unknown) => void}} */
+function deferred() {
+  /** @type {any} */
+  const made = {};
+  made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
+  return made;
+}

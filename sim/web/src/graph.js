@@ -1,0 +1,98 @@
+/** A graph against time as SVG attributes. Twin of `sim/pages/widget/graph.py`. */
+
+import { fixed, px } from "./numbers.js";
+import { axis, axisDecimals, span, ticks } from "./scales.js";
+
+/** @typedef {import("./scales.js").Axis} Axis */
+/** @typedef {import("./series.js").Series} Series */
+/** @typedef {{time: Axis, value: Axis}} Plane */
+
+export const LEFT = 46;
+export const RIGHT = 350;
+export const TOP = 8;
+export const BOTTOM = 142;
+export const WIDTH = 360;
+const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
+const STRAIGHT = 0.05; // units; a curve that bends less is drawn as a line
+
+/** @param {Plane} plane @param {number} t @returns {number} drawing coordinate of a time in s */
+export function timeX(plane, t) {
+  return LEFT + (t - plane.time.low) * ((RIGHT - LEFT) / (plane.time.high - plane.time.low));
+}
+
+/** @param {Plane} plane @param {number} value @returns {number} drawing coordinate of a value */
+export function valueY(plane, value) {
+  return (
+    BOTTOM - (value - plane.value.low) * ((BOTTOM - TOP) / (plane.value.high - plane.value.low))
+  );
+}
+
+/** @param {Series[]} curves @returns {[number, number]} smallest and greatest value of all */
+export function extent(curves) {
+  let low = 0;
+  let high = 0;
+  for (const { values } of curves) {
+    for (let k = 0; k < values.length; k += 1) {
+      const value = /** @type {number} */ (values[k]);
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return [low, high];
+}
+
+/**
+ * Axes that cover zero and all the values; `window` is a part of the time.
+ * @param {[number, number]} values @param {[number, number]} window in s @returns {Plane}
+ */
+export function planeFor(values, window) {
+  return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 4) };
+}
+
+/** @param {Series} curve @param {ArrayLike<number>} times @param {Plane} plane @returns {string} the SVG path */
+export function path(curve, times, plane) {
+  const { values, slopes } = curve;
+  const kx = (RIGHT - LEFT) / (plane.time.high - plane.time.low);
+  const ky = (BOTTOM - TOP) / (plane.value.high - plane.value.low);
+  const last = times.length - 1;
+  let drawn = 0;
+  let x0 = timeX(plane, Number(times[0]));
+  let y0 = valueY(plane, Number(values[0]));
+  let d = `M${px(x0)} ${px(y0)}`;
+  for (let k = 1; k <= last; k += 1) {
+    const x = timeX(plane, Number(times[k]));
+    const y = valueY(plane, Number(values[k]));
+    if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
+    const third = (Number(times[k]) - Number(times[k - 1])) / 3;
+    let bent = false;
+    if (slopes && drawn === k - 1 && third > 0) {
+      const [x1, x2] = [x0 + third * kx, x - third * kx];
+      const y1 = y0 - Number(slopes[k - 1]) * third * ky;
+      const y2 = y + Number(slopes[k]) * third * ky;
+      bent =
+        Math.abs(y1 - (2 * y0 + y) / 3) > STRAIGHT || Math.abs(y2 - (y0 + 2 * y) / 3) > STRAIGHT;
+      if (bent) d += `C${px(x1)} ${px(y1)} ${px(x2)} ${px(y2)} ${px(x)} ${px(y)}`;
+    }
+    if (!bent) d += `L${px(x)} ${px(y)}`;
+    drawn = k;
+    x0 = x;
+    y0 = y;
+  }
+  return d;
+}
+
+/** @param {Plane} plane @returns {{at: string, label: string}[]} vertical grid lines */
+export function timeMarks(plane) {
+  const decimals = axisDecimals(plane.time);
+  return ticks(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
+}
+
+/** @param {Plane} plane @returns {{at: string, label: string, zero: boolean}[]} horizontal grid lines */
+export function valueMarks(plane) {
+  const decimals = axisDecimals(plane.value);
+  return ticks(plane.value).map((v) => ({
+    at: px(valueY(plane, v)),
+    label: fixed(v, decimals),
+    zero: v === 0,
+  }));
+}

@@ -1,0 +1,30 @@
+/** The page's script: one worker for all scenes, started when the page is idle or first touched. */
+
+import { Client } from "./client.js";
+import { sceneElement } from "./element.js";
+import { excuse, missingFeatures } from "./features.js";
+import { startRuntime } from "./runtime.js";
+
+const own =
+  /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ?? document.baseURI;
+
+/** @returns {string[]} what the scenes of this page need besides bare Python */
+function packages() {
+  const scenes = [...document.querySelectorAll("carts-scene")];
+  const names = scenes.flatMap((scene) => (scene.getAttribute("data-packages") ?? "").split(" "));
+  return [...new Set(names.filter(Boolean))];
+}
+
+const missing = missingFeatures();
+if (missing.length) {
+  for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
+} else {
+  const base = new URL("runtime/", own).href;
+  const client = new Client(() => startRuntime({ base, packages: packages() }));
+  customElements.define("carts-scene", sceneElement(client));
+  if (document.querySelector("carts-scene")) {
+    if (typeof requestIdleCallback === "function") {
+      requestIdleCallback(() => client.wake(), { timeout: 1000 });
+    } else setTimeout(() => client.wake(), 200);
+  }
+}

@@ -1,0 +1,43 @@
+/** Numbers as text, the same as `sim/pages/widget/numbers.py` writes into the page. */
+
+const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+const MAX_DECIMALS = 12;
+
+/** @param {number} value @returns {number} the power of ten of the first digit; 0 for 0 */
+export function exponent(value) {
+  return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+}
+
+/** @param {number} value @param {number} decimals @returns {string} for example 0.60 or −1.25 */
+export function fixed(value, decimals) {
+  const text = Math.abs(value).toFixed(decimals);
+  return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+}
+
+/** @param {number} scale @returns {number} decimals that show a value as large as `scale` */
+export function decimalsFor(scale, figures = 3) {
+  return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+}
+
+/** @param {number} value @returns {string} without trailing zeros: 0.5, 1.25, 1.5 × 10⁹ */
+export function short(value, figures = 3) {
+  const power = exponent(value);
+  if (value && (power <= -4 || power >= 6)) {
+    const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+    const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+  }
+  return trim(fixed(value, Math.max(0, figures - 1 - power)));
+}
+
+/** @param {string} text */
+function trim(text) {
+  return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+}
+
+/** @param {number} value @returns {string} a drawing coordinate, rounded */
+export function px(value, decimals = 1) {
+  const factor = 10 ** decimals;
+  const rounded = Math.floor(value * factor + 0.5) / factor;
+  return String(rounded === 0 ? 0 : rounded);
+}

@@ -1,0 +1,103 @@
+/** Play, pause, step and scrub are one number: the time shown. */
+
+import { advance, slowAt } from "./slow.js";
+
+const STEP = 0.04; // s on the screen that one step stands for
+const LONGEST_FRAME = 0.1; // s; a page that was asleep does not leap
+
+export class Player {
+  time = 0;
+  own = 0; // s that the reader has watched since the start
+  playing = false;
+  speed = 1;
+  slow = true;
+  until = 1;
+  /** @type {import("./slow.js").SlowPart[]} */
+  parts = [];
+  /** @type {number[]} */
+  stops = [];
+  #frame = 0;
+  #last = 0;
+
+  /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+  constructor(changed) {
+    this.changed = changed;
+  }
+
+  get #parts() {
+    return this.slow ? this.parts : [];
+  }
+
+  /** @returns {number} cart seconds per second now */
+  get rate() {
+    return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+  }
+
+  /** @returns {boolean} whether slow motion is on at this instant */
+  get isSlow() {
+    return this.rate < this.speed;
+  }
+
+  toggle() {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  play() {
+    if (this.playing) return;
+    if (this.time >= this.until) this.#move(0);
+    if (this.time === 0) this.own = 0;
+    this.playing = true;
+    this.#last = 0;
+    this.changed(this.time, false);
+    this.#frame = requestAnimationFrame((now) => this.#tick(now));
+  }
+
+  pause() {
+    if (!this.playing) return;
+    this.playing = false;
+    cancelAnimationFrame(this.#frame);
+    this.changed(this.time, false);
+  }
+
+  /** @param {number} t in s */
+  seek(t) {
+    this.#move(t);
+    if (t <= 0) this.own = 0;
+    this.changed(this.time, false);
+  }
+
+  /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+  step(way, count = 1) {
+    this.pause();
+    for (let k = 0; k < count; k += 1) {
+      const before = this.time;
+      const target = before + way * STEP * this.rate;
+      const event =
+        way > 0
+          ? this.stops.find((t) => t > before + 1e-12)
+          : this.stops.findLast((t) => t < before - 1e-12);
+      const passed = event !== undefined && (way > 0 ? event < target : event > target);
+      this.#move(passed ? event : target);
+      this.changed(before, way > 0);
+    }
+  }
+
+  /** @param {number} now */
+  #tick(now) {
+    if (!this.playing) return;
+    const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1000) : 0;
+    this.#last = now;
+    const before = this.time;
+    this.own += seconds;
+    this.#move(advance(before, seconds, this.speed, this.#parts, this.until));
+    if (this.time >= this.until) this.playing = false;
+    this.changed(before, true);
+    if (this.playing) this.#frame = requestAnimationFrame((next) => this.#tick(next));
+  }
+
+  /** @param {number} t */
+  #move(t) {
+    this.time = Math.min(this.until, Math.max(0, t));
+  }
+}

@@ -1,0 +1,167 @@
+/** Prediction: how long is the force arrow on each body when the bumpers are squeezed the most? */
+
+import { html, need, say, svg } from "./dom.js";
+import { fixed } from "./numbers.js";
+import { arrowLength, blockArrow } from "./shapes.js";
+import { readTyped } from "./typed.js";
+import { body } from "./words.js";
+
+/** @typedef {{pair: string, on: string, side: "left" | "right", size: number}} Guess size in N; side of the pair */
+/** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, size: number | null,
+ *   slider: HTMLInputElement, box: HTMLInputElement, error: HTMLElement}} Row */
+
+const LONG = 120; // units of the comparison that stand for the full scale
+
+export class ArrowsForm {
+  /** @type {Row[]} */
+  #rows;
+
+  /**
+   * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+   * @param {(guesses: Guess[]) => void} draw @param {() => void} changed
+   */
+  constructor(root, baked, draw, changed) {
+    this.full = baked.view.force || 10;
+    this.decimals = baked.view.decimals.F ?? 2;
+    this.draw = draw;
+    const contacts = baked.run.header.contacts;
+    const elements = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-guess"));
+    this.#rows = [...elements].map((element) => {
+      const pair = element.dataset.pair ?? "";
+      const on = element.dataset.on ?? "";
+      const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
+      const side = bodies[0] === on ? "left" : "right";
+      const by = (side === "left" ? bodies[1] : bodies[0]) ?? "";
+      const row = {
+        pair,
+        on,
+        by,
+        side: /** @type {"left" | "right"} */ (side),
+        style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
+        size: null,
+        slider: /** @type {HTMLInputElement} */ (need(element, 'input[type="range"]')),
+        box: /** @type {HTMLInputElement} */ (need(element, 'input[type="text"]')),
+        error: need(element, ".carts-error"),
+      };
+      row.slider.addEventListener("input", () =>
+        this.#take(row, row.slider.valueAsNumber, changed),
+      );
+      row.box.addEventListener("change", () => this.#typed(row, changed));
+      return row;
+    });
+  }
+
+  get value() {
+    return this.#rows.map(({ pair, on, size }) => ({ pair, on, size }));
+  }
+
+  set value(value) {
+    for (const saved of Array.isArray(value) ? value : []) {
+      const row = this.#rows.find(({ pair, on }) => pair === saved.pair && on === saved.on);
+      if (row && typeof saved.size === "number") this.#show(row, saved.size);
+    }
+    this.#picture();
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    for (const { slider, box } of this.#rows) {
+      slider.disabled = !on;
+      box.disabled = !on;
+    }
+  }
+
+  problem() {
+    const missing = this.#rows.filter((row) => row.size === null);
+    if (!missing.length) return null;
+    return `Set every arrow first: ${missing.map(name).join(", ")}. Zero counts too: type 0.`;
+  }
+
+  /** Their arrows and the run's, on one scale. @param {import("./types.js").Run} run */
+  compare(run) {
+    this.draw([]);
+    const list = html("div", "carts-compare");
+    for (const row of this.#rows) {
+      const actual = greatest(run, row.pair);
+      const line = html("div", `carts-compare-row ${row.style}`);
+      line.append(
+        html("span", "carts-compare-name", name(row)),
+        arrow(row.size ?? 0, this.full, "carts-guessed", row.side),
+        html("span", "", `you: ${fixed(row.size ?? 0, this.decimals)} N`),
+        arrow(actual, this.full, "carts-block-arrow", row.side),
+        html("span", "", `run: ${fixed(actual, this.decimals)} N`),
+      );
+      list.append(line);
+    }
+    const text =
+      "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.";
+    return [list, html("p", "", text)];
+  }
+
+  /** @param {Row} row @param {() => void} changed */
+  #typed(row, changed) {
+    const read = readTyped(row.box.value);
+    let problem = "";
+    if ("problem" in read) problem = read.problem;
+    else if ("text" in read) problem = "Type a number; the unit is N.";
+    else if (read.value < 0 || read.value > this.full)
+      problem = `0 to ${fixed(this.full, 0)} N, please.`;
+    say(row.error, problem);
+    row.error.hidden = !problem;
+    if ("value" in read && !problem) this.#take(row, read.value, changed);
+  }
+
+  /** @param {Row} row @param {number} size @param {() => void} changed */
+  #take(row, size, changed) {
+    this.#show(row, size);
+    this.#picture();
+    changed();
+  }
+
+  /** @param {Row} row @param {number} size */
+  #show(row, size) {
+    row.size = size;
+    row.slider.valueAsNumber = size;
+    row.slider.setAttribute("aria-valuetext", `${fixed(size, this.decimals)} newtons`);
+    row.box.value = fixed(size, this.decimals);
+    row.error.hidden = true;
+  }
+
+  #picture() {
+    this.draw(
+      this.#rows.flatMap(({ pair, on, side, size }) =>
+        size === null ? [] : [{ pair, on, side, size }],
+      ),
+    );
+  }
+}
+
+/** @param {Row} row */
+function name({ on, by }) {
+  return `force on ${body(on)} by ${body(by)}`;
+}
+
+/** Greatest contact force of a pair in N. @param {import("./types.js").Run} run @param {string} pair */
+function greatest(run, pair) {
+  const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
+  const peak = run.header.events.find(
+    (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right,
+  );
+  if (typeof peak?.force === "number") return peak.force;
+  return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
+}
+
+/** @param {number} size @param {number} full @param {string} className @param {"left" | "right"} side */
+function arrow(size, full, className, side) {
+  const length = arrowLength(size, full, LONG);
+  const width = Math.max(LONG, length) + 8;
+  const picture = svg("svg", {
+    viewBox: `0 0 ${width} 20`,
+    width,
+    height: 20,
+    "aria-hidden": "true",
+  });
+  const d = side === "left" ? blockArrow(width - 4, 10, -length) : blockArrow(4, 10, length);
+  picture.append(svg("path", { class: className, d }));
+  return picture;
+}

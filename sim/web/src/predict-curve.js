@@ -1,0 +1,126 @@
+/** Prediction: how the force changes during the contact. Compared by features, not by pixels. */
+
+import { html, need, put } from "./dom.js";
+import { px } from "./numbers.js";
+import { valueAt } from "./trajectory.js";
+import { touches } from "./windows.js";
+import { body } from "./words.js";
+
+const LEFT = 40;
+const STEP = 77.5;
+const BOTTOM = 130;
+const PER_HEIGHT = 12; // units per step of height; the highest is 10
+const HIGHEST = 10;
+const FINE = 48;
+
+export class CurveForm {
+  /** @type {(number | null)[]} */
+  #heights = [null, null, null, null, null];
+  #enabled = false;
+
+  /** @param {HTMLElement} root @param {import("./types.js").PredictSpec} spec @param {() => void} changed */
+  constructor(root, spec, changed) {
+    this.cart = spec.cart ?? "";
+    this.changed = changed;
+    this.pad = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-pad")));
+    this.boxes = /** @type {HTMLInputElement[]} */ ([...root.querySelectorAll(".carts-height")]);
+    this.boxes.forEach((box, k) => {
+      box.addEventListener("input", () => {
+        if (Number.isFinite(box.valueAsNumber)) this.#take(k, box.valueAsNumber);
+      });
+    });
+    this.pad.addEventListener("pointerdown", (event) => {
+      if (!this.#enabled) return;
+      this.pad.setPointerCapture(event.pointerId);
+      this.#point(event);
+    });
+    this.pad.addEventListener("pointermove", (event) => {
+      if (this.#enabled && event.buttons & 1) this.#point(event);
+    });
+  }
+
+  get value() {
+    return this.#heights;
+  }
+
+  set value(value) {
+    if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
+    this.#draw();
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    this.#enabled = on;
+    for (const box of this.boxes) box.disabled = !on;
+  }
+
+  problem() {
+    if (this.#heights.every((height) => height !== null)) return null;
+    return "Give all five heights first, also where you think it is 0.";
+  }
+
+  /** @param {import("./types.js").Run} run */
+  compare(run) {
+    const touch = touches(run.header.events, run.header.until).find(({ bodies }) =>
+      bodies.includes(this.cart),
+    );
+    if (!touch) return [html("p", "", `In this run nothing touches ${this.cart}.`)];
+    const { t, F, dF } = run.trajectory;
+    const forces = Array.from({ length: FINE + 1 }, (_, k) => {
+      const at = touch.start + ((touch.end - touch.start) * k) / FINE;
+      return valueAt(t, F[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
+    });
+    const top = Math.max(...forces) || 1;
+    const points = forces.map((force, k) => {
+      const x = LEFT + (4 * STEP * k) / FINE;
+      return `${px(x)} ${px(BOTTOM - (HIGHEST * PER_HEIGHT * force) / top)}`;
+    });
+    put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
+    const other = touch.bodies.find((name) => name !== this.cart) ?? "";
+    const mine = this.#heights.map(Number);
+    const rows = [
+      ["starts from zero", mine[0] === 0, Number(forces[0]) < 0.02 * top],
+      [
+        "is greatest in between",
+        Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
+        true,
+      ],
+      ["is zero again at the end", mine[4] === 0, Number(forces[FINE]) < 0.02 * top],
+    ];
+    const list = html("ul");
+    for (const [feature, yours, theirs] of rows) {
+      const said = (/** @type {unknown} */ yes) => (yes ? "yes" : "no");
+      list.append(html("li", "", `${feature}: your curve ${said(yours)}, the run ${said(theirs)}`));
+    }
+    const title = `Force on ${this.cart} by ${body(other)}: dashed is yours, solid is the run. Only the shape counts.`;
+    return [html("p", "", title), list];
+  }
+
+  /** @param {PointerEvent} event */
+  #point(event) {
+    const frame = this.pad.getBoundingClientRect();
+    const scale = 360 / frame.width;
+    const k = Math.round(((event.clientX - frame.left) * scale - LEFT) / STEP);
+    const height = (BOTTOM - (event.clientY - frame.top) * scale) / PER_HEIGHT;
+    if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
+  }
+
+  /** @param {number} k @param {number} height */
+  #take(k, height) {
+    this.#heights[k] = Math.min(HIGHEST, Math.max(0, height));
+    this.#draw();
+    this.changed();
+  }
+
+  #draw() {
+    const points = this.#heights.map((height, k) => {
+      const y = px(BOTTOM - PER_HEIGHT * (height ?? 0));
+      const knob = this.pad.querySelector(`[data-index="${k}"]`);
+      if (knob) put(knob, "cy", y);
+      const box = this.boxes[k];
+      if (box && height !== null && box.valueAsNumber !== height) box.valueAsNumber = height;
+      return `${px(LEFT + STEP * k)} ${y}`;
+    });
+    put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
+  }
+}

@@ -1,0 +1,65 @@
+/** Predictions by choosing an option or by writing a sentence. */
+
+import { html, need } from "./dom.js";
+
+export class ChoiceForm {
+  /** @param {HTMLElement} root @param {import("./types.js").PredictSpec} spec @param {() => void} changed */
+  constructor(root, spec, changed) {
+    this.options = spec.options;
+    this.radios = /** @type {HTMLInputElement[]} */ ([
+      ...root.querySelectorAll('input[type="radio"]'),
+    ]);
+    for (const radio of this.radios) radio.addEventListener("change", changed);
+  }
+
+  get value() {
+    return this.radios.find((radio) => radio.checked)?.value ?? null;
+  }
+
+  set value(value) {
+    for (const radio of this.radios) radio.checked = radio.value === value;
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    for (const radio of this.radios) radio.disabled = !on;
+  }
+
+  problem() {
+    return this.value === null ? "Choose one first." : null;
+  }
+
+  compare() {
+    const chosen = this.options[Number(this.value)] ?? "";
+    return [html("p", "", `You chose: ${chosen}`), html("p", "", "Play the run. What do you see?")];
+  }
+}
+
+export class WordsForm {
+  /** @param {HTMLElement} root @param {() => void} changed */
+  constructor(root, changed) {
+    this.box = /** @type {HTMLTextAreaElement} */ (need(root, ".carts-words"));
+    this.box.addEventListener("input", changed);
+  }
+
+  get value() {
+    return this.box.value;
+  }
+
+  set value(value) {
+    this.box.value = String(value ?? "");
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    this.box.disabled = !on;
+  }
+
+  problem() {
+    return this.box.value.trim() ? null : "Write your prediction first; a few words are enough.";
+  }
+
+  compare() {
+    return [html("p", "", "Play the run and compare it with what you wrote.")];
+  }
+}

@@ -1,0 +1,133 @@
+/**
+ * The prediction before the run: saved at every input, locked once, then shown beside the run.
+ * Until it is locked the page knows nothing but the start state.
+ */
+
+import { need, say } from "./dom.js";
+import { ArrowsForm } from "./predict-arrows.js";
+import { CurveForm } from "./predict-curve.js";
+import { ChoiceForm, WordsForm } from "./predict-words.js";
+import { openStore, place } from "./storage.js";
+
+/** @typedef {import("./types.js").Run} Run */
+/** @typedef {import("./types.js").Baked} Baked */
+/**
+ * One kind of prediction. `problem` says what is still missing; `compare` shows it beside the run.
+ * @typedef {{value: unknown, enable: (on: boolean) => void, problem: () => string | null,
+ *   compare: (run: Run) => Node[]}} Form
+ */
+/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null}} Entry */
+
+export class Predict {
+  /** @type {Entry} */
+  #entry;
+  /** @type {import("./storage.js").Store | null} */
+  #store = null;
+
+  /**
+   * @param {HTMLElement} root of the prediction @param {Baked} baked
+   * @param {(arrows: import("./predict-arrows.js").Guess[]) => void} draw arrows on the picture
+   * @param {() => void} locked what to do once the prediction is locked
+   */
+  constructor(root, baked, draw, locked) {
+    const spec = /** @type {import("./types.js").PredictSpec} */ (baked.fence.predict);
+    this.root = root;
+    this.locked = locked;
+    this.saved = need(root, ".carts-saved");
+    this.error = need(root, ".carts-predict-error");
+    this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-lock"));
+    this.#entry = {
+      id: baked.fence.id,
+      type: spec.kind,
+      value: null,
+      first: null,
+      last: null,
+      tries: 0,
+      locked: null,
+    };
+    const changed = () => void this.#changed();
+    const forms = {
+      arrows: () => new ArrowsForm(root, baked, draw, changed),
+      curve: () => new CurveForm(root, spec, changed),
+      choice: () => new ChoiceForm(root, spec, changed),
+      text: () => new WordsForm(root, changed),
+    };
+    /** @type {Form} */
+    this.form = forms[spec.kind]();
+    this.button.addEventListener("click", () => void this.#lock());
+  }
+
+  /** @returns {boolean} */
+  get isLocked() {
+    return this.#entry.locked !== null;
+  }
+
+  /** Brings back what the reader left here before. */
+  async restore() {
+    const { site, page } = place();
+    this.key = `${page}#${this.#entry.id}`;
+    this.#store = await openStore(site);
+    if (this.#store.kind === "memory") {
+      say(
+        this.saved,
+        "This browser keeps nothing: your prediction is lost when you close the page.",
+      );
+    }
+    const found = await this.#store.get(this.key).catch(() => null);
+    if (found?.type === this.#entry.type) {
+      this.#entry = found;
+      this.form.value = found.value;
+      say(this.saved, "Saved.");
+    }
+    this.form.enable(!this.isLocked);
+    this.button.disabled = this.isLocked;
+    if (this.isLocked) this.locked();
+  }
+
+  /** Shows the prediction beside the run. @param {Run} run */
+  compare(run) {
+    const place = need(this.root, ".carts-compared");
+    place.replaceChildren(...this.form.compare(run));
+    place.hidden = false;
+    say(need(this.root, ".carts-heading"), "Your prediction, locked");
+  }
+
+  /** @param {string} message for the reader; empty: none */
+  complain(message) {
+    say(this.error, message);
+    this.error.hidden = !message;
+  }
+
+  async #changed() {
+    const now = new Date().toISOString();
+    this.#entry.value = this.form.value;
+    this.#entry.first ??= now;
+    this.#entry.last = now;
+    this.#entry.tries += 1;
+    this.complain("");
+    await this.#keep();
+  }
+
+  async #lock() {
+    const problem = this.form.problem();
+    if (problem) return this.complain(problem);
+    this.#entry.value = this.form.value;
+    this.#entry.locked = new Date().toISOString();
+    this.form.enable(false);
+    this.button.disabled = true;
+    this.complain("");
+    await this.#keep();
+    this.locked();
+  }
+
+  async #keep() {
+    if (!this.#store || !this.key) return;
+    if (this.#store.kind === "kept") say(this.saved, "Saving…");
+    try {
+      await this.#store.put(this.key, this.#entry);
+      if (this.#store.kind === "kept") say(this.saved, "Saved.");
+    } catch {
+      say(this.saved, "Not saved: this browser refuses to keep it. Write it on paper too.");
+    }
+  }
+}

@@ -1,0 +1,111 @@
+/**
+ * Contact-force arrows: fill is the body it acts on, tail on that body's own bumper face, pointing
+ * into it, named “on A by B”. One linear scale for the scene; zero is a dot. Nothing stays behind
+ * when the contact is over.
+ */
+
+import { need, put, say } from "./dom.js";
+import { fixed, px } from "./numbers.js";
+import { arrowLength, blockArrow, PUSH } from "./shapes.js";
+import { valueAt } from "./trajectory.js";
+
+/** @typedef {import("./types.js").Run} Run */
+/** @typedef {(name: string, side: "left" | "right") => number} Face drawing coordinate of a bumper face */
+/** @typedef {{pair: string, bodies: [string, string], row: number, groups: [Element, Element]}} Push */
+
+const PER_CHARACTER = 6.6; // units, of the bold names on the beam
+const GAP = 8; // units between a name and the place of contact
+
+export class Pushes {
+  /** @type {Push[]} */
+  #pushes = [];
+  /** @type {Run | null} */
+  #run = null;
+  /** @type {import("./windows.js").Touch[]} */
+  #windows = [];
+
+  /** @param {SVGElement} root @param {import("./types.js").Layout} layout @param {import("./types.js").View} view */
+  constructor(root, layout, view) {
+    this.root = root;
+    this.layout = layout;
+    this.view = view;
+  }
+
+  /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
+  show(run, windows) {
+    this.#run = run;
+    this.#windows = windows;
+    this.#pushes = [];
+    run.header.contacts.forEach((contact, k) => {
+      const groups = contact.bodies.map((name) =>
+        this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name}"]`),
+      );
+      if (groups[0] && groups[1]) {
+        const row = this.layout.rows[k] ?? 0;
+        this.#pushes.push({
+          pair: contact.pair,
+          bodies: contact.bodies,
+          row,
+          groups: [groups[0], groups[1]],
+        });
+      }
+    });
+  }
+
+  /** @param {number} t in s @param {Face} face */
+  at(t, face) {
+    const run = this.#run;
+    if (!run) return;
+    const { layout, view } = this;
+    for (const push of this.#pushes) {
+      const { t: times, F, dF } = run.trajectory;
+      const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
+      const size = Math.max(0, force < 1e-9 * view.force ? 0 : force);
+      const length = Math.abs(arrowLength(size, view.force, layout.force));
+      const y = layout.track - PUSH;
+      const [left, right] = push.bodies;
+      const ends = [face(left, "right"), face(right, "left")];
+      const touching = this.#windows.some(
+        (w) => w.pair === push.pair && t >= w.start && t <= w.end,
+      );
+      push.groups.forEach((group, side) => {
+        const x = Number(ends[side]);
+        put(
+          need(group, '[data-part="arrow"]'),
+          "d",
+          blockArrow(x, y, side === 0 ? -length : length),
+        );
+      });
+      this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
+    }
+  }
+
+  /** Both names on the beam, left and right of the contact, clear of each other and of the edges. */
+  /** @param {Push} push @param {number} size @param {number} x @param {boolean} visible */
+  #names(push, size, x, visible) {
+    const texts = push.groups.map((group) => need(group, '[data-part="text"]'));
+    for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
+    if (!visible) return;
+    const value = `${fixed(size, this.view.decimals.F ?? 2)} N`;
+    const labels = push.bodies.map((on, side) => {
+      const by = push.bodies[1 - side] ?? "";
+      return `on ${brief(on)} by ${brief(by)}: ${value}`;
+    });
+    const widths = labels.map((label) => label.length * PER_CHARACTER);
+    const [first, second] = [Number(widths[0]), Number(widths[1])];
+    const room = this.layout.width - 6;
+    const right = Math.min(Math.max(x + GAP, 6 + first + 2 * GAP), room - second);
+    const left = Math.min(x - GAP, right - 2 * GAP);
+    texts.forEach((text, side) => {
+      put(text, "x", px(side === 0 ? left : right));
+      put(text, "y", px(push.row));
+      put(text, "text-anchor", side === 0 ? "end" : "start");
+      say(text, labels[side] ?? "");
+    });
+  }
+}
+
+/** @param {string} name */
+function brief(name) {
+  return name === "left" || name === "right" ? "wall" : name;
+}

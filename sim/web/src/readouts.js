@@ -1,0 +1,52 @@
+/** Numbers of each cart at the instant shown. */
+
+import { need, say } from "./dom.js";
+import { fixed, short } from "./numbers.js";
+import { valueAt } from "./trajectory.js";
+
+/** @typedef {import("./types.js").Run} Run */
+
+export class Readouts {
+  /** @type {Run | null} */
+  #run = null;
+
+  /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+  constructor(root, baked) {
+    this.camera = baked.fence.camera;
+    this.decimals = baked.view.decimals;
+    /** @type {{name: string, outputs: Map<string, Element>}[]} */
+    this.cards = baked.run.header.bodies.map(({ name }) => {
+      const card = need(root, `.carts-card[data-body="${name}"]`);
+      const outputs = [...card.querySelectorAll("output")];
+      return { name, outputs: new Map(outputs.map((o) => [o.dataset.quantity ?? "", o])) };
+    });
+  }
+
+  /** @param {Run} run */
+  show(run) {
+    this.#run = run;
+  }
+
+  /** @param {number} t in s */
+  at(t) {
+    const run = this.#run;
+    if (!run) return;
+    const { t: times, x, v, a } = run.trajectory;
+    for (const { name, outputs } of this.cards) {
+      const mass = run.header.bodies.find((body) => body.name === name)?.mass ?? 0;
+      const acceleration = valueAt(times, a[name] ?? [], null, t);
+      const values = new Map([
+        ["x", valueAt(times, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
+        ["v", valueAt(times, v[name] ?? [], a[name] ?? [], t) - this.camera],
+        ["F", mass * acceleration],
+        ["a", acceleration],
+      ]);
+      for (const [quantity, output] of outputs) {
+        const value = values.get(quantity);
+        const decimals = this.decimals[quantity] ?? 3;
+        const text = value === undefined ? short(mass) : fixed(value, decimals);
+        say(output, text);
+      }
+    }
+  }
+}

@@ -1,0 +1,47 @@
+/** Round numbers for axes. Twin of `sim/pages/widget/scales.py`. */
+
+import { exponent } from "./numbers.js";
+
+const STEP_SLACK = 1e-9; // of a step; nearer to a round number is rounding noise
+
+/** @typedef {{low: number, high: number, step: number}} Axis */
+
+/** @param {Axis} axis @returns {number} decimals that tick labels need */
+export function axisDecimals(axis) {
+  return Math.max(0, -exponent(axis.step));
+}
+
+/** @param {Axis} axis @returns {number[]} the multiples of the step from low to high */
+export function ticks(axis) {
+  const first = Math.ceil(axis.low / axis.step - STEP_SLACK);
+  const last = Math.floor(axis.high / axis.step + STEP_SLACK);
+  const found = [];
+  for (let k = first; k <= last; k += 1) found.push(k * axis.step);
+  return found;
+}
+
+/** @param {number} value @returns {number} the smallest 1, 2, 5 times a power of ten above it */
+export function niceAbove(value) {
+  const power = Number(`1e${exponent(value)}`);
+  for (const factor of [1, 2, 5]) {
+    if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+  }
+  return 10 * power;
+}
+
+/** @param {number} low @param {number} high @param {number} count @returns {Axis} covers zero too */
+export function axis(low, high, count) {
+  const bottom = Math.min(0, low);
+  const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+  const step = niceAbove((top - bottom) / count);
+  return {
+    low: Math.floor(bottom / step + STEP_SLACK) * step,
+    high: Math.ceil(top / step - STEP_SLACK) * step,
+    step,
+  };
+}
+
+/** @param {number} low @param {number} high @param {number} count @returns {Axis} from low to high exactly */
+export function span(low, high, count) {
+  return { low, high, step: niceAbove((high - low) / count) };
+}

@@ -1,0 +1,130 @@
+/** Everything that shows a run, as one: `show` a run, then `at` any instant. */
+
+import { Announcer } from "./announcer.js";
+import { html, need } from "./dom.js";
+import { GraphView } from "./graph-view.js";
+import { fixed } from "./numbers.js";
+import { Player } from "./player.js";
+import { Readouts } from "./readouts.js";
+import { slowParts } from "./slow.js";
+import { Stage } from "./stage.js";
+import { Story } from "./story.js";
+import { Timeline } from "./timeline.js";
+import { Transport } from "./transport.js";
+import { touches } from "./windows.js";
+import { brief } from "./words.js";
+
+/** @typedef {import("./types.js").Run} Run */
+/** @typedef {import("./windows.js").Touch} Touch */
+
+export class SceneView {
+  /** @type {Run} */
+  run;
+  /** @type {Touch[]} */
+  #windows = [];
+
+  /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+  constructor(root, baked) {
+    this.root = root;
+    this.baked = baked;
+    this.run = baked.run;
+    this.player = new Player((before, forward) => this.#moved(before, forward));
+    const seek = (/** @type {number} */ t) => {
+      this.player.pause();
+      this.player.seek(t);
+    };
+    const stages = /** @type {NodeListOf<SVGElement>} */ (root.querySelectorAll(".carts-stage"));
+    this.stages = [...stages].map((stage) => new Stage(stage, baked));
+    const graphs = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-graph"));
+    this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
+    this.readouts = new Readouts(root, baked);
+    this.timeline = new Timeline(root, seek);
+    this.story = new Story(root, baked, seek);
+    this.transport = new Transport(root, this.player, baked.view.decimals);
+    this.announcer = new Announcer(root);
+    this.warnings = need(root, ".carts-warnings");
+    this.zoom = /** @type {HTMLSelectElement | null} */ (root.querySelector(".carts-window"));
+    this.zoom?.addEventListener("change", () => this.#zoom());
+    root.addEventListener("carts-redraw", () => {
+      for (const graph of this.graphs) graph.show(this.run, this.player.time);
+    });
+  }
+
+  /** Puts a run on the page, at the time that is shown now. @param {Run} run */
+  show(run) {
+    this.run = run;
+    const { header } = run;
+    this.#windows = touches(header.events, header.until);
+    this.player.until = header.until;
+    this.player.parts = slowParts(this.#windows);
+    this.player.stops = header.events.map((event) => event.t);
+    this.#offerWindows();
+    for (const stage of this.stages) stage.show(run, this.#windows);
+    for (const graph of this.graphs) graph.show(run, this.player.time);
+    this.readouts.show(run);
+    this.timeline.show(run, this.#windows);
+    this.story.show(run);
+    this.#warn();
+    this.player.seek(this.player.time);
+  }
+
+  /** Lets the reader move the time. @param {boolean} on */
+  enable(on) {
+    const parts =
+      ".carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+    for (const part of this.root.querySelectorAll(parts)) {
+      /** @type {HTMLButtonElement} */ (part).disabled = !on;
+    }
+    if (on) for (const graph of this.graphs) graph.enable();
+  }
+
+  /** Fills and opens the tables for paper. @param {boolean} open */
+  print(open) {
+    for (const { table } of this.graphs) {
+      table.fill();
+      table.details.open = open;
+    }
+  }
+
+  /** @param {number} before @param {boolean} forward */
+  #moved(before, forward) {
+    const t = this.player.time;
+    for (const stage of this.stages) stage.at(t);
+    for (const graph of this.graphs) graph.at(t);
+    this.readouts.at(t);
+    this.timeline.at(t, `${fixed(t, 2)} seconds`);
+    this.transport.show();
+    if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+  }
+
+  #warn() {
+    const { warnings } = this.run.header;
+    this.warnings.hidden = warnings.length === 0;
+    this.warnings.replaceChildren(...warnings.map(({ message }) => html("p", "", message)));
+  }
+
+  #offerWindows() {
+    if (!this.zoom) return;
+    const chosen = this.zoom.selectedIndex;
+    const options = this.#windows.map(({ bodies, start }, i) => {
+      const names = bodies.map(brief).join("–");
+      const option = html("option", "", `${names} at ${fixed(start, 2)} s`);
+      option.setAttribute("value", String(i));
+      return option;
+    });
+    while (this.zoom.options.length > 1) this.zoom.remove(1);
+    this.zoom.append(...options);
+    this.zoom.selectedIndex = chosen <= this.#windows.length ? chosen : 0;
+    this.#zoom();
+  }
+
+  #zoom() {
+    const touch = this.zoom?.value ? this.#windows[Number(this.zoom.value)] : undefined;
+    const room = touch ? 0.3 * (touch.end - touch.start) : 0;
+    /** @type {[number, number] | null} */
+    const window = touch
+      ? [Math.max(0, touch.start - room), Math.min(this.run.header.until, touch.end + room)]
+      : null;
+    for (const graph of this.graphs) graph.zoom(window, this.player.time);
+  }
+}

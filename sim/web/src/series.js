@@ -1,0 +1,95 @@
+/** The curves of each graph. Twin of `sim/pages/widget/series.py`. */
+
+import { styleOf } from "./markers.js";
+import { brief } from "./words.js";
+
+/** @typedef {import("./types.js").Header} Header */
+/** @typedef {import("./types.js").Trajectory} Trajectory */
+/** @typedef {import("./types.js").Column} Column */
+/** @typedef {{label: string, style: string, over: boolean, values: Column, slopes: Column | null}} Series */
+
+/**
+ * The curves of a quantity as a camera at `camera` m/s sees them. A force graph has two curves for
+ * each contact, one per body; sizes by default, with a sign (+ to the right) when asked for.
+ * @param {string} quantity @param {Header} header @param {Trajectory} run @param {number} camera @param {boolean} signed
+ * @returns {Series[]}
+ */
+export function seriesOf(quantity, header, run, camera, signed = false) {
+  if (quantity === "F") return forces(header, run, signed);
+  const times = Float64Array.from(run.t);
+  /** @type {Series[]} */
+  const curves = header.bodies.map((body, i) => {
+    const { name, mass } = body;
+    const [x, v, a] = [run.x[name] ?? [], run.v[name] ?? [], run.a[name] ?? []];
+    const seen = Float64Array.from(v, (speed) => speed - camera);
+    const curve = { label: name, style: styleOf(i), over: false };
+    switch (quantity) {
+      case "x": {
+        const values = Float64Array.from(x, (place, k) => place - camera * Number(times[k]));
+        return { ...curve, values, slopes: seen };
+      }
+      case "v":
+        return { ...curve, values: seen, slopes: a };
+      case "a":
+        return { ...curve, values: a, slopes: null };
+      case "p":
+        return {
+          ...curve,
+          values: seen.map((speed) => mass * speed),
+          slopes: Float64Array.from(a, (value) => mass * value),
+        };
+      default:
+        return { ...curve, values: seen.map((s) => (mass * s * s) / 2), slopes: null };
+    }
+  });
+  if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
+  return curves;
+}
+
+/** @param {Series[]} curves @returns {Series} their sum */
+function total(curves) {
+  /** @param {(Column | null)[]} columns */
+  const sum = (columns) => {
+    const rows = Float64Array.from(columns[0] ?? []);
+    for (const column of columns.slice(1)) {
+      for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
+    }
+    return rows;
+  };
+  return {
+    label: "all carts",
+    style: "total",
+    over: false,
+    values: sum(curves.map((c) => c.values)),
+    slopes: curves.every((c) => c.slopes) ? sum(curves.map((c) => c.slopes)) : null,
+  };
+}
+
+/** @param {Header} header @param {Trajectory} run @param {boolean} signed @returns {Series[]} */
+function forces(header, run, signed) {
+  const styles = new Map(header.bodies.map((body, i) => [body.name, styleOf(i)]));
+  const sign = signed ? -1 : 1;
+  /** @type {Series[]} */
+  const curves = [];
+  for (const contact of header.contacts) {
+    const force = run.F[contact.pair];
+    const slope = run.dF[contact.pair];
+    if (!force || !slope || !Array.prototype.some.call(force, (f) => f > 0)) continue;
+    const [left, right] = contact.bodies;
+    curves.push({
+      label: `on ${brief(left)} by ${brief(right)}`,
+      style: styles.get(left) ?? "wall",
+      over: false,
+      values: Float64Array.from(force, (f) => sign * f),
+      slopes: Float64Array.from(slope, (s) => sign * s),
+    });
+    curves.push({
+      label: `on ${brief(right)} by ${brief(left)}`,
+      style: styles.get(right) ?? "wall",
+      over: true,
+      values: force,
+      slopes: slope,
+    });
+  }
+  return curves;
+}

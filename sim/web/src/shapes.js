@@ -1,0 +1,98 @@
+/** Shapes of the world view as SVG attributes. Twin of `sim/pages/widget/shapes.py`. */
+
+import { px, short } from "./numbers.js";
+
+/** @typedef {import("./types.js").Body} Body */
+/** @typedef {import("./types.js").View} View */
+/** @typedef {import("./types.js").Layout} Layout */
+/** @typedef {{x: number, width: number, height: number, cut: boolean, nameY: number | null, label: string, labelY: number}} Box */
+
+const REFERENCE_HEIGHT = 36;
+const TALLEST = 4;
+const LANE = 20;
+const ABOVE = 30;
+const DOT = 3;
+const SHORTEST = 0.5;
+const LONGEST = 1.6;
+const NAMED = 34;
+const SPRING = [2, 10];
+export const PUSH = 15.5;
+const FACE = 22;
+
+/** @param {Body} body @param {View} view @param {Layout} layout @param {number} lift @returns {Box} area ∝ mass */
+export function box(body, view, layout, lift) {
+  const width = Math.max(body.length - 2 * body.bumper_length, 0.2 * body.length);
+  const wanted = (REFERENCE_HEIGHT * body.mass) / width / view.perHeight;
+  const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
+  const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
+  const named = height >= NAMED;
+  const mass = `${short(body.mass)} kg`;
+  return {
+    x: (-width * layout.scale) / 2,
+    width: width * layout.scale,
+    height,
+    cut,
+    nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+    label: named ? mass : `${body.name}: ${mass}`,
+    labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift,
+  };
+}
+
+/** @param {number} i cart @param {number} tallest box @param {Layout} layout @returns {number} y of its velocity arrow */
+export function lane(i, tallest, layout) {
+  const above = Math.max(tallest, FACE) + layout.stagger + ABOVE;
+  return layout.track - above - LANE * (layout.lanes - 1 - (i % layout.lanes));
+}
+
+/** @param {number} start @param {number} end @returns {string} a spring from the box to the bumper face */
+export function spring(start, end) {
+  const low = /** @type {number} */ (SPRING[0]);
+  const high = /** @type {number} */ (SPRING[1]);
+  const step = (end - start) / 4;
+  let d = `M${px(start)} ${px(-(low + high) / 2)}`;
+  for (let k = 0; k < 4; k += 1) {
+    d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
+  }
+  return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+}
+
+/** @param {number} x @param {number} y @param {number} length @returns {string} force arrow, tail at (x, y) */
+export function blockArrow(x, y, length) {
+  if (Math.abs(length) < SHORTEST) return dot(x, y);
+  const tip = x + length;
+  const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
+  return (
+    `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}` +
+    `L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`
+  );
+}
+
+/** @param {number} x @param {number} y @param {number} length @returns {string} velocity arrow: a line with an open head */
+export function lineArrow(x, y, length) {
+  if (Math.abs(length) < SHORTEST) return dot(x, y);
+  const tip = x + length;
+  const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
+  return (
+    `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}` +
+    `L${px(back)} ${px(y + 4.5)}`
+  );
+}
+
+/** @param {number} x @param {number} y @returns {string} a zero arrow */
+export function dot(x, y) {
+  const [r, d] = [px(DOT), px(2 * DOT)];
+  return `M${px(x - DOT)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+}
+
+/** @param {number} value @param {number} full scale @param {number} length of the full scale @returns {number} cut at the longest */
+export function arrowLength(value, full, length) {
+  const exact = full ? (value / full) * length : 0;
+  return Math.max(-LONGEST * length, Math.min(LONGEST * length, exact));
+}
+
+/** @param {number} x @param {number} length @param {number} width @returns {[number, "start" | "end"]} where a velocity is written */
+export function velocityText(x, length, width) {
+  const room = 62;
+  if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
+  return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+}

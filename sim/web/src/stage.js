@@ -1,0 +1,195 @@
+/** The world view: moves the SVG that `sim/pages/widget/stage.py` wrote. Draws a run, knows no physics. */
+
+import { need, put, say, svg } from "./dom.js";
+import { styleOf } from "./markers.js";
+import { fixed, px } from "./numbers.js";
+import { Pushes } from "./pushes.js";
+import * as shapes from "./shapes.js";
+import { valueAt } from "./trajectory.js";
+
+/** @typedef {import("./types.js").Baked} Baked */
+/** @typedef {import("./types.js").Run} Run */
+/** @typedef {{half: number, edge: number, bumper: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
+
+export class Stage {
+  /** @type {Run} */
+  #run;
+  /** @type {Cart[]} */
+  #carts = [];
+  /** @type {Pushes} */
+  #pushes;
+
+  /** @param {SVGElement} root @param {Baked} baked */
+  constructor(root, baked) {
+    const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
+    if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
+    this.root = root;
+    this.layout = layout;
+    this.view = baked.view;
+    this.camera = baked.fence.camera;
+    this.#run = baked.run;
+    this.#pushes = new Pushes(root, layout, baked.view);
+  }
+
+  /** Takes a run: boxes for its masses. @param {Run} run @param {import("./windows.js").Touch[]} windows */
+  show(run, windows) {
+    this.#run = run;
+    const { layout, view } = this;
+    const boxes = run.header.bodies.map((body, i) =>
+      shapes.box(body, view, layout, layout.stagger * (i % 2)),
+    );
+    const tallest = Math.max(...boxes.map((box) => box.height));
+    this.#carts = run.header.bodies.map((body, i) => {
+      const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
+      const box = /** @type {shapes.Box} */ (boxes[i]);
+      drawBox(group, body.name, box);
+      return {
+        half: (body.length * layout.scale) / 2,
+        edge: -box.x,
+        bumper: Math.max(0, (body.length * layout.scale) / 2 + box.x),
+        top: layout.track + box.labelY - 12,
+        lane: shapes.lane(i, tallest, layout),
+        group,
+        velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`),
+      };
+    });
+    this.#pushes.show(run, windows);
+  }
+
+  /** Draws the instant t. @param {number} t in s */
+  at(t) {
+    const { header, trajectory } = this.#run;
+    const shift = this.camera * t;
+    put(
+      need(this.root, '[data-part="ground"]'),
+      "transform",
+      `translate(${px(-shift * this.layout.scale)} 0)`,
+    );
+    const centres = header.bodies.map((body) => {
+      const x = valueAt(
+        trajectory.t,
+        trajectory.x[body.name] ?? [],
+        trajectory.v[body.name] ?? [],
+        t,
+      );
+      return this.layout.origin + (x - shift) * this.layout.scale;
+    });
+    const { left, right } = this.#squeezes(centres, shift);
+    this.#carts.forEach((cart, i) => {
+      const centre = Number(centres[i]);
+      const faces = /** @type {const} */ ([
+        -cart.half + Number(left[i]),
+        cart.half - Number(right[i]),
+      ]);
+      put(cart.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+      put(need(cart.group, '[data-part="spring-left"]'), "d", shapes.spring(-cart.edge, faces[0]));
+      put(need(cart.group, '[data-part="spring-right"]'), "d", shapes.spring(cart.edge, faces[1]));
+      put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
+      put(
+        need(cart.group, '[data-part="face-right"]'),
+        "transform",
+        `translate(${px(faces[1])} 0)`,
+      );
+      this.#velocity(cart, header.bodies[i]?.name ?? "", centre, t);
+    });
+    this.#pushes.at(t, (name, side) => {
+      const i = header.bodies.findIndex((body) => body.name === name);
+      if (i < 0) {
+        const wall = name === "left" ? 0 : (header.track.length ?? 0);
+        return this.layout.origin + (wall - shift) * this.layout.scale;
+      }
+      const half = this.#carts[i]?.half ?? 0;
+      const centre = Number(centres[i]);
+      return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
+    });
+  }
+
+  /**
+   * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+   * @param {import("./predict-arrows.js").Guess[]} guesses
+   */
+  guess(guesses) {
+    const { header } = this.#run;
+    const group = need(this.root, '[data-part="guess"]');
+    const arrows = guesses.map(({ pair, on, side, size }) => {
+      const i = header.bodies.findIndex((body) => body.name === on);
+      const body = header.bodies[i];
+      const half = (body?.length ?? 0) / 2;
+      const wall = on === "left" ? 0 : (header.track.length ?? 0);
+      const x = body ? body.position + (side === "left" ? half : -half) : wall;
+      const way = side === "left" ? -1 : 1;
+      const length = way * shapes.arrowLength(size, this.view.force || 10, this.layout.force);
+      const from = this.layout.origin + x * this.layout.scale;
+      return svg("path", {
+        class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
+        d: shapes.blockArrow(from, this.layout.track - shapes.PUSH, length),
+        "data-pair": pair,
+        "data-on": on,
+      });
+    });
+    group.replaceChildren(...arrows);
+  }
+
+  /**
+   * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
+   * Two carts share the overlap; a bumper gives way by its own length at most.
+   * @param {number[]} centres @param {number} shift of the camera in m
+   */
+  #squeezes(centres, shift) {
+    const { bodies, track } = this.#run.header;
+    const left = bodies.map(() => 0);
+    const right = bodies.map(() => 0);
+    const at = /** @param {number} x */ (x) => this.layout.origin + (x - shift) * this.layout.scale;
+    for (let gap = 0; gap <= bodies.length; gap += 1) {
+      const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
+      if ((!a && track.left !== "wall") || (!b && track.right !== "wall")) continue;
+      const end = a ? Number(centres[gap - 1]) + a.half : at(0);
+      const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
+      const overlap = Math.max(0, end - start);
+      const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
+      const rest = Math.min(b?.bumper ?? 0, overlap - share);
+      if (b) left[gap] = rest;
+      if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+    }
+    return { left, right };
+  }
+
+  /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
+  #velocity(cart, name, x, t) {
+    const { trajectory } = this.#run;
+    const { layout, view } = this;
+    const v =
+      valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
+    const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
+    const length = shapes.arrowLength(seen, view.velocity, layout.velocity);
+    const [at, anchor] = shapes.velocityText(x, length, layout.width);
+    put(need(cart.velocity, '[data-part="arrow"]'), "d", shapes.lineArrow(x, cart.lane, length));
+    put(
+      need(cart.velocity, '[data-part="leader"]'),
+      "d",
+      `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`,
+    );
+    const text = need(cart.velocity, '[data-part="text"]');
+    put(text, "x", px(at));
+    put(text, "y", px(cart.lane + 4));
+    put(text, "text-anchor", anchor);
+    say(text, `${fixed(seen, view.decimals.v ?? 2)} m/s`);
+  }
+}
+
+/** @param {Element} group @param {string} name @param {shapes.Box} box */
+function drawBox(group, name, box) {
+  const rect = need(group, '[data-part="box"]');
+  put(rect, "x", px(box.x));
+  put(rect, "y", px(-box.height));
+  put(rect, "width", px(box.width));
+  put(rect, "height", px(box.height));
+  put(need(group, '[data-part="break"]'), "visibility", box.cut ? "visible" : "hidden");
+  const title = need(group, '[data-part="name"]');
+  put(title, "y", px(box.nameY ?? 0));
+  put(title, "visibility", box.nameY === null ? "hidden" : "visible");
+  say(title, name);
+  const mass = need(group, '[data-part="mass"]');
+  put(mass, "y", px(box.labelY));
+  say(mass, box.label);
+}

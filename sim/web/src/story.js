@@ -1,0 +1,55 @@
+/** The run in words: a list of events, each a button that goes there; and the model card. */
+
+import { html, need } from "./dom.js";
+import { fixed } from "./numbers.js";
+import { eventSentence, modelSentences } from "./words.js";
+
+const MOST_EVENTS = 60;
+
+export class Story {
+  /** @type {{t: number, sentence: string}[]} */
+  told = [];
+
+  /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {(t: number) => void} seek */
+  constructor(root, baked, seek) {
+    const { fence, view } = baked;
+    this.view = view;
+    this.telling = {
+      decimals: view.decimals,
+      scale: view.velocity,
+      camera: fence.camera,
+      forces: fence.forces === "shown",
+    };
+    this.list = need(root, ".carts-events");
+    this.model = need(root, ".carts-model ul");
+    this.list.addEventListener("click", (event) => {
+      const button = /** @type {Element} */ (event.target).closest("button");
+      if (button?.dataset.time) seek(Number(button.dataset.time));
+    });
+  }
+
+  /** @param {import("./types.js").Run} run */
+  show({ header }) {
+    this.told = header.events.map((event) => ({
+      t: event.t,
+      sentence: eventSentence(event, this.telling),
+    }));
+    const items = this.told.slice(0, MOST_EVENTS).map(({ t, sentence }) => {
+      const item = html("li");
+      const button = html("button", "carts-jump", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+      button.setAttribute("type", "button");
+      button.dataset.time = String(t);
+      item.append(button, " ", html("span", "", sentence));
+      return item;
+    });
+    const more = this.told.length - items.length;
+    if (more > 0) items.push(html("li", "carts-more-events", `… and ${more} more events.`));
+    this.list.replaceChildren(...items);
+    this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
+  }
+
+  /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
+  between(before, now) {
+    return this.told.filter(({ t }) => t > before && t <= now).map(({ sentence }) => sentence);
+  }
+}

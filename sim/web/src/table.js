@@ -1,0 +1,83 @@
+/**
+ * The table of values behind a graph. Twin of `sim/pages/widget/tables.py`.
+ * It is filled when a reader opens it or the page comes to rest: drawing must not wait for it.
+ */
+
+import { html, need } from "./dom.js";
+import { fixed } from "./numbers.js";
+import { span, ticks } from "./scales.js";
+import { valueAt } from "./trajectory.js";
+import { QUANTITIES } from "./words.js";
+
+/** @typedef {import("./types.js").Run} Run */
+/** @typedef {import("./series.js").Series} Series */
+
+const ROWS = 10;
+const MOST_EVENTS = 24;
+const REST = 250; // ms without a new run before a closed table is filled
+
+export class Table {
+  /** @type {{run: Run, curves: Series[]} | null} */
+  #waiting = null;
+  #timer = 0;
+
+  /** @param {HTMLElement} details @param {string} quantity @param {import("./types.js").View} view */
+  constructor(details, quantity, view) {
+    this.details = /** @type {HTMLDetailsElement} */ (details);
+    this.quantity = quantity;
+    this.view = view;
+    details.addEventListener("toggle", () => this.fill());
+  }
+
+  /** @param {Run} run @param {Series[]} curves */
+  show(run, curves) {
+    this.#waiting = { run, curves };
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
+  }
+
+  fill() {
+    if (!this.#waiting) return;
+    const { run, curves } = this.#waiting;
+    this.#waiting = null;
+    const unit = QUANTITIES[this.quantity]?.[2] ?? "";
+    const head = html("tr");
+    head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
+    need(this.details, "thead").replaceChildren(head);
+    const decimals = this.view.decimals[this.quantity] ?? 3;
+    const scale = greatest(curves);
+    const rows = tableTimes(run).map((t) => {
+      const row = html("tr");
+      row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
+      for (const { values, slopes } of curves) {
+        const value = valueAt(run.trajectory.t, values, slopes, t);
+        row.append(html("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
+      }
+      return row;
+    });
+    need(this.details, "tbody").replaceChildren(...rows);
+  }
+}
+
+/** @param {Run} run @returns {number[]} round times and the times of the events */
+function tableTimes({ header }) {
+  const times = new Set([...ticks(span(0, header.until, ROWS)), header.until]);
+  for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
+  return [...times].sort((a, b) => a - b);
+}
+
+/** @param {string} text */
+function heading(text) {
+  const cell = html("th", "", text);
+  cell.setAttribute("scope", "col");
+  return cell;
+}
+
+/** @param {Series[]} curves */
+function greatest(curves) {
+  let found = 0;
+  for (const { values } of curves) {
+    for (let k = 0; k < values.length; k += 1) found = Math.max(found, Math.abs(Number(values[k])));
+  }
+  return found || 1;
+}

@@ -1,0 +1,30 @@
+/** What a reader typed as a number. A decimal comma is fine; “1,000” is refused with both readings. */
+
+const LONGEST = 40;
+
+/**
+ * A number in the box's own unit, or text with a unit for Python to read, or why it is neither.
+ * @param {string} typed @returns {{value: number} | {text: string} | {problem: string}}
+ */
+export function readTyped(typed) {
+  const text = typed.trim().replace(/[−–]/g, "-");
+  if (!text) return { problem: "Type a number, for example 0.5" };
+  if (text.length > LONGEST) return { problem: "That is too long for a number." };
+  if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
+  if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
+    const value = Number(text.replace(",", "."));
+    return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
+  }
+  if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][\w/²³^·*%µ° -]*$/.test(text)) {
+    return { text: text.replace(/(\d),(\d)/, "$1.$2") };
+  }
+  return { problem: `“${text}” is not a number. Type for example 0.5` };
+}
+
+/** @param {string} text */
+function twoReadings(text) {
+  const whole = text.replaceAll(",", "");
+  if (text.split(",").length > 2) return `Type ${whole} without commas.`;
+  const decimal = String(Number(text.replace(",", ".")));
+  return `${text} can mean ${decimal} or ${whole}: type ${decimal} or ${whole}`;
+}

@@ -1,0 +1,115 @@
+/** Sentences for readers. Twin of `sim/pages/widget/words.py`. */
+
+import { fixed, short } from "./numbers.js";
+
+/** @typedef {import("./types.js").RunEvent} RunEvent */
+/** @typedef {import("./types.js").Header} Header */
+/** @typedef {{decimals: Record<string, number>, scale: number, camera: number, forces: boolean}} Telling */
+
+/** @type {Record<string, [string, string, string]>} title, symbol, unit */
+export const QUANTITIES = {
+  x: ["Position", "x", "m"],
+  v: ["Velocity", "v", "m/s"],
+  a: ["Acceleration", "a", "m/s²"],
+  F: ["Contact force", "F", "N"],
+  p: ["Momentum", "p", "kg m/s"],
+  energy: ["Kinetic energy", "E", "J"],
+};
+/** @type {Record<string, string>} */
+const EFFECTS = {
+  friction: "friction",
+  incline: "a slope",
+  drag: "air resistance",
+  push: "pushes from outside",
+  spring: "springs between the carts",
+  magnets: "magnets",
+  release: "a release between the carts",
+};
+const BOTH_FORCES =
+  "Each contact has one force in the program: it pushes both bodies, equally hard, " +
+  "away from each other. So the program assumes Newton’s third law; it cannot prove it.";
+
+/** @param {string} name */
+export function isWall(name) {
+  return name === "left" || name === "right";
+}
+
+/** @param {string} name @returns {string} a body as a sentence names it */
+export function body(name) {
+  return isWall(name) ? `the ${name} wall` : name;
+}
+
+/** @param {string} name @returns {string} a body as a label names it */
+export function brief(name) {
+  return isWall(name) ? "wall" : name;
+}
+
+/** @param {number} velocity @param {number} decimals @param {number} scale of velocities in the scene */
+export function motion(velocity, decimals, scale) {
+  if (Math.abs(velocity) < 1e-9 * scale) return "at rest";
+  return `${fixed(Math.abs(velocity), decimals)}\u00a0m/s to the ${velocity > 0 ? "right" : "left"}`;
+}
+
+/** @param {RunEvent} event @param {Telling} telling @returns {string} what happens at an event */
+export function eventSentence(event, telling) {
+  const { decimals, scale, camera, forces } = telling;
+  const names = event.bodies;
+  const pair = capital(names.map(body).join(" and "));
+  const impulse = event.impulse ?? 0;
+  const speeds = names
+    .filter((name) => !isWall(name) && name in (event.after ?? {}))
+    .map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+  const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
+  const shown = forces && impulse ? ` Impulse on each: ${short(impulse)}\u00a0N\u00a0s.` : "";
+  switch (event.kind) {
+    case "contact": {
+      if (impulse) return `${pair} hit each other and part at once.${shown}${after}`;
+      const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
+      return `${mover} reaches ${body(String(other))}.`;
+    }
+    case "peak":
+      if (forces && event.force) {
+        const size = fixed(event.force, decimals.F ?? 2);
+        return `${pair}: bumpers squeezed the most, ${size}\u00a0N on each.`;
+      }
+      return `${pair}: bumpers squeezed the most.`;
+    case "separate":
+      return `${pair} separate.${shown}${after}`;
+    case "stick":
+      return `${pair} stay together.${after}`;
+    case "stop":
+      return `${pair} stops.`;
+    case "start":
+      return `${pair} starts to move.`;
+    case "release":
+      return `${pair} are released.${after}`;
+    case "end":
+      return "End of the run.";
+    default:
+      return `${event.kind}: ${pair}.`;
+  }
+}
+
+/** @param {Header} header @returns {string[]} what is in this model, and what is left out */
+export function modelSentences(header) {
+  const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
+  if (header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+  const leftOut = header.notSimulated.map((name) => EFFECTS[name] ?? name);
+  const last = leftOut.pop();
+  if (last !== undefined) {
+    const listed = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
+    sentences.push(`Left out of this model: ${listed}.`);
+  }
+  return sentences;
+}
+
+/** @param {string} text */
+function capital(text) {
+  return text.slice(0, 1).toUpperCase() + text.slice(1);
+}
+
+/** @param {string} text */
+function sentence(text) {
+  const capitalised = capital(text);
+  return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
+}
