@@ -5,6 +5,8 @@ from __future__ import annotations
 import logging
 import os
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -51,36 +53,47 @@ def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
         click.echo(f"Open it with a double click, no network needed:\n  {site / 'index.html'}")
 
 
-def build_site(root: Path, *, hosted: bool, strict: bool) -> Path | None:
-    """Run MkDocs in `root`; the absolute path of the site, or None after messages on stderr."""
+def build_site(
+    root: Path, *, hosted: bool, strict: bool, site_dir: Path | None = None
+) -> Path | None:
+    """Run MkDocs in `root`; the absolute path of the site, or None after messages on stderr.
+
+    `site_dir` is where the site goes; None: where mkdocs.yml says.
+    """
     os.environ["NO_MKDOCS_2_WARNING"] = "1"  # the theme's notice to programmers
     from mkdocs.commands.build import build
     from mkdocs.config import load_config
     from mkdocs.exceptions import Abort, MkDocsException
 
-    _messages_to_stderr()
     try:
-        config: MkDocsConfig = load_config(str(root / "mkdocs.yml"), strict=strict)
+        elsewhere = {"site_dir": str(site_dir)} if site_dir else {}
+        config: MkDocsConfig = load_config(str(root / "mkdocs.yml"), strict=strict, **elsewhere)
         config.plugins["carts"].config["hosted"] = hosted
-        config.plugins.on_startup(command="build", dirty=False)
-        build(config)
-        config.plugins.on_shutdown()
+        with _messages_to_stderr():
+            config.plugins.on_startup(command="build", dirty=False)
+            build(config)
+            config.plugins.on_shutdown()
     except (Abort, MkDocsException) as error:
         click.echo(str(error), err=True)
         return None
     return Path(config.site_dir).resolve()
 
 
-def _messages_to_stderr() -> None:
-    """Warnings and errors for the author; MkDocs' own remarks on its progress are left out."""
+@contextmanager
+def _messages_to_stderr() -> Iterator[None]:
+    """Warnings, errors and the runtime's progress; MkDocs' remarks on itself are left out."""
+    mkdocs, runtime = (
+        logging.getLogger(name) for name in ("mkdocs", "mkdocs.plugins.carts.runtime")
+    )
+    before = mkdocs.level, runtime.level
     handler = logging.StreamHandler()
     handler.setFormatter(logging.Formatter("%(message)s"))
-    handler.setLevel(logging.WARNING)
-    progress = logging.StreamHandler()
-    progress.setFormatter(logging.Formatter("%(message)s"))
-    logging.getLogger("mkdocs").addHandler(handler)
-    logging.getLogger("mkdocs").setLevel(logging.WARNING)
-    ours = logging.getLogger("mkdocs.plugins.carts.runtime")
-    ours.addHandler(progress)
-    ours.setLevel(logging.INFO)
-    ours.propagate = False
+    mkdocs.addHandler(handler)
+    mkdocs.setLevel(logging.WARNING)
+    runtime.setLevel(logging.INFO)
+    try:
+        yield
+    finally:
+        mkdocs.removeHandler(handler)
+        mkdocs.setLevel(before[0])
+        runtime.setLevel(before[1])

@@ -22,7 +22,7 @@ from mkdocs.exceptions import PluginError
 from mkdocs.plugins import BasePlugin, event_priority
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page as MkDocsPage
-from mkdocs.utils import get_relative_url
+from mkdocs.utils import CountHandler, get_relative_url
 
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import Finding
@@ -56,7 +56,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         root = Path(config.config_file_path).parent
         audience: Audience = "hosted" if self.config.hosted else "offline"
         if self.serving:
-            audience, config.strict = "preview", False
+            audience = "preview"
+            _do_not_count_warnings()
         with _stopping():
             site_id = str((config.extra.get("carts") or {}).get("site_id"))
             self.build = SiteBuild(root, audience, site_id, _report)
@@ -145,6 +146,13 @@ def _stopping() -> Iterator[None]:
         yield
     except SiteError as error:
         raise PluginError(str(error)) from error
+
+
+def _do_not_count_warnings() -> None:
+    """A strict build stops at the end if there were warnings; a preview goes on."""
+    mkdocs = logging.getLogger("mkdocs")
+    for handler in [h for h in mkdocs.handlers if isinstance(h, CountHandler)]:
+        mkdocs.removeHandler(handler)
 
 
 def _report(finding: Finding) -> None:

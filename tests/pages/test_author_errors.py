@@ -1,0 +1,100 @@
+"""Every mistake of an author is answered with a place, a message and a hint, word for word.
+
+The lessons in tests/golden/author-errors are full of mistakes; beside each lies what the author
+reads. After a change of wording: look at the new text, and if it is better, write it there.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.pages.check import check_lesson, check_paths
+from sim.pages.findings import Finding
+from sim.pages.scene_block import Lesson, SiteIds
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "author-errors"
+CASES = sorted(path.stem for path in GOLDEN.glob("*.md"))
+
+
+def findings(name: str) -> list[Finding]:
+    text = (GOLDEN / f"{name}.md").read_text(encoding="utf-8")
+    lesson = Lesson(f"{name}.md", (Path("scenes"),))
+    return check_lesson(text, lesson, SiteIds())
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_author_reads_exactly_this(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GOLDEN)
+    read = "".join(f"{finding}\n" for finding in findings(name))
+    assert read == (GOLDEN / f"{name}.txt").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_finding_has_the_form_that_editors_can_follow(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(GOLDEN)
+    found = findings(name)
+    assert found
+    for finding in found:
+        assert re.match(r"\S+:[1-9]\d*:[1-9]\d*: error: \S", str(finding))
+        assert finding.hint
+        lines = (GOLDEN / finding.file).read_text(encoding="utf-8").splitlines()
+        assert finding.line <= len(lines) + 1
+        assert (
+            finding.col <= len(lines[finding.line - 1]) + 1 if finding.line <= len(lines) else True
+        )
+
+
+def test_carts_check_prints_findings_and_exits_with_1(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GOLDEN)
+    result = CliRunner().invoke(main, ["check", "negative-mass.md"])
+    assert result.exit_code == 1
+    assert result.stdout.startswith("negative-mass.md:8:13: error: carts.A.mass")
+    assert "  hint: " in result.stdout
+    assert result.stderr == ""
+
+
+def test_carts_check_json_is_a_list_of_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GOLDEN)
+    result = CliRunner().invoke(main, ["check", "--json", "scenes/bad.yml"])
+    (row,) = json.loads(result.stdout)
+    assert list(row) == ["file", "line", "col", "severity", "code", "message", "hint"]
+    assert (row["file"], row["line"], row["severity"]) == ("scenes/bad.yml", 4, "error")
+    assert result.exit_code == 1
+
+
+def test_carts_check_without_findings_exits_with_0(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GOLDEN)
+    result = CliRunner().invoke(main, ["check", "scenes/two-carts.yml"])
+    assert (result.exit_code, result.stdout) == (0, "no findings\n")
+
+
+def test_a_path_that_does_not_exist_is_a_usage_error() -> None:
+    assert CliRunner().invoke(main, ["check", "no-such-folder"]).exit_code == 2
+
+
+def test_the_same_id_in_two_lessons_is_found(tmp_path: Path) -> None:
+    scene = "```scene\nid: same\ncarts: {A: {mass: 1, position: 0}}\n```\n"
+    for name in ("a.md", "b.md"):
+        (tmp_path / name).write_text(scene, encoding="utf-8")
+    (finding,) = check_paths([tmp_path], tmp_path)
+    assert (finding.file, finding.code) == ("b.md", "id-taken")
+    assert "a.md:2" in finding.message
+
+
+def test_a_lesson_that_is_no_text_is_a_finding(tmp_path: Path) -> None:
+    (tmp_path / "a.md").write_bytes(b"# Title\n\xff\xfe")
+    (finding,) = check_paths([tmp_path], tmp_path)
+    assert (finding.line, finding.code) == (2, "not-text")
+
+
+def test_our_own_lessons_and_scenes_have_no_findings() -> None:
+    root = Path(__file__).parents[2]
+    assert not check_paths([root / "worksheets", root / "docs", root / "tests" / "scenes"], root)

@@ -1,0 +1,240 @@
+"""Small sites, built by MkDocs through our plugin: what a teacher meets."""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.cli.build import build_site
+from sim.pages import extension, runtime, site_files
+
+ROOT = Path(__file__).parents[2]
+CONFIG = """\
+site_name: A site
+extra: {carts: {site_id: a-site}}
+nav: [{Home: index.md}, {Lessons: worksheets/}]
+theme: {name: material, font: false}
+plugins: [search, carts]
+strict: true
+"""
+SCENE = """\
+```scene
+id: ID
+carts:
+  A: {mass: MASS, position: 0.4 m, velocity: 0.5 m/s}
+until: 2 s
+```
+"""
+LESSON = f"---\ntitle: A lesson\n---\n\nWords to search: galumphing.\n\n{SCENE}"
+
+MakeSite = Callable[..., Path]
+
+
+@pytest.fixture
+def make_site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> MakeSite:
+    """Return `make_site(config, **lessons)`: a folder with a home page and these lessons.
+
+    The Python runtime is not packed and the page's script is empty: other tests look at those.
+    """
+    monkeypatch.setattr(runtime, "pack", lambda *_, **__: None)
+    monkeypatch.setattr(site_files, "scene_script", lambda: b"")
+    monkeypatch.chdir(tmp_path)
+
+    def make(config: str = CONFIG, **lessons: str) -> Path:
+        (tmp_path / "mkdocs.yml").write_text(config, encoding="utf-8")
+        for folder in ("docs", "worksheets"):
+            (tmp_path / folder).mkdir(exist_ok=True)
+        (tmp_path / "docs" / "index.md").write_text("# Home\n\nNo scene.\n", encoding="utf-8")
+        for name, text in lessons.items():
+            (tmp_path / "worksheets" / f"{name}.md").write_text(text, encoding="utf-8")
+        if not (tmp_path / "node_modules").exists():
+            (tmp_path / "node_modules").symlink_to(ROOT / "node_modules")
+        return tmp_path
+
+    return make
+
+
+def lesson(*, identity: str = "one", mass: str = "1 kg") -> str:
+    return LESSON.replace("ID", identity).replace("MASS", mass)
+
+
+def test_a_lesson_becomes_a_page_with_a_scene(make_site: MakeSite) -> None:
+    root = make_site(first=lesson())
+    site = build_site(root, hosted=False, strict=True)
+    assert site == root / "site"
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert "<carts-scene" in page
+    assert '<script src="../assets/carts/carts.js" defer></script>' in page
+    assert '<meta name="carts-site" content="a-site">' in page
+    home = (site / "index.html").read_text(encoding="utf-8")
+    assert "carts.js" not in home
+    assert 'href="worksheets/first.html"' in home
+
+
+def test_a_site_without_scenes_has_no_scene_script(make_site: MakeSite) -> None:
+    site = build_site(make_site(first="# A lesson\n\nWords.\n"), hosted=False, strict=True)
+    assert site is not None
+    assert not (site / "assets" / "carts" / "carts.js").exists()
+    assert "Pyodide" not in (site / "third-party-licenses.txt").read_text(encoding="utf-8")
+
+
+def test_a_mistake_stops_carts_build_with_its_place(make_site: MakeSite) -> None:
+    make_site(first=lesson(mass="-1 kg"))
+    result = CliRunner().invoke(main, ["build"])
+    assert result.exit_code == 1
+    assert "worksheets/first.md:10:13: error: carts.A.mass" in result.stdout
+    assert "hint: " in result.stdout
+    assert not Path("site/index.html").exists()
+
+
+def test_a_mistake_stops_plain_mkdocs_too(
+    make_site: MakeSite, caplog: pytest.LogCaptureFixture
+) -> None:
+    with caplog.at_level(logging.WARNING):
+        assert build_site(make_site(first=lesson(mass="-1 kg")), hosted=False, strict=True) is None
+    assert "worksheets/first.md:10:13: error: carts.A.mass" in caplog.text
+
+
+def test_a_build_that_is_not_strict_shows_a_red_box(make_site: MakeSite) -> None:
+    root = make_site(first=lesson(mass="-1 kg"), second=lesson(identity="two"))
+    site = build_site(root, hosted=False, strict=False)
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert "carts-author-error" in page
+    assert "worksheets/first.md:10:13: error" in page
+    assert "<carts-scene" in (site / "worksheets" / "second.html").read_text(encoding="utf-8")
+
+
+def test_a_preview_shows_the_red_box_although_the_site_is_strict(make_site: MakeSite) -> None:
+    from mkdocs.commands.build import build
+    from mkdocs.config import load_config
+
+    root = make_site(first=lesson(mass="-1 kg"))
+    config = load_config(str(root / "mkdocs.yml"))
+    config.plugins.on_startup(command="serve", dirty=False)
+    build(config, serve_url="http://127.0.0.1:8000/")
+    page = (root / "site" / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert "carts-author-error" in page
+    assert "'unsafe-inline'" in page  # for the script that MkDocs adds when it serves
+    assert str(root / "worksheets") in config.watch
+
+
+def test_a_crash_of_ours_stops_the_build(
+    make_site: MakeSite, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def crash(*_: object) -> None:
+        raise ZeroDivisionError("our own mistake")
+
+    monkeypatch.setattr(extension, "bake", crash)
+    with pytest.raises(ZeroDivisionError):
+        build_site(make_site(first=lesson()), hosted=False, strict=False)
+
+
+def test_the_same_id_twice_in_a_site_is_a_mistake(
+    make_site: MakeSite, caplog: pytest.LogCaptureFixture
+) -> None:
+    root = make_site(a=lesson(), b=lesson())
+    with caplog.at_level(logging.WARNING):
+        assert build_site(root, hosted=False, strict=True) is None
+    assert (
+        "worksheets/b.md:8:5: error: id: “one” is already used at worksheets/a.md:8" in caplog.text
+    )
+
+
+@pytest.mark.parametrize("extra", ["{}", "{carts: {}}", "{carts: {site_id: 'Not Allowed'}}"])
+def test_a_site_without_a_name_is_not_built(
+    make_site: MakeSite, extra: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    config = CONFIG.replace("{carts: {site_id: a-site}}", extra)
+    assert build_site(make_site(config), hosted=False, strict=True) is None
+    assert "extra.carts.site_id" in capsys.readouterr().err
+
+
+def test_what_the_policy_blocks_is_a_mistake(
+    make_site: MakeSite, caplog: pytest.LogCaptureFixture
+) -> None:
+    root = make_site(first='# A\n\n<img src="x.png" alt="" onerror="steal()">\n')
+    with caplog.at_level(logging.WARNING):
+        assert build_site(root, hosted=False, strict=True) is None
+    assert "worksheets/first.md: the page's policy blocks onerror= on <img>" in caplog.text
+
+
+def test_a_fork_gets_edit_links_to_its_lessons(make_site: MakeSite) -> None:
+    address = "https://git.example/fork/edit/main/docs/"
+    config = CONFIG.replace("font: false", "font: false, features: [content.action.edit]")
+    site = build_site(
+        make_site(f"{config}edit_uri: {address}\n", first=lesson()), hosted=False, strict=True
+    )
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert 'href="https://git.example/fork/edit/main/worksheets/first.md"' in page.replace(
+        "docs/../", ""
+    )
+
+
+def test_readings_of_a_scene_are_not_in_the_search_index(make_site: MakeSite) -> None:
+    site = build_site(make_site(first=lesson()), hosted=False, strict=True)
+    assert site is not None
+    index = json.loads((site / "search" / "search_index.json").read_text(encoding="utf-8"))
+    words = json.dumps(index["docs"])
+    assert "galumphing" in words
+    assert "Cart A" not in words
+    script = (site / "search" / "search_index.js").read_text(encoding="utf-8")
+    assert json.loads(script.removeprefix("var __index = ")) == index
+
+
+def test_the_hosted_build_has_the_hosted_policy_and_no_polyfill(make_site: MakeSite) -> None:
+    site = build_site(make_site(first=lesson()), hosted=True, strict=True)
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert "connect-src 'self'; worker-src 'self' blob:" in page
+    assert "iframe-worker" not in page
+
+
+def test_a_missing_bundle_is_a_message_and_no_traceback(
+    make_site: MakeSite, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    root = make_site(first=lesson())
+
+    def missing() -> bytes:
+        raise site_files.MissingFilesError("carts.js is missing. Run “make bundle” first.")
+
+    monkeypatch.setattr(site_files, "scene_script", missing)
+    assert build_site(root, hosted=False, strict=True) is None
+    assert "make bundle" in capsys.readouterr().err
+
+
+def test_carts_build_says_what_to_double_click(make_site: MakeSite) -> None:
+    root = make_site(first=lesson())
+    result = CliRunner().invoke(main, ["build"])
+    assert result.exit_code == 0, result.output
+    assert str(root / "site" / "index.html") in result.stdout
+    assert "MkDocs" not in result.output
+
+
+def test_carts_build_outside_of_a_site_is_a_usage_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = CliRunner().invoke(main, ["build"])
+    assert result.exit_code == 2
+    assert "mkdocs.yml" in result.output
+
+
+def test_two_builds_are_the_same_to_the_byte(make_site: MakeSite) -> None:
+    root = make_site(first=lesson(), second="# Two\n\nWords.\n")
+
+    def contents() -> dict[str, bytes]:
+        site = build_site(root, hosted=False, strict=True)
+        assert site is not None
+        return {
+            p.relative_to(site).as_posix(): p.read_bytes() for p in site.rglob("*") if p.is_file()
+        }
+
+    assert contents() == contents()

@@ -1,0 +1,127 @@
+"""Blocks become scenes or red boxes; nothing that goes wrong is swallowed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import markdown
+import pytest
+
+from sim.pages import extension
+from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.findings import AuthorError, Finding
+from sim.pages.scene_block import Lesson
+
+SCENE = """\
+```scene
+id: one
+carts: {A: {mass: 1 kg, position: 0.4 m, velocity: 0.5 m/s}}
+until: 2 s
+```
+"""
+BAD = SCENE.replace("mass: 1 kg", "mass: -1 kg")
+
+
+@pytest.fixture
+def found() -> Iterator[list[Finding]]:
+    """What is reported while a page is made."""
+    findings: list[Finding] = []
+    set_page(Page(Lesson("lesson.md"), first_line=4, report=findings.append))
+    yield findings
+    set_page(None)
+
+
+def html(text: str) -> str:
+    return markdown.markdown(
+        text, extensions=["pymdownx.superfences", "admonition", "md_in_html", CartsExtension()]
+    )
+
+
+def test_a_block_becomes_a_scene(found: list[Finding]) -> None:
+    made = html(f"Before\n\n{SCENE}\nAfter\n")
+    assert "<carts-scene" in made
+    assert "<p><div" not in made
+    assert "cartsblock" not in made
+    assert made.index("Before") < made.index("<carts-scene") < made.index("After")
+    assert not found
+
+
+def test_a_block_needs_no_blank_lines_around_it(found: list[Finding]) -> None:
+    made = html(f"Before\n{SCENE}After\n")
+    assert "<p>Before</p>" in made
+    assert "<p>After</p>" in made
+
+
+def test_a_scene_may_stand_in_a_list_and_in_a_note(found: list[Finding]) -> None:
+    inside = "".join(f"    {line}\n" for line in SCENE.splitlines())
+    made = html(f"1. Step\n\n{inside}\n!!! note\n\n{inside.replace('id: one', 'id: two')}")
+    assert made.count("<carts-scene") == 2
+    assert made.index("<li>") < made.index("<carts-scene") < made.index("</li>")
+    assert not found
+
+
+def test_a_mistake_becomes_a_red_box_and_is_reported(found: list[Finding]) -> None:
+    made = html(f"Before\n\n{BAD}\nAfter <b>\n")
+    assert "carts-author-error" in made
+    assert "mass must be greater than 0" in made
+    assert "After" in made
+    (finding,) = found
+    assert (finding.file, finding.line, finding.col) == ("lesson.md", 8, 19)
+
+
+def test_the_red_box_cannot_carry_html(found: list[Finding]) -> None:
+    made = html(SCENE.replace("mass: 1 kg", 'mass: "<img src=x onerror=alert(1)>"'))
+    assert "<img" not in made
+    assert "&lt;img" in made
+
+
+def test_without_a_generator_the_first_mistake_is_an_exception() -> None:
+    with pytest.raises(AuthorError, match="mass must be greater"):
+        html(BAD)
+
+
+def test_a_crash_of_ours_is_not_swallowed(
+    found: list[Finding], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def crash(*_: object) -> None:
+        raise ZeroDivisionError("our own mistake")
+
+    monkeypatch.setattr(extension, "bake", crash)
+    with pytest.raises(ZeroDivisionError):
+        html(SCENE)
+
+
+def test_an_example_of_a_block_stays_an_example(found: list[Finding]) -> None:
+    made = html(f"````markdown\n{BAD}````\n")
+    assert "<carts-scene" not in made
+    assert not found
+
+
+def test_two_pages_do_not_mix(found: list[Finding]) -> None:
+    renderer = markdown.Markdown(extensions=[CartsExtension()])
+    first = renderer.convert(SCENE)
+    second = renderer.convert("cartsblock and no scene")
+    assert "<carts-scene" in first
+    assert "<carts-scene" not in second
+
+
+def test_a_page_counts_its_scenes_and_packages() -> None:
+    page = Page(Lesson("lesson.md"), report=lambda _: None)
+    set_page(page)
+    try:
+        html(SCENE.replace("until: 2 s", "until: 2 s\npackages: [numpy]"))
+    finally:
+        set_page(None)
+    assert page.scenes == 1
+    assert page.packages == {"numpy"}
+
+
+def test_a_scene_file_gives_the_scene(tmp_path: Path) -> None:
+    (tmp_path / "two.yml").write_text("carts: {A: {mass: 1, position: 0}}\n", encoding="utf-8")
+    page = Page(Lesson("lesson.md", (tmp_path,)))
+    set_page(page)
+    try:
+        assert "<carts-scene" in html("```scene\nid: one\nfile: two.yml\n```\n")
+    finally:
+        set_page(None)
