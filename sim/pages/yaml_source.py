@@ -16,6 +16,10 @@ from dataclasses import dataclass
 
 import yaml
 
+from sim.pages.yaml_errors import EXPLAINED, YamlError
+
+__all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
+
 MAX_CHARACTERS = 500_000  # a scene has about 500; 10 000 carts still fit, a movie does not
 MAX_DIGITS = 400  # longer than any double written out in full
 
@@ -24,19 +28,7 @@ Plain = dict[str, "Plain"] | list["Plain"] | str | int | bool | None
 Place = tuple[int, int]  # line and column, both counted from 1
 
 _WHOLE = re.compile(r"[+-]?(0|[1-9][0-9]*)")
-_STR_TAG = "tag:yaml.org,2002:str"
 _HINT_TRUTH = "write true or false, or put the word in quotes"
-
-
-class YamlError(ValueError):
-    """What is wrong with a YAML text: line and column (from 1), message and hint."""
-
-    def __init__(self, line: int, col: int, message: str, hint: str) -> None:
-        super().__init__(f"{line}:{col}: {message}")
-        self.line = line
-        self.col = col
-        self.message = message
-        self.hint = hint
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +148,7 @@ class _Reader:
         if "\t" in here[col : col + 1]:
             return self.error(line, col, "a tab character", "use spaces")
         problem = error.problem or "this cannot be read"
-        for part, message, hint in _EXPLAINED:
+        for part, message, hint in EXPLAINED:
             if part in problem or part in (error.context or ""):
                 return self.error(line, col, message, hint)
         return self.error(line, col, problem, "look at this line and the one above it")
@@ -265,53 +257,3 @@ class _Reader:
     def error(self, line: int, col: int, message: str, hint: str) -> YamlError:
         """An error at a line and column of the text, both counted from 0."""
         return YamlError(self.first_line + line, self.first_col + col, message, hint)
-
-
-# What PyYAML says, and what we say instead.
-_EXPLAINED = (
-    (
-        "mapping values are not allowed here",
-        "a colon where none is expected",
-        "one “key: value” on a line; text with a colon in it goes in quotes",
-    ),
-    (
-        "could not find expected ':'",
-        "a colon is missing",
-        "write “key: value”, with a space after the colon",
-    ),
-    (
-        "expected ',' or '}'",
-        "a comma or the closing } is missing",
-        "for example: {mass: 0.5 kg, position: 0.4 m}",
-    ),
-    (
-        "expected ',' or ']'",
-        "a comma or the closing ] is missing",
-        "for example: [x, v, F]",
-    ),
-    (
-        "while scanning a quoted scalar",
-        "the closing quote is missing",
-        "begin and end a text with the same quote",
-    ),
-    (
-        "expected a single document",
-        "a line of --- begins a second text",
-        "keep only the first",
-    ),
-    (
-        "expected <block end>",
-        "this line is not indented like its neighbours",
-        "lines that belong together begin in the same column",
-    ),
-    (
-        "unindent does not match",
-        "this line is not indented like its neighbours",
-        "lines that belong together begin in the same column",
-    ),
-    (
-        "cannot start any token",
-        "this character cannot begin a value",
-        "put the text in quotes",
-    ),
-)

@@ -1,0 +1,64 @@
+"""What is wrong with a YAML text, in words for somebody who has never heard of YAML."""
+
+from __future__ import annotations
+
+
+class YamlError(ValueError):
+    """What is wrong with a YAML text: line and column (from 1), message and hint."""
+
+    def __init__(self, line: int, col: int, message: str, hint: str) -> None:
+        super().__init__(f"{line}:{col}: {message}")
+        self.line = line
+        self.col = col
+        self.message = message
+        self.hint = hint
+
+
+# Part of what PyYAML says; the message and the hint that we give instead.
+EXPLAINED = (
+    (
+        "mapping values are not allowed here",
+        "a colon where none is expected",
+        "one “key: value” on a line; text with a colon in it goes in quotes",
+    ),
+    (
+        "could not find expected ':'",
+        "a colon is missing",
+        "write “key: value”, with a space after the colon",
+    ),
+    (
+        "expected ',' or '}'",
+        "a comma or the closing } is missing",
+        "for example: {mass: 0.5 kg, position: 0.4 m}",
+    ),
+    (
+        "expected ',' or ']'",
+        "a comma or the closing ] is missing",
+        "for example: [x, v, F]",
+    ),
+    (
+        "while scanning a quoted scalar",
+        "the closing quote is missing",
+        "begin and end a text with the same quote",
+    ),
+    (
+        "expected a single document",
+        "a line of --- begins a second text",
+        "keep only the first",
+    ),
+    (
+        "expected <block end>",
+        "this line is not indented like its neighbours",
+        "lines that belong together begin in the same column",
+    ),
+    (
+        "unindent does not match",
+        "this line is not indented like its neighbours",
+        "lines that belong together begin in the same column",
+    ),
+    (
+        "cannot start any token",
+        "this character cannot begin a value",
+        "put the text in quotes",
+    ),
+)

@@ -1,0 +1,131 @@
+"""Boundaries are tests: layers, light imports, small modules."""
+
+from __future__ import annotations
+
+import ast
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+SIM = ROOT / "sim"
+
+# A layer may import those to its right and itself: cli, pages, bridge -> classroom -> lesson and
+# cli, pages, bridge -> dynamics -> scene. `pages` computes only in bake.py, and inside functions.
+MAY_IMPORT = {
+    "scene": {"scene"},
+    "dynamics": {"dynamics", "scene"},
+    "lesson": {"lesson", "scene"},
+    "classroom": {"classroom", "lesson", "scene"},
+    "bridge": {"bridge", "classroom", "lesson", "dynamics", "scene"},
+    "pages": {"pages", "bridge", "classroom", "lesson", "dynamics", "scene"},
+    "cli": {"cli", "pages", "bridge", "classroom", "lesson", "dynamics", "scene"},
+}
+STANDARD_LIBRARY_ONLY = ("scene", "lesson", "bridge")
+ONLY_IN = {"js": "bridge/pyodide_entry.py", "pyodide": "bridge/pyodide_entry.py"}
+
+
+def modules(layer: str) -> Iterator[Path]:
+    return (SIM / layer).rglob("*.py")
+
+
+def imported(path: Path) -> Iterator[str]:
+    """Full names of everything that a module imports, inside functions too."""
+    package = path.relative_to(ROOT).with_suffix("").parts[:-1]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else ()
+            module = ".".join([*base, *([node.module] if node.module else [])])
+            yield module
+            yield from (f"{module}.{name.name}" for name in node.names)
+
+
+@pytest.mark.parametrize("layer", MAY_IMPORT)
+def test_a_layer_imports_only_what_lies_further_in(layer: str) -> None:
+    for path in modules(layer):
+        for name in imported(path):
+            parts = name.split(".")
+            if parts[0] == "sim" and len(parts) > 1 and (SIM / parts[1]).is_dir():
+                assert parts[1] in MAY_IMPORT[layer], f"{path.relative_to(ROOT)} imports {name}"
+
+
+@pytest.mark.parametrize("layer", STANDARD_LIBRARY_ONLY)
+def test_the_inner_layers_need_only_the_standard_library(layer: str) -> None:
+    allowed = set(sys.stdlib_module_names) | {"sim", "__future__", "js", "pyodide"}
+    for path in modules(layer):
+        for name in imported(path):
+            assert name.split(".")[0] in allowed, f"{path.relative_to(ROOT)} imports {name}"
+
+
+def test_the_browsers_own_modules_are_imported_in_one_file_only() -> None:
+    for path in SIM.rglob("*.py"):
+        inside = path.relative_to(SIM).as_posix()
+        for name in imported(path):
+            only = ONLY_IN.get(name.split(".")[0])
+            in_the_page = inside.startswith("pages/runtime/inside/")  # runs in Pyodide's Node
+            assert only in (None, inside) or in_the_page, f"{inside} imports {name}"
+
+
+def test_numerics_import_numpy_and_scipy_only_when_used() -> None:
+    for path in modules("dynamics"):
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            names = (
+                [a.name for a in getattr(node, "names", [])] if isinstance(node, ast.Import) else []
+            )
+            if isinstance(node, ast.ImportFrom):
+                names = [node.module or ""]
+            heavy = {name.split(".")[0] for name in names} & {"numpy", "scipy"}
+            assert not heavy, f"{path.relative_to(ROOT)} imports {heavy} at its top"
+
+
+def loaded_by(statement: str) -> set[str]:
+    """Top-level packages that a fresh interpreter has loaded after the statement."""
+    code = f"{statement}\nimport sys, json; print(json.dumps(sorted(sys.modules)))"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return {name.split(".")[0] for name in json.loads(run.stdout)} | set(json.loads(run.stdout))
+
+
+def test_import_sim_pulls_in_nothing_of_ours() -> None:
+    assert {name for name in loaded_by("import sim") if name.startswith("sim.")} == set()
+
+
+HEAVY = {"numpy", "scipy", "yaml", "mkdocs", "markdown", "jinja2", "click", "playwright", "js"}
+
+
+@pytest.mark.parametrize(
+    ("module", "may_load"),
+    [
+        ("sim", set()),
+        ("sim.scene", set()),
+        ("sim.dynamics", set()),
+        ("sim.bridge.protocol", set()),
+        ("sim.cli", {"click"}),
+        ("sim.pages.yaml_source", {"yaml"}),
+        ("sim.pages.check", {"yaml"}),
+        ("sim.pages.extension", {"yaml", "markdown"}),
+    ],
+)
+def test_an_import_is_light(module: str, may_load: set[str]) -> None:
+    assert loaded_by(f"import {module}") & HEAVY <= may_load
+
+
+def test_the_inner_layers_do_not_load_slow_parts_of_the_standard_library() -> None:
+    # Every module loaded here is loaded in the page too, before the first reply.
+    slow = {"asyncio", "email", "http", "logging", "subprocess", "typing_extensions", "unittest"}
+    assert loaded_by("import sim.bridge.protocol") & slow == set()
+
+
+def test_no_module_holds_two_ideas() -> None:
+    long = {
+        path.relative_to(ROOT).as_posix(): count
+        for pattern in ("**/*.py", "web/src/*.js", "web/site/*.js")
+        for path in SIM.glob(pattern)
+        if (count := len(path.read_text(encoding="utf-8").splitlines())) > 300
+    }
+    assert not long, f"above 300 lines: {long}"
