@@ -22,12 +22,13 @@ const asText = {
   name: "as-text",
   setup(bundler) {
     bundler.onResolve({ filter: /\?text$/ }, ({ path: name, resolveDir }) => ({
-      path: path.join(resolveDir, name.replace(/\?text$/, "")),
+      // from here, not from the root: the bundle names its parts, and is the same everywhere
+      path: path.relative(here, path.join(resolveDir, name.replace(/\?text$/, ""))),
       namespace: "as-text",
     }));
     bundler.onLoad({ filter: /.*/, namespace: "as-text" }, async ({ path: file }) => {
-      const { outputFiles } = await build({ ...shared, entryPoints: [file], write: false });
-      return { contents: outputFiles[0].text, loader: "text", watchFiles: [file] };
+      const { outputFiles } = await build({ ...shared, entryPoints: [path.join(here, file)], write: false });
+      return { contents: outputFiles[0].text, loader: "text", watchFiles: [path.join(here, file)] };
     });
   },
 };
