@@ -82,7 +82,7 @@ def run_script(name: str, job: Mapping[str, object], cwd: Path) -> None:
         env=env, cwd=cwd, capture_output=True, check=False,
     )  # fmt: skip
     if done.returncode:
-        tail = "\n".join((done.stdout + done.stderr).strip().splitlines()[-25:])
+        tail = (done.stdout + done.stderr).strip()[-3000:]
         raise RuntimePackError(f"{name} failed in Node.js:\n{tail}")
 
 

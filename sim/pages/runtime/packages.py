@@ -73,7 +73,6 @@ def make_packages(
             core, stdlib, folder,
             wheels=[folder / names[name] for name in originals],
             modules=[module for name in originals for module in IMPORTED[name]],
-            packages=[],
         )  # fmt: skip
         (folder / "used.txt").write_text("\n".join(used.files), encoding="utf-8")
 

@@ -38,7 +38,7 @@ def make_start(core: Path, stdlib: Path, ours: Ours, cache: Cache) -> Start:
         source.unlink()
         used = used_files(
             core, stdlib, folder,
-            wheels=[wheel], modules=ours.imported_stdlib(), packages=["sim"],
+            wheels=[wheel], perhaps=ours.imported_stdlib(), packages=["sim"],
             absent=pins.PACKAGES, entry=ENTRY,
         )  # fmt: skip
         (folder / "used.json").write_text(json.dumps(asdict(used)), encoding="utf-8")

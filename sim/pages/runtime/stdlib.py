@@ -68,18 +68,19 @@ def compile_archives(core: Path, archives: list[dict[str, object]], folder: Path
 
 def used_files(
     core: Path, stdlib: Path, folder: Path, *,
-    wheels: Iterable[Path], modules: Iterable[str], packages: Iterable[str],
-    absent: Iterable[str] = (), entry: str = "",
+    wheels: Iterable[Path], modules: Iterable[str] = (), perhaps: Iterable[str] = (),
+    packages: Iterable[str] = (), absent: Iterable[str] = (), entry: str = "",
 ) -> Used:  # fmt: skip
     """Import `modules` and all of `packages`, and return what that took.
 
-    Modules that need a package in `absent` are left for later. `entry` is used once, if given.
+    Of the modules in `perhaps`, those that Pyodide has are imported too. Modules that need a
+    package in `absent` are left for later. `entry` is used once, if given.
     """
     out = folder / "used.json"
     job = {
         "core": f"{core}/", "stdlib": str(stdlib), "out": str(out), "entry": entry,
         "programs": [str(INSIDE / "used.py"), str(INSIDE / "warm.py")],
-        "wheels": [str(w) for w in wheels], "modules": [*ALWAYS, *modules],
+        "wheels": [str(w) for w in wheels], "modules": [*ALWAYS, *modules], "perhaps": [*perhaps],
         "packages": [*packages], "absent": [*absent],
     }  # fmt: skip
     run_script("used.mjs", job, folder)

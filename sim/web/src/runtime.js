@@ -14,7 +14,7 @@ const LOADER = "pyodide.js";
 const SNAPSHOT = "memory.snapshot";
 const MORE = "python-more.zip";
 
-const PATIENCE = 10; // s without progress
+const PATIENCE = 8; // s without progress: the reader is told within 10 s
 const PICK_UP = 3; // s until an idle worker must have taken up a request
 
 /**
@@ -147,7 +147,9 @@ class Start {
       worker.onmessage = ({ data }) => {
         if (data.tell === "hello") URL.revokeObjectURL(address);
         else if (data.tell === "ready") resolve(data);
-        else if (data.tell === "failed") reject(new RuntimeFailure(data.reason, data.detail));
+        else if (data.tell === "failed") {
+          reject(new RuntimeFailure(data.reason, data.detail, data.file));
+        }
         this.progress(data.stage ?? data.tell);
       };
       worker.onerror = (event) => {

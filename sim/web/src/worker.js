@@ -9,6 +9,16 @@ const STDLIB = "python.zip";
 const SNAPSHOT = "memory.snapshot";
 const MORE = "python-more.zip";
 
+// One archive, not two on the path: a package looks for its modules only where it was found itself.
+const APPEND_MORE = `
+import importlib, os, zipfile
+with zipfile.ZipFile("/lib/${MORE}") as more, zipfile.ZipFile("/lib/python314.zip", "a") as whole:
+    for entry in more.infolist():
+        whole.writestr(entry, more.read(entry))
+os.remove("/lib/${MORE}")
+importlib.invalidate_caches()
+`;
+
 /** @type {Map<string, {writer: WritableStreamDefaultWriter, response: Response}>} */
 const files = new Map();
 
@@ -20,8 +30,9 @@ let answer;
 /** @param {object} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => scope.postMessage(message, transfer);
 
-/** @param {string} reason @param {unknown} error */
-const fail = (reason, error) => tell({ tell: "failed", reason, detail: String(error) });
+/** @param {string} reason @param {unknown} error @param {string} [name] the file to blame */
+const fail = (reason, error, name = "") =>
+  tell({ tell: "failed", reason, detail: String(error), file: name });
 
 /** @param {string} stage */
 const progress = (stage) => tell({ tell: "progress", stage });
@@ -42,7 +53,7 @@ function file(name) {
 /** @param {{name: string, bytes: Uint8Array, last: boolean}} part */
 function take({ name, bytes, last }) {
   const { writer } = file(name);
-  const damaged = (/** @type {unknown} */ error) => fail("payload-damaged", `${name}: ${error}`);
+  const damaged = (/** @type {unknown} */ error) => fail("payload-damaged", error, name);
   writer.write(bytes).catch(damaged);
   if (last) writer.close().catch(damaged);
 }
@@ -137,7 +148,7 @@ if "random" in sys.modules:
 async function load(index, snapshot, packages, more) {
   if (more) {
     python.FS.writeFile(`/lib/${MORE}`, await bytesOf(MORE));
-    python.runPython(`import sys; sys.path.append("/lib/${MORE}")`);
+    python.runPython(APPEND_MORE);
   }
   if (snapshot && !packages.length) return;
   const alive = setInterval(() => progress("packages"), 1000);

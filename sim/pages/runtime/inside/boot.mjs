@@ -27,7 +27,13 @@ function stopTheWorld() {
   crypto.randomFillSync = zeros;
   globalThis.crypto.getRandomValues = zeros;
   syncBuiltinESMExports();
+  process.argv.length = 1; // or Python would know this script's folder as its own name
 }
+
+process.on("uncaughtException", (error) => {
+  console.error(error.message ?? error); // without the stack, which is Pyodide's minified text
+  process.exitCode = 1;
+});
 
 /** What to read and where to write comes as JSON on standard input: no arguments, no environment. */
 export const job = JSON.parse(fs.readFileSync(0, "utf8"));
@@ -44,7 +50,8 @@ export async function boot({ core, stdlib }, options = {}) {
     indexURL: core,
     stdLibURL: stdlib ?? path.join(core, "python_stdlib.zip"),
     args: [],
-    env: { HOME: "/home/pyodide", PYTHONHASHSEED: "0", TZ: "UTC" },
+    env: { HOME: "/home/pyodide", LANG: "en_US.UTF-8", PYTHONHASHSEED: "0", TZ: "UTC" },
+    _sysExecutable: "python",
     stdout: (line) => console.error(line),
     ...options,
   });
@@ -63,6 +70,16 @@ export function helpers(pyodide, programs) {
     call: (name, ...given) => globals.get(name)(...given.map((value) => pyodide.toPy(value))),
     forget: () => globals.destroy(),
   };
+}
+
+/**
+ * Installs a wheel with the very function that `loadPackage` uses in the page.
+ * @param {string} file
+ */
+export async function install(pyodide, file) {
+  const api = pyodide._api;
+  await api.install(read(file), path.basename(file), api.sitePackages, pyodide.toPy({}));
+  pyodide.runPython("import importlib; importlib.invalidate_caches()");
 }
 
 /** @param {string} file */

@@ -1,10 +1,11 @@
 // Lists the files of the standard library that a page uses.
-import { boot, helpers, job, read, write } from "./boot.mjs";
+import { boot, helpers, install, job, write } from "./boot.mjs";
 
 const pyodide = await boot(job);
-for (const wheel of job.wheels) pyodide.unpackArchive(read(wheel), "wheel");
+for (const wheel of job.wheels) await install(pyodide, wheel);
 const { call } = helpers(pyodide, job.programs);
-call("import_named", job.modules);
+call("import_named", job.modules, true);
+call("import_named", job.perhaps, false);
 const later = job.packages.flatMap((name) => call("import_package", name, job.absent).toJs());
 if (job.entry) call("warm_up", job.entry);
 call("make_errors");

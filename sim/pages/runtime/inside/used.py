@@ -8,10 +8,10 @@ import sys
 from collections.abc import Iterable
 
 
-def import_named(names: Iterable[str]) -> None:
-    """Import modules by name; those that Pyodide does not have are of no use to a page either."""
+def import_named(names: Iterable[str], must: bool) -> None:
+    """Import modules by name; what Pyodide does not have is passed over, unless it `must` be."""
     for name in names:
-        with contextlib.suppress(ImportError):
+        with contextlib.suppress(*([] if must else [ImportError])):
             importlib.import_module(name)
 
 

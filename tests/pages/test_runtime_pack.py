@@ -1,0 +1,242 @@
+"""Packing Python for the page: the same bytes everywhere, checked bytes only, small enough."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sim.pages.runtime import (
+    MissingSourceError,
+    RuntimeFacts,
+    RuntimePackError,
+    default_cache,
+    pack,
+)
+from sim.pages.runtime.cache import Cache, sha256
+from sim.pages.runtime.classic import classic_script
+from sim.pages.runtime.places import Place
+from sim.pages.runtime.sources import Wanted, collect
+from tests.web.boot_site import write_stand_in
+
+ROOT = Path(__file__).parents[2]
+MOST_BYTES = 14_000_000  # once per site, without numpy and scipy
+
+
+def quiet(_: str) -> None:
+    pass
+
+
+@pytest.fixture(scope="module")
+def packed(tmp_path_factory: pytest.TempPathFactory) -> RuntimeFacts:
+    site = tmp_path_factory.mktemp("site")
+    return pack(site, packages=frozenset(), cache=default_cache(ROOT), report=quiet)
+
+
+def read_index(folder: Path) -> dict[str, Any]:
+    text = (folder / "index.js").read_text(encoding="utf-8")
+    return dict(json.loads(text.partition("=")[2].rstrip().rstrip(";")))
+
+
+def payload(folder: Path, name: str) -> bytes:
+    """Put a file together as the page does, checking every part."""
+    entry = read_index(folder)["files"][name]
+    packed = b""
+    for number, part in enumerate(entry["parts"]):
+        text = (folder / part["src"]).read_text(encoding="ascii")
+        assert text.startswith(f'(self.__cartsParts??={{}})["{name}.{number}"]="')
+        chunk = base64.b64decode(text.split('"')[3])
+        assert sha256(chunk) == part["sha256"]
+        packed += chunk
+    data = gzip.decompress(packed)
+    assert len(data) == entry["size"]
+    return data
+
+
+def contents(folder: Path) -> dict[str, str]:
+    return {p.name: sha256(p.read_bytes()) for p in sorted(folder.iterdir())}
+
+
+def test_the_runtime_fits_on_a_usb_stick_many_times(packed: RuntimeFacts) -> None:
+    assert packed.size <= MOST_BYTES
+    assert packed.size == sum(p.stat().st_size for p in packed.folder.iterdir())
+
+
+def test_every_part_has_the_hash_that_the_index_names(packed: RuntimeFacts) -> None:
+    names = read_index(packed.folder)["files"]
+    assert {"pyodide.js", "pyodide.asm.wasm", "memory.snapshot", "python.zip"} < set(names)
+    for name in names:
+        assert payload(packed.folder, name)
+
+
+def test_the_page_gets_bytecode_and_no_sources(packed: RuntimeFacts) -> None:
+    import io
+    import zipfile
+
+    wheel = read_index(packed.folder)["wheels"]["newtons-carts"]
+    for name in ("python.zip", wheel):
+        with zipfile.ZipFile(io.BytesIO(payload(packed.folder, name))) as archive:
+            assert not [n for n in archive.namelist() if n.endswith(".py")]
+            assert [n for n in archive.namelist() if n.endswith(".pyc")]
+
+
+def test_the_lock_has_the_hash_of_our_wheel(packed: RuntimeFacts) -> None:
+    index = read_index(packed.folder)
+    entry = index["lock"]["packages"]["newtons-carts"]
+    assert entry["sha256"] == sha256(payload(packed.folder, entry["file_name"]))
+
+
+def test_no_trace_of_this_machine_is_packed(packed: RuntimeFacts) -> None:
+    traces = [str(ROOT), str(default_cache(ROOT)), sys.prefix]
+    for name in read_index(packed.folder)["files"]:
+        data = payload(packed.folder, name)
+        assert not [trace for trace in traces if trace.encode() in data], name
+
+
+PACK = """
+import sys
+from pathlib import Path
+from sim.pages.runtime import pack
+site, cache, source = map(Path, sys.argv[1:])
+pack(site, packages=frozenset(), cache=cache, report=lambda _: None, source=source)
+"""
+
+
+@pytest.mark.slow
+def test_two_packs_are_equal_to_the_last_byte(tmp_path: Path) -> None:
+    """Other folder, time zone, language and hash seed; nothing shared, not even the cache."""
+    found = []
+    settings = [
+        {"TZ": "Asia/Tokyo", "LC_ALL": "C", "PYTHONHASHSEED": "1"},
+        {"TZ": "America/St_Johns", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "2"},
+    ]
+    for name, extra in zip(("one", "quite another folder"), settings, strict=True):
+        folder = tmp_path / name
+        source = write_stand_in(folder / "source")
+        site = folder / "site"
+        subprocess.run(
+            [sys.executable, "-c", PACK, str(site), str(folder / "cache"), str(source)],
+            env={**os.environ, **extra}, cwd=ROOT, check=True,
+        )  # fmt: skip
+        found.append(contents(site / "assets" / "carts" / "runtime"))
+    assert found[0] == found[1]
+
+
+@pytest.mark.slow
+def test_an_edit_of_ours_changes_only_what_holds_it(tmp_path: Path) -> None:
+    source = write_stand_in(tmp_path / "source")
+    cache = default_cache(ROOT)
+    site = tmp_path / "site"
+    before = pack(site, packages=frozenset(), cache=cache, report=quiet, source=source).files
+    entry = source / "bridge" / "pyodide_entry.py"
+    entry.write_text(entry.read_text(encoding="utf-8") + "\nEDITED = 1\n", encoding="utf-8")
+    compiled = {p: p.stat().st_mtime_ns for p in cache.glob("stdlib-*/stdlib.zip")}
+    after = pack(site, packages=frozenset(), cache=cache, report=quiet, source=source).files
+    assert {p: p.stat().st_mtime_ns for p in cache.glob("stdlib-*/stdlib.zip")} == compiled
+    changed = {name.split(".")[0] for name in set(before) ^ set(after)}
+    assert changed == {"memory", "newtons_carts-0"}
+    assert contents(site / "assets" / "carts" / "runtime").keys() == after.keys()
+
+
+def test_a_module_that_can_not_be_imported_stops_the_build(tmp_path: Path) -> None:
+    source = write_stand_in(tmp_path)
+    (source / "scene" / "wrong.py").write_text("import no_such_module\n", encoding="utf-8")
+    with pytest.raises(RuntimePackError, match="no_such_module"):
+        pack(tmp_path, packages=frozenset(), cache=default_cache(ROOT), report=quiet, source=source)
+
+
+def test_an_unknown_package_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(RuntimePackError, match="pandas"):
+        pack(tmp_path, packages=frozenset({"pandas"}), cache=tmp_path, report=quiet)
+
+
+def place(what: str, **files: bytes) -> Place:
+    return Place(what, lambda names, _folder, _report: {n: files[n] for n in names if n in files})
+
+
+def broken_place() -> Place:
+    def fetch(*_: object) -> dict[str, bytes]:
+        raise OSError("no way out")
+
+    return Place("the network", fetch)
+
+
+def test_places_are_asked_in_order_and_only_for_what_is_missing(tmp_path: Path) -> None:
+    cache = Cache(tmp_path)
+    wanted = [Wanted("a", sha256(b"A")), Wanted("b", sha256(b"B"))]
+    found = collect(wanted, [place("one", a=b"A"), place("two", a=b"no", b=b"B")], cache, quiet)
+    assert {name: path.read_bytes() for name, path in found.items()} == {"a": b"A", "b": b"B"}
+    again = collect(wanted, [broken_place()], cache, quiet)
+    assert again == found
+
+
+def test_bytes_with_another_hash_are_never_used(tmp_path: Path) -> None:
+    with pytest.raises(MissingSourceError, match="a has the wrong sha256"):
+        collect([Wanted("a", sha256(b"A"))], [place("one", a=b"B")], Cache(tmp_path), quiet)
+
+
+def test_a_damaged_cache_is_not_believed(tmp_path: Path) -> None:
+    cache = Cache(tmp_path)
+    cache.keep(b"A").write_bytes(b"X")
+    found = collect([Wanted("a", sha256(b"A"))], [place("one", a=b"A")], cache, quiet)
+    assert found["a"].read_bytes() == b"A"
+
+
+def test_a_damaged_step_is_made_again(tmp_path: Path) -> None:
+    cache = Cache(tmp_path)
+
+    def make(folder: Path) -> None:
+        (folder / "result").write_text("right", encoding="utf-8")
+
+    result = cache.step("step", "key", make) / "result"
+    result.write_text("wrong", encoding="utf-8")
+    assert (cache.step("step", "key", make) / "result").read_text(encoding="utf-8") == "right"
+
+
+def test_what_is_missing_is_named_with_what_was_tried(tmp_path: Path) -> None:
+    with pytest.raises(MissingSourceError) as caught:
+        collect([Wanted("a.whl", "0" * 64)], [broken_place()], Cache(tmp_path), quiet)
+    text = str(caught.value)
+    assert "a.whl" in text
+    assert "the network: no way out" in text
+    assert "What helps" in text
+
+
+@pytest.fixture
+def nothing_to_be_had(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    for name in ("from_node_modules", "from_npm", "from_cdn", "from_carrier"):
+        monkeypatch.setattr(f"sim.pages.runtime.sources.{name}", lambda *_: broken_place())
+    yield
+
+
+@pytest.mark.usefixtures("nothing_to_be_had")
+def test_a_missing_source_is_an_error_in_an_automatic_build(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CI", "true")
+    with pytest.raises(MissingSourceError, match=r"pyodide\.asm\.wasm"):
+        pack(tmp_path, packages=frozenset(), cache=tmp_path / "cache", report=quiet)
+
+
+@pytest.mark.usefixtures("nothing_to_be_had")
+def test_elsewhere_the_page_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CI", raising=False)
+    told: list[str] = []
+    facts = pack(tmp_path, packages=frozenset(), cache=tmp_path / "cache", report=told.append)
+    assert "pyodide.asm.wasm" in facts.missing
+    assert any("What helps" in text for text in told)
+    assert list(facts.files) == ["index.js"]
+    assert "pyodide.asm.wasm" in read_index(facts.folder)["missing"]
+
+
+def test_another_text_of_pyodide_is_noticed() -> None:
+    with pytest.raises(RuntimePackError, match="once was expected"):
+        classic_script("export const a = 1;", "export default somethingElse;", "0")

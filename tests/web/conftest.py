@@ -1,0 +1,128 @@
+"""Browsers for the tests that drive pages: Debian's Chromium and Firefox ESR.
+
+Both run as a user's would: strict origins on file:// (Playwright's Firefox has them off, which
+hides what users meet), and every request that leaves the site fails the test.
+"""
+
+from __future__ import annotations
+
+import functools
+import http.server
+import os
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from playwright.sync_api import Browser, Page, Playwright, Request, sync_playwright
+
+LAUNCH: dict[str, dict[str, Any]] = {
+    "chromium": {
+        "executable_path": "/usr/bin/chromium",
+        # root can't use Chromium's sandbox, and /dev/shm is small in containers
+        "args": ["--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu"],
+    },
+    "firefox": {
+        "executable_path": "/usr/bin/firefox-esr",
+        "channel": "moz-firefox",
+        "firefox_user_prefs": {"security.fileuri.strict_origin_policy": True},
+    },
+}
+# ESR 153 does not know the command that emulates these; "null" means: leave them alone.
+UNSET = dict.fromkeys(("color_scheme", "reduced_motion", "forced_colors", "contrast"), "null")
+CONTEXT: dict[str, dict[str, Any]] = {"chromium": {}, "firefox": UNSET}
+
+OpenPage = Callable[..., Page]
+
+
+def launch(driver: Playwright, name: str) -> Browser:
+    """Start a browser by name."""
+    return getattr(driver, name).launch(**LAUNCH[name])
+
+
+@pytest.fixture(scope="session")
+def driver() -> Iterator[Playwright]:
+    with sync_playwright() as started:
+        yield started
+
+
+@pytest.fixture(scope="session", params=["chromium", "firefox"])
+def browser_name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="session")
+def browser(driver: Playwright, browser_name: str) -> Iterator[Browser]:
+    if not Path(LAUNCH[browser_name]["executable_path"]).exists():
+        pytest.fail(f"{browser_name} is not installed: run `make browsers`")
+    started = launch(driver, browser_name)
+    yield started
+    started.close()
+
+
+@pytest.fixture
+def open_page(browser: Browser, browser_name: str) -> Iterator[OpenPage]:
+    """Return `open_page(where, **context)`: `where` is a file (opened by file://) or an address.
+
+    `folder` is the site's folder, by default that of the file. A new profile for every page. Any
+    request outside the folder or the origin fails the test at its end.
+    """
+    outside: list[str] = []
+    contexts = []
+
+    def open_it(where: Path | str, *, folder: Path | None = None, **context: Any) -> Page:
+        made = browser.new_context(**CONTEXT[browser_name], **context)
+        contexts.append(made)
+        page = made.new_page()
+        if isinstance(where, Path):
+            home = (folder or where.parent).resolve().as_posix() + "/"
+            address = where.resolve().as_uri()
+        else:
+            home, address = "/", where
+
+        def check(request: Request) -> None:
+            if not is_inside(request.url, address, home):
+                outside.append(request.url)
+
+        made.on("request", check)
+        page.goto(address)
+        return page
+
+    yield open_it
+    for made in contexts:
+        made.close()
+    assert not outside, f"requests outside the site: {outside}"
+
+
+def is_inside(url: str, address: str, home: str) -> bool:
+    """Whether `url` stays in folder `home` (a path with a slash at its end) of `address`."""
+    asked, own = urlsplit(url), urlsplit(address)
+    if asked.scheme in {"blob", "data", "about"}:
+        return True
+    path = os.path.normpath(unquote(asked.path))
+    return (asked.scheme, asked.netloc) == (own.scheme, own.netloc) and path.startswith(home)
+
+
+class _Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_: object) -> None:
+        pass
+
+
+@pytest.fixture(scope="session")
+def site_server() -> Iterator[Callable[[Path], str]]:
+    """Return `site_server(folder)`, which serves a folder and returns its address."""
+    servers = []
+
+    def serve(folder: Path) -> str:
+        handler = functools.partial(_Quiet, directory=str(folder))
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        servers.append(server)
+        return f"http://127.0.0.1:{server.server_address[1]}"
+
+    yield serve
+    for server in servers:
+        server.shutdown()
+        server.server_close()
