@@ -1,0 +1,184 @@
+"""The site as it is built: nothing from outside, the policy on every page, sizes within bounds."""
+
+from __future__ import annotations
+
+import gzip
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+pytestmark = pytest.mark.slow  # builds the site
+
+MOST_WITHOUT_RUNTIME = 450_000  # bytes as gzip, everything that such a page loads
+USUAL_FORMULA_FONTS = ("Main-Regular", "Math-Italic", "Size1-Regular", "Size2-Regular")
+MOST_HTML_PER_SCENE = 60_000  # bytes
+MOST_RUNTIME = 14_000_000  # bytes on disk, once per site
+
+
+class Links(HTMLParser):
+    """Addresses in a page: those it loads by itself, and those a reader may follow."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.loaded: list[str] = []
+        self.followed: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            if name in ("href", "src", "srcset", "data", "poster", "action") and value:
+                (self.followed if tag == "a" else self.loaded).append(value)
+
+
+def links(page: Path) -> Links:
+    parser = Links()
+    parser.feed(page.read_text(encoding="utf-8"))
+    return parser
+
+
+def pages(site: Path) -> list[Path]:
+    return sorted(site.rglob("*.html"))
+
+
+def has_scene(page: Path) -> bool:
+    return "<carts-scene" in page.read_text(encoding="utf-8")
+
+
+def in_css(sheet: Path) -> list[str]:
+    text = sheet.read_text(encoding="utf-8")
+    found = re.findall(r"url\(\s*[\"']?([^)\"']+)", text)
+    return [address for address in found if not address.startswith("data:")]
+
+
+def test_the_lessons_and_pages_are_there(site: Path) -> None:
+    for name in ("index.html", "about.html", "physics/index.html", "teachers/index.html"):
+        assert (site / name).is_file(), name
+    assert (site / "worksheets" / "newtons-first-law.html").is_file()
+    assert (site / "third-party-licenses.txt").is_file()
+
+
+def test_everything_a_page_loads_lies_in_the_site(site: Path) -> None:
+    for page in pages(site):
+        for address in links(page).loaded:
+            if address.startswith("data:"):
+                continue
+            parts = urlsplit(address)
+            assert not parts.scheme, f"{page.name} loads {address}"
+            assert not parts.netloc, f"{page.name} loads {address}"
+            assert not parts.path.startswith("/"), f"{page.name} loads {address}"
+            target = page.parent / unquote(parts.path)
+            assert target.resolve().is_relative_to(site.resolve())
+            assert target.is_file(), f"{page.name} loads {address}, which is not there"
+
+
+def test_every_link_inside_the_site_leads_somewhere(site: Path) -> None:
+    for page in pages(site):
+        for address in links(page).followed:
+            parts = urlsplit(address)
+            if parts.scheme or parts.netloc or not parts.path:
+                continue
+            target = page.parent / unquote(parts.path)
+            target = target / "index.html" if target.is_dir() else target
+            assert target.is_file(), f"{page.relative_to(site)} links to {address}"
+
+
+def test_everything_a_style_sheet_loads_lies_in_the_site(site: Path) -> None:
+    for sheet in site.rglob("*.css"):
+        for address in in_css(sheet):
+            if address.startswith("#"):
+                continue
+            assert not urlsplit(address).scheme, f"{sheet.name} loads {address}"
+            assert (sheet.parent / address.split("#")[0].split("?")[0]).is_file(), address
+
+
+def test_no_sheet_imports_another(site: Path) -> None:
+    for sheet in site.rglob("*.css"):
+        assert "@import" not in sheet.read_text(encoding="utf-8"), sheet.name
+
+
+def test_the_policy_is_first_on_every_page(site: Path, hosted_site: Path) -> None:
+    for folder in (site, hosted_site):
+        for page in pages(folder):
+            text = page.read_text(encoding="utf-8")
+            assert re.search(r"<head>\s*<meta http-equiv=\"Content-Security-Policy\"", text), page
+            assert "<meta charset" in text[:1024], page
+
+
+def test_no_page_holds_what_the_policy_forbids(site: Path) -> None:
+    from sim.pages.page_head import blocked, inline_scripts
+
+    for page in pages(site):
+        text = page.read_text(encoding="utf-8")
+        theirs = len(inline_scripts(text))
+        found = [what for what in blocked(text) if not what.startswith("<script>")]
+        assert found == [], page
+        assert text.count("'sha256-") == theirs, page
+
+
+def test_only_pages_with_a_scene_load_its_script(site: Path) -> None:
+    for page in pages(site):
+        loads = any(address.endswith("carts/carts.js") for address in links(page).loaded)
+        assert loads == has_scene(page), page
+
+
+def test_only_pages_with_formulas_load_katex(site: Path) -> None:
+    for page in pages(site):
+        formulas = 'class="arithmatex"' in page.read_text(encoding="utf-8")
+        loads = any("katex" in address for address in links(page).loaded)
+        assert loads == formulas, page
+
+
+def test_a_page_names_its_site_for_the_storage(site: Path) -> None:
+    for page in pages(site):
+        assert '<meta name="carts-site" content="newtons-carts">' in page.read_text("utf-8")
+
+
+def packed(path: Path) -> int:
+    return len(gzip.compress(path.read_bytes(), 9, mtime=0))
+
+
+def test_a_page_without_the_runtime_is_light(site: Path) -> None:
+    """Counted as if the page needed every font of its sheets: more than any browser loads."""
+    for page in pages(site):
+        if has_scene(page):
+            continue
+        files = {page}
+        for address in links(page).loaded:
+            target = (page.parent / unquote(urlsplit(address).path)).resolve()
+            if not address.startswith("data:"):
+                files.add(target)
+        sheets = [file for file in files if file.suffix == ".css" and "katex" not in file.name]
+        files |= {(s.parent / a).resolve() for s in sheets for a in in_css(s) if "#" not in a}
+        if any("katex" in file.name for file in files):
+            fonts = site / "assets" / "carts" / "katex" / "fonts"
+            files |= {fonts / f"KaTeX_{face}.woff2" for face in USUAL_FORMULA_FONTS}
+        size = sum(map(packed, files)) + packed(site / "search" / "search_index.js")
+        assert size <= MOST_WITHOUT_RUNTIME, f"{page.name}: {size} bytes"
+
+
+def test_a_scene_costs_little_html(site: Path) -> None:
+    for page in pages(site):
+        text = page.read_text(encoding="utf-8")
+        scenes = text.count("<carts-scene")
+        if scenes:
+            start, end = text.index("<carts-scene"), text.rindex("</carts-scene>")
+            each = len(text[start:end].encode()) / scenes
+            assert each <= MOST_HTML_PER_SCENE, f"{page.name}: {each:.0f} bytes per scene"
+
+
+def test_the_runtime_fits(site: Path) -> None:
+    size = sum(p.stat().st_size for p in (site / "assets" / "carts" / "runtime").iterdir())
+    assert size <= MOST_RUNTIME
+
+
+def test_nothing_for_developers_only_is_shipped(site: Path) -> None:
+    names = {path.suffix for path in site.rglob("*") if path.is_file()}
+    assert names <= {".html", ".css", ".js", ".json", ".png", ".txt", ".woff2"}, names
+
+
+def test_the_licence_file_names_what_the_runtime_holds(site: Path) -> None:
+    text = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
+    for work in ("Material for MkDocs", "KaTeX", "Roboto", "Pyodide", "CPython", "lunr"):
+        assert work in text
