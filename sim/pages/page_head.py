@@ -84,8 +84,8 @@ def finish(page: str, *, audience: Audience, site_id: str, assets: str, needs: N
     if needs.formulas:
         last += [
             f'<link rel="stylesheet" href="{assets}katex/katex.min.css">',
-            f'<script src="{assets}katex/katex.min.js" defer></script>',
-            f'<script src="{assets}formulas.js" defer></script>',
+            f'<script src="{assets}katex/katex.min.js" defer blocking="render"></script>',
+            f'<script src="{assets}formulas.js" defer blocking="render"></script>',
         ]
     if needs.scenes:
         last.append(f'<script src="{assets}carts.js" defer></script>')

@@ -137,3 +137,29 @@ def test_a_page_without_javascript_can_be_read(
     page = open_page(site / "physics" / "index.html", folder=site, java_script_enabled=False)
     expect(page.locator("h1")).to_be_visible()
     expect(page.locator(".arithmatex").first).to_contain_text("\\(")
+
+
+MOST_SHIFT = 0.01  # cumulative layout shift: a tenth of what counts as good
+
+COUNT_SHIFTS = """
+  window.shifted = 0;
+  new PerformanceObserver((list) => {
+    for (const entry of list.getEntries()) window.shifted += entry.value;
+  }).observe({ type: "layout-shift", buffered: true });
+"""
+
+
+@pytest.mark.parametrize("width", [1280, 360])
+def test_nothing_jumps_while_a_page_is_read_in(
+    site: Path, open_page: OpenPage, browser_name: str, width: int
+) -> None:
+    if browser_name == "firefox":
+        pytest.skip("Firefox does not measure layout shifts")
+    page = open_page(site / "index.html", viewport={"width": width, "height": 800})
+    page.add_init_script(COUNT_SHIFTS)
+    for name in PAGES:
+        page.goto((site / name).as_uri())
+        page.wait_for_load_state()
+        page.evaluate("document.fonts.ready")
+        page.wait_for_timeout(300)  # what moves late moves within this
+        assert page.evaluate("window.shifted") <= MOST_SHIFT, name

@@ -14,7 +14,8 @@
   const Native = window.Worker;
   window.Worker = new Proxy(Native, {
     construct(target, [url, ...rest]) {
-      if (!isSearchWorker.test(String(new URL(url, location.href)))) return new target(url, ...rest);
+      if (!isSearchWorker.test(String(new URL(url, location.href))))
+        return new target(url, ...rest);
       const blob = new Blob([workerText], { type: "text/javascript" });
       return new target(URL.createObjectURL(blob));
     },
@@ -27,12 +28,11 @@
   /** @type {WeakMap<XMLHttpRequest, string>} */
   const indexes = new WeakMap();
 
-  /** @this {XMLHttpRequest} @param {string} method @param {string | URL} url @param {any[]} rest */
-  XMLHttpRequest.prototype.open = function (method, url, ...rest) {
-    const address = String(new URL(url, location.href));
+  /** @this {XMLHttpRequest} @param {any[]} given */
+  XMLHttpRequest.prototype.open = function (...given) {
+    const address = String(new URL(given[1], location.href));
     if (isIndex.test(address)) indexes.set(this, address.replace(/json$/, "js"));
-    // @ts-ignore: the two forms of open() are passed on as they came
-    return open.call(this, method, url, ...rest);
+    return Reflect.apply(open, this, given);
   };
 
   /** @this {XMLHttpRequest} @param {any} body */
