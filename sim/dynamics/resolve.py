@@ -1,9 +1,6 @@
 """What a touch and a separation do to the two bodies. Each law of nature is applied once, here.
 
-    v' = V + e (V − v)       V = (mA vA + mB vB) / (mA + mB)
-
-This form keeps the energy of a million elastic collisions a hundred times better than the
-impulse form J = (1 + e) mu u does. A wall: v' = −e v.
+two carts  v' = V + e (V − v)  (see `impact`)        a wall  v' = −e v
 """
 
 from __future__ import annotations
@@ -13,6 +10,7 @@ import math
 from sim.dynamics.chain import Body, Chain, Gap
 from sim.dynamics.clock import Time, elapsed, later
 from sim.dynamics.contact import PairContact
+from sim.dynamics.impact import outgoing
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.record import Record
 
@@ -22,6 +20,15 @@ def common_velocity(left: Body, right: Body) -> float:
     if math.inf in (left.mass, right.mass):
         return 0.0
     return (left.mass * left.v + right.mass * right.v) / (left.mass + right.mass)
+
+
+def velocities_after(left: Body, right: Body, e: float) -> tuple[float, float]:
+    """m/s, after an impact with restitution e."""
+    if left.mass == math.inf:
+        return 0.0, -e * right.v
+    if right.mass == math.inf:
+        return -e * left.v, 0.0
+    return outgoing(left.mass, right.mass, left.v, right.v, e)
 
 
 def shares(left: Body, right: Body, mu: float) -> tuple[float, float]:
@@ -41,12 +48,8 @@ def instant(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     """An impulse without duration."""
     left, right = gap.left, gap.right
     e, u, mu = gap.contact.restitution or 0.0, -gap.rate, gap.mu
-    centre = common_velocity(left, right)
     before = (left.v, right.v)
-    if left.carts:
-        left.v = centre + e * (centre - left.v)
-    if right.carts:
-        right.v = centre + e * (centre - right.v)
+    left.v, right.v = velocities_after(left, right, e)
     impulse = mu * (1.0 + e) * u
     gap.room, gap.rate, gap.time = 0.0, e * u, now
     ledger.warm(0.5 * mu * u * u * (1.0 - e) * (1.0 + e))
@@ -139,15 +142,15 @@ def separate(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     before = (left.v, right.v)
     _peak(gap, contact, math.inf, record)
     e = contact.figures.e if contact.figures is not None else None
-    for body, share in ((left, contact.shares[0]), (right, -contact.shares[1])):
-        if not body.carts:
-            continue
-        body.x += contact.velocity * contact.duration + share * (overlap - contact.d0)
-        if e is not None:
-            body.v = contact.velocity + e * (contact.velocity - body.v)
-        else:
-            body.v = contact.velocity - share * speed
-        body.time, body.contact = now, None
+    if e is not None:
+        out = velocities_after(left, right, e)
+    else:
+        a, b = contact.shares
+        out = contact.velocity - a * speed, contact.velocity + b * speed
+    for body, share, v in ((left, contact.shares[0], out[0]), (right, -contact.shares[1], out[1])):
+        if body.carts:
+            body.x += contact.velocity * contact.duration + share * (overlap - contact.d0)
+            body.v, body.time, body.contact = v, now, None
     impulse = mu * (contact.u + speed)
     deepest = contact.greatest_overlap()
     gap.memory = gap.law.remember(deepest, contact.memory) if overlap > 0.0 else 0.0
