@@ -163,3 +163,20 @@ def test_nothing_jumps_while_a_page_is_read_in(
         page.evaluate("document.fonts.ready")
         page.wait_for_timeout(300)  # what moves late moves within this
         assert page.evaluate("window.shifted") <= MOST_SHIFT, name
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [1280, 360])
+def test_every_text_can_be_told_from_what_lies_behind_it(
+    site: Path, open_page: OpenPage, browser_name: str, width: int, scheme: str
+) -> None:
+    if browser_name == "firefox":
+        pytest.skip("colours are the same, and Firefox ESR cannot be told to prefer dark")
+    page = open_page(
+        site / "index.html", viewport={"width": width, "height": 800}, color_scheme=scheme
+    )
+    pale = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
+    for name in PAGES:
+        page.goto((site / name).as_uri())
+        page.wait_for_load_state()
+        assert page.evaluate(pale) == [], name
