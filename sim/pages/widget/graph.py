@@ -16,6 +16,7 @@ from sim.pages.widget.series import Series
 
 WIDTH, HEIGHT = 360.0, 172.0
 LEFT, RIGHT, TOP, BOTTOM = 46.0, 350.0, 8.0, 142.0
+BELOW_LINE = 4.0  # units, from a grid line to the foot of its number
 NEAR = 0.7  # units; rows nearer than this to the last drawn one are left out
 STRAIGHT = 0.05  # units; a curve that bends less is drawn as a line
 
@@ -80,6 +81,11 @@ def time_marks(plane: Plane) -> list[dict[str, Any]]:
 def value_marks(plane: Plane) -> list[dict[str, Any]]:
     """Horizontal grid lines with their labels; `zero` marks the one at 0."""
     return [
-        {"at": px(plane.y(v)), "label": fixed(v, plane.value.decimals), "zero": v == 0}
+        {
+            "at": px(plane.y(v)),
+            "text_y": px(plane.y(v) + BELOW_LINE),
+            "label": fixed(v, plane.value.decimals),
+            "zero": v == 0,
+        }
         for v in plane.value.ticks()
     ]

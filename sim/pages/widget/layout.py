@@ -17,7 +17,7 @@ from typing import Any
 from sim.pages.widget.scale_of import Scales
 
 LANE = 20.0
-ABOVE = 30.0  # from the top of the tallest box to the lowest velocity arrow
+ABOVE = 34.0  # from the top of the tallest box to the lowest velocity arrow
 BEAM_ROW = 19.0
 
 
@@ -68,7 +68,7 @@ def lay_out(
     stagger = 0.0 if wide or count == 1 else 13.0
     top = 14.0 + (lanes - 1) * LANE + ABOVE + stagger + scales.tallest
     contacts = header["contacts"]
-    row_count = (2 if len(contacts) > 1 and count > 2 else 1) if forces else 0
+    row_count = (2 if len(contacts) > 1 and count > 2 else 1) if forces and scales.force else 0
     beam = BEAM_ROW * row_count if row_count else 8.0
     return Layout(
         kind=kind,

@@ -14,7 +14,8 @@ from typing import Any
 from sim.pages.widget.numbers import decimals_for, exponent
 from sim.pages.widget.run import Run
 
-REFERENCE_HEIGHT = 36.0  # px, of the cart with the least mass per length
+REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
+ROOM_TO_GUESS = 1.7  # a prediction's longest arrow, over the estimate: the scale tells nothing
 TALLEST = 4.0  # reference heights; a heavier cart gets a break mark “not to scale”
 
 
@@ -99,7 +100,7 @@ def _reachable_force(
         if peak > 0 and estimates[0] > 0:
             greatest = max(greatest, peak * max(estimates) / estimates[0])
         elif run is None:
-            greatest = max(greatest, *estimates)
+            greatest = max(greatest, ROOM_TO_GUESS * max(estimates))
         else:
             greatest = max(greatest, peak)
     return greatest

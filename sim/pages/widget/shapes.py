@@ -14,9 +14,11 @@ from sim.pages.widget.layout import ABOVE, LANE, Layout
 from sim.pages.widget.numbers import px, short
 from sim.pages.widget.scale_of import REFERENCE_HEIGHT, TALLEST, Scales, body_width
 
-DOT = 3.0  # radius of a zero arrow
+DOT = 2.5  # radius of a zero force
+RING = 1.0  # radius of a zero velocity, drawn as a line
 SHORTEST = 0.5  # units; a shorter arrow is zero to the eye and is drawn as a dot
 LONGEST = 1.6  # full lengths; a longer arrow is cut here and shows a break
+LINE = 12.0  # between two lines of text above a box
 NAMED = 34.0  # units; a box at least this tall carries its name
 SPRING = (2.0, 10.0)  # heights of the spring above the track
 PUSH = 15.5  # height of the force arrow above the track
@@ -91,7 +93,7 @@ def block_arrow(x: float, y: float, length: float) -> str:
 def line_arrow(x: float, y: float, length: float) -> str:
     """Path of a velocity arrow: a line with an open head."""
     if abs(length) < SHORTEST:
-        return dot(x, y)
+        return dot(x, y, RING)
     way = 1 if length > 0 else -1
     tip = x + length
     back = tip - way * min(7.0, abs(length))
@@ -101,16 +103,18 @@ def line_arrow(x: float, y: float, length: float) -> str:
     )
 
 
-def dot(x: float, y: float) -> str:
+def dot(x: float, y: float, radius: float = DOT) -> str:
     """Path of a zero arrow."""
-    r, d = px(DOT), px(2 * DOT)
-    return f"M{px(x - DOT)} {px(y)}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0Z"
+    r, d = px(radius), px(2 * radius)
+    return f"M{px(x - radius)} {px(y)}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0Z"
 
 
-def arrow_length(value: float, full: float, length: float) -> tuple[float, bool]:
-    """Length of an arrow for `value` on a scale, and whether it had to be cut."""
+def arrow_length(value: float, full: float, length: float) -> float:
+    """Length of an arrow for `value` on a scale; cut where it would leave the picture."""
     exact = value / full * length if full else 0.0
-    longest = LONGEST * length
-    if abs(exact) <= longest:
-        return exact, False
-    return (longest if exact > 0 else -longest), True
+    return max(-LONGEST * length, min(LONGEST * length, exact))
+
+
+def label_top(box: Box) -> float:
+    """Top of the text above a box, relative to the track."""
+    return box.label_y - LINE - (LINE if box.cut else 0)

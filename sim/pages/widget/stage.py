@@ -11,12 +11,12 @@ from typing import Any
 from sim.pages.widget import shapes
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.numbers import fixed, px, short
-from sim.pages.widget.scale_of import REFERENCE_HEIGHT, TALLEST, Scales
+from sim.pages.widget.scale_of import Scales
 from sim.pages.widget.scales import Axis, nice_above
 from sim.pages.widget.words import brief
 
 LABEL_ROOM = {"wide": 46.0, "narrow": 40.0}  # units between two numbers on the ruler
-BREAK = "M-14 -96l7 -6l7 6l7 -6l7 6M-14 -90l7 -6l7 6l7 -6l7 6"  # across a box too tall to draw
+BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6"  # across a box too tall to draw
 MOST_NUMBERS = 150  # on the ruler of a long moving-camera run
 
 
@@ -27,9 +27,8 @@ def stage_view(
     *,
     camera: float,
     forces: bool,
-    told: bool,
 ) -> dict[str, Any]:
-    """The picture at the start. `told` False: before a prediction, without any force."""
+    """The picture at the start."""
     boxes = [
         shapes.box(body, scales, layout, layout.stagger * (i % 2))
         for i, body in enumerate(header["bodies"])
@@ -44,12 +43,11 @@ def stage_view(
         "rule_y": px(layout.track + layout.beam),
         "number_y": px(layout.track + layout.beam + 21),
         "break_path": BREAK,
-        "break_text_y": px(-TALLEST * REFERENCE_HEIGHT + 40),
         "carts": [
             _cart(body, i, box, shapes.lane(i, tallest, layout), scales, layout, camera)
             for i, (body, box) in enumerate(zip(header["bodies"], boxes, strict=True))
         ],
-        "pushes": _pushes(header, layout, told) if forces else [],
+        "pushes": _pushes(header, layout) if forces else [],
         "legend": _legend(scales, layout, forces),
     }
 
@@ -67,7 +65,7 @@ def _cart(
     half = body["length"] * layout.scale / 2
     edge = -box.x
     seen = body["velocity"] - camera
-    length, cut = shapes.arrow_length(seen, scales.velocity, layout.velocity)
+    length = shapes.arrow_length(seen, scales.velocity, layout.velocity)
     text_x, anchor = velocity_text(x, length, layout.width)
     return {
         "name": body["name"],
@@ -84,16 +82,16 @@ def _cart(
         "named": box.name_y is not None,
         "label": box.label,
         "label_y": px(box.label_y),
+        "cut_y": px(box.label_y - shapes.LINE),
         "springs": [shapes.spring(-edge, -half), shapes.spring(edge, half)],
         "faces": [px(-half), px(half)],
         "velocity": {
             "path": shapes.line_arrow(x, y, length),
-            "leader": f"M{px(x)} {px(y)}V{px(layout.track + box.label_y - 12)}",
+            "leader": f"M{px(x)} {px(y)}V{px(layout.track + shapes.label_top(box))}",
             "text": f"{fixed(seen, scales.decimals['v'])} m/s",
             "x": px(text_x),
             "y": px(y + 4),
             "anchor": anchor,
-            "cut": cut,
         },
     }
 
@@ -110,7 +108,7 @@ def velocity_text(x: float, length: float, width: float) -> tuple[float, str]:
     return x + length - 8, "end"
 
 
-def _pushes(header: Mapping[str, Any], layout: Layout, told: bool) -> list[dict[str, Any]]:
+def _pushes(header: Mapping[str, Any], layout: Layout) -> list[dict[str, Any]]:
     """One entry per contact force: at t = 0 a dot on the bumper face of the body it acts on."""
     index = {body["name"]: i for i, body in enumerate(header["bodies"])}
     faces = {
@@ -135,7 +133,7 @@ def _pushes(header: Mapping[str, Any], layout: Layout, told: bool) -> list[dict[
                     "on": on,
                     "style": f"b{index[on] % 8}" if on in index else "wall",
                     "label": f"on {brief(on)} by {brief(by)}",
-                    "path": shapes.dot(face, layout.track - shapes.PUSH) if told else "",
+                    "path": shapes.dot(face, layout.track - shapes.PUSH),
                 }
             )
     return pushes

@@ -7,6 +7,7 @@ from typing import Any
 
 from sim.pages.widget import graph as g
 from sim.pages.widget.contacts import touches
+from sim.pages.widget.exits import exits
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.markers import MARKERS
 from sim.pages.widget.numbers import fixed, px, short
@@ -17,7 +18,16 @@ from sim.pages.widget.scales import nice_above, span
 from sim.pages.widget.series import series_of
 from sim.pages.widget.stage import stage_view
 from sim.pages.widget.tables import table_rows, table_times
-from sim.pages.widget.words import QUANTITIES, body, brief, event_sentence, model_sentences, motion
+from sim.pages.widget.words import (
+    QUANTITIES,
+    body,
+    brief,
+    event_sentence,
+    exit_sentence,
+    model_sentences,
+    motion,
+    no_force,
+)
 
 FORCE_QUANTITIES = ("F", "a")  # left out where the lesson lets students find the force
 MOST_EVENTS = 60  # in the list; a run with more says how many more
@@ -43,13 +53,12 @@ def scene_view(
         "packages": " ".join(sorted(fence.packages)),
         "warnings": header["warnings"],
         "stages": [
-            stage_view(header, scales, layout, camera=camera, forces=forces, told=told)
-            for layout in layouts
+            stage_view(header, scales, layout, camera=camera, forces=forces) for layout in layouts
         ],
         "camera_text": _camera_text(camera),
         "description": _description(header, scales, camera),
         "time": _timeline(header, contacts, until),
-        "slow": fence.slow == "auto",
+        "slow": fence.slow == "auto" and any(c["stiffness"] for c in header["contacts"]),
         "predict_view": _predict_view(fence, header, scales),
         "cards": cards(header, fence.controls, scales, run, camera=camera, forces=forces),
         "has_controls": bool(fence.controls),
@@ -57,7 +66,7 @@ def scene_view(
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
         ],
         "graphs": [graph_view(q, header, run, scales, camera, told=told) for q in shown],
-        "events": _events(header, scales, camera, forces),
+        "events": _story(header, run, scales, layouts[0], camera, forces) if told else [],
         "model": model_sentences(header, told=told),
     }
 
@@ -103,7 +112,7 @@ def graph_view(
             }
             for curve in curves
         ],
-        "empty": "no contact force in this run" if quantity == "F" else "",
+        "empty": no_force(header["events"]) if quantity == "F" else "",
         "rows": table_rows(curves, run.t, times, scales.decimals, quantity, scale),
     }
 
@@ -127,22 +136,31 @@ def _timeline(header: Mapping[str, Any], contacts: Sequence[Any], until: float) 
     }
 
 
-def _events(
-    header: Mapping[str, Any], scales: Scales, camera: float, forces: bool
+def _story(
+    header: Mapping[str, Any],
+    run: Run,
+    scales: Scales,
+    layout: Layout,
+    camera: float,
+    forces: bool,
 ) -> list[dict[str, str]]:
+    """What happens, in order: the events of the run, and carts that leave the picture."""
+    decimals, scale = scales.decimals, scales.velocity
+    told = [
+        (
+            float(event["t"]),
+            event_sentence(event, decimals=decimals, scale=scale, camera=camera, forces=forces),
+        )
+        for event in header["events"]
+    ]
+    told += [
+        (gone.t, exit_sentence(gone.name, gone.side, gone.velocity, decimals["v"]))
+        for gone in exits(header, run, layout.low, layout.high, camera)
+    ]
+    told.sort(key=lambda entry: entry[0])
     return [
-        {
-            "t": repr(float(event["t"])),
-            "time": fixed(event["t"], scales.decimals["t"]),
-            "sentence": event_sentence(
-                event,
-                decimals=scales.decimals,
-                scale=scales.velocity,
-                camera=camera,
-                forces=forces,
-            ),
-        }
-        for event in header["events"][:MOST_EVENTS]
+        {"t": plain(t), "time": fixed(t, decimals["t"]), "sentence": sentence}
+        for t, sentence in told[:MOST_EVENTS]
     ]
 
 

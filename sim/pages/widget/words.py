@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.pages.widget.numbers import fixed, short
@@ -28,7 +28,8 @@ BOTH_FORCES = (
     "Each contact has one force in the program: it pushes both bodies, equally hard, "
     "away from each other. So the program assumes Newton’s third law; it cannot prove it."
 )
-NO_FORCES = "The forces of this contact are too large and too short to draw."
+NO_FORCE = "no contact force in this run"
+IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”"
 
 
 def body(name: str) -> str:
@@ -92,6 +93,18 @@ def event_sentence(
     if kind == "release":
         return f"{pair} are released.{after}"
     return "End of the run." if kind == "end" else f"{kind}: {pair}."
+
+
+def exit_sentence(name: str, side: str, velocity: float, decimals: int) -> str:
+    """What a reader sees when a cart leaves the picture."""
+    speed = fixed(abs(velocity), decimals)
+    return f"{name} leaves the picture on the {side}, still {speed}\u00a0m/s."
+
+
+def no_force(events: Sequence[Mapping[str, Any]]) -> str:
+    """Why a force graph is empty."""
+    struck = any(event["kind"] == "contact" and event.get("impulse") for event in events)
+    return IMPULSE_ONLY if struck else NO_FORCE
 
 
 def model_sentences(header: Mapping[str, Any], *, told: bool) -> list[str]:

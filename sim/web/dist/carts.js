@@ -239,7 +239,7 @@
       const value = Number(text.replace(",", "."));
       return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
     }
-    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][\w/²³^·*%µ° -]*$/.test(text)) {
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
     return { problem: `“${text}” is not a number. Type for example 0.5` };
@@ -377,13 +377,15 @@
   }
 
   // src/shapes.js
-  var REFERENCE_HEIGHT = 36;
+  var REFERENCE_HEIGHT = 38;
   var TALLEST = 4;
   var LANE = 20;
-  var ABOVE = 30;
-  var DOT = 3;
+  var ABOVE = 34;
+  var DOT = 2.5;
+  var RING = 1;
   var SHORTEST = 0.5;
   var LONGEST2 = 1.6;
+  var LINE = 12;
   var NAMED = 34;
   var SPRING = [2, 10];
   var PUSH = 15.5;
@@ -432,14 +434,14 @@
     return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
   }
   function lineArrow(x, y, length) {
-    if (Math.abs(length) < SHORTEST) return dot(x, y);
+    if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
     const tip = x + length;
     const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
     return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
   }
-  function dot(x, y) {
-    const [r, d] = [px(DOT), px(2 * DOT)];
-    return `M${px(x - DOT)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+  function dot(x, y, radius = DOT) {
+    const [r, d] = [px(radius), px(2 * radius)];
+    return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
   }
   function arrowLength(value, full, length) {
     const exact = full ? value / full * length : 0;
@@ -449,6 +451,9 @@
     const room = 62;
     if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
     return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+  }
+  function labelTop(box2) {
+    return box2.labelY - LINE - (box2.cut ? LINE : 0);
   }
 
   // src/words.js
@@ -518,6 +523,15 @@
       default:
         return `${event.kind}: ${pair}.`;
     }
+  }
+  function exitSentence({ name: name2, side, velocity }, decimals) {
+    const speed = fixed(Math.abs(velocity), decimals);
+    return `${name2} leaves the picture on the ${side}, still ${speed} m/s.`;
+  }
+  function noForce(events) {
+    const struck = events.some((event) => event.kind === "contact" && event.impulse);
+    if (struck) return "too large and too short to draw: see the impulses under “What happens”";
+    return "no contact force in this run";
   }
   function modelSentences(header) {
     const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
@@ -612,24 +626,38 @@
       if (!missing2.length) return null;
       return `Set every arrow first: ${missing2.map(name).join(", ")}. Zero counts too: type 0.`;
     }
-    /** Their arrows and the run's, on one scale. @param {import("./types.js").Run} run */
+    /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("./types.js").Run} run */
     compare(run) {
       this.draw([]);
-      const list = html("div", "carts-compare");
-      for (const row of this.#rows) {
-        const actual = greatest(run, row.pair);
-        const line = html("div", `carts-compare-row ${row.style}`);
-        line.append(
-          html("span", "carts-compare-name", name(row)),
-          arrow(row.size ?? 0, this.full, "carts-guessed", row.side),
-          html("span", "", `you: ${fixed(row.size ?? 0, this.decimals)} N`),
-          arrow(actual, this.full, "carts-block-arrow", row.side),
-          html("span", "", `run: ${fixed(actual, this.decimals)} N`)
+      const pairs = [...new Set(this.#rows.map(({ pair }) => pair))];
+      const tables = pairs.map((pair) => {
+        const rows = this.#rows.filter((row) => row.pair === pair);
+        const actual = greatest(run, pair);
+        const grid = html("div", "carts-compare");
+        grid.append(
+          html("span"),
+          ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row)))
         );
-        list.append(line);
-      }
+        for (
+          const [who, style] of
+          /** @type {const} */
+          [
+            ["you", "carts-guessed"],
+            ["the run", "carts-block-arrow"]
+          ]
+        ) {
+          grid.append(html("span", "", who));
+          for (const row of rows) {
+            const size = who === "you" ? row.size ?? 0 : actual;
+            const cell = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
+            cell.append(arrow(size, this.full, style, row.side), ` ${fixed(size, this.decimals)} N`);
+            grid.append(cell);
+          }
+        }
+        return grid;
+      });
       const text = "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.";
-      return [list, html("p", "", text)];
+      return [...tables, html("p", "", text)];
     }
     /** @param {Row} row @param {() => void} changed */
     #typed(row, changed) {
@@ -678,14 +706,14 @@
   }
   function arrow(size, full, className, side) {
     const length = arrowLength(size, full, LONG);
-    const width = Math.max(LONG, length) + 8;
+    const width = Math.max(length, 6) + 4;
     const picture = svg("svg", {
       viewBox: `0 0 ${width} 20`,
       width,
       height: 20,
       "aria-hidden": "true"
     });
-    const d = side === "left" ? blockArrow(width - 4, 10, -length) : blockArrow(4, 10, length);
+    const d = side === "left" ? blockArrow(width, 10, -length) : blockArrow(0, 10, length);
     picture.append(svg("path", { class: className, d }));
     return picture;
   }
@@ -1019,7 +1047,8 @@
       const place2 = need(this.root, ".carts-compared");
       place2.replaceChildren(...this.form.compare(run));
       place2.hidden = false;
-      say(need(this.root, ".carts-heading"), "Your prediction, locked");
+      say(need(this.root, ".carts-heading"), "Your prediction");
+      this.root.classList.add("carts-locked");
     }
     /** @param {string} message for the reader; empty: none */
     complain(message) {
@@ -1110,6 +1139,7 @@
   var TOP = 8;
   var BOTTOM2 = 142;
   var WIDTH = 360;
+  var BELOW_LINE = 4;
   var NEAR = 0.7;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
@@ -1173,6 +1203,7 @@
     const decimals = axisDecimals(plane.value);
     return ticks(plane.value).map((v) => ({
       at: px(valueY(plane, v)),
+      textY: px(valueY(plane, v) + BELOW_LINE),
       label: fixed(v, decimals),
       zero: v === 0
     }));
@@ -1404,7 +1435,7 @@
       name2.replaceChildren(
         this.#signed ? "Contact force " : "Size of the contact force ",
         Object.assign(document.createElement("i"), { textContent: this.#signed ? "F" : "|F|" }),
-        this.#signed ? " in N, + means to the right" : " in N"
+        this.#signed ? " in N, + is right" : " in N"
       );
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
@@ -1457,15 +1488,15 @@
         say(text, label);
       });
       marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
-        const { at, label, zero } = (
-          /** @type {{at: string, label: string, zero: boolean}} */
+        const { at, textY, label, zero } = (
+          /** @type {(typeof rows)[number]} */
           rows[i]
         );
         put(line, "class", zero ? "carts-zero" : "carts-grid");
         put(line, "d", `M${LEFT2} ${at}H${RIGHT}`);
         put(text, "class", "carts-tick-y");
         put(text, "x", String(LEFT2 - 5));
-        put(text, "y", px(Number(at) + 4));
+        put(text, "y", textY);
         say(text, label);
       });
     }
@@ -1486,7 +1517,7 @@
       const first = key.dataset.curves === void 0;
       key.dataset.curves = wanted;
       if (first && key.children.length === Math.max(1, this.#curves.length)) return;
-      const empty = this.quantity === "F" ? "no contact force in this run" : "";
+      const empty = this.quantity === "F" ? noForce(this.#run?.header.events ?? []) : "";
       key.replaceChildren(...this.#curves.length ? this.#curves.map(keyEntry) : [span2(empty)]);
     }
   };
@@ -1839,7 +1870,7 @@
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
           bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
-          top: layout.track + box2.labelY - 12,
+          top: layout.track + labelTop(box2),
           lane: lane(i, tallest, layout),
           group,
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
@@ -1962,11 +1993,13 @@
         "d",
         `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`
       );
+      const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s`;
       const text = need(cart.velocity, '[data-part="text"]');
-      put(text, "x", px(at));
+      const outside = x < 0 || x > layout.width;
+      put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at));
       put(text, "y", px(cart.lane + 4));
-      put(text, "text-anchor", anchor);
-      say(text, `${fixed(seen, view.decimals.v ?? 2)} m/s`);
+      put(text, "text-anchor", outside ? x < 0 ? "start" : "end" : anchor);
+      say(text, outside ? `${name2} is outside: ${speed}` : speed);
     }
   };
   function drawBox(group, name2, box2) {
@@ -1975,7 +2008,9 @@
     put(rect, "y", px(-box2.height));
     put(rect, "width", px(box2.width));
     put(rect, "height", px(box2.height));
-    put(need(group, '[data-part="break"]'), "visibility", box2.cut ? "visible" : "hidden");
+    const cut = need(group, '[data-part="break"]');
+    put(cut, "visibility", box2.cut ? "visible" : "hidden");
+    put(need(cut, "text"), "y", px(box2.labelY - LINE));
     const title = need(group, '[data-part="name"]');
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
@@ -1983,6 +2018,30 @@
     const mass = need(group, '[data-part="mass"]');
     put(mass, "y", px(box2.labelY));
     say(mass, box2.label);
+  }
+
+  // src/exits.js
+  var HALVINGS = 40;
+  function exits({ header, trajectory }, { low, high }, camera) {
+    const { t: times, x: places, v, a } = trajectory;
+    const found = [];
+    for (const { name: name2, length } of header.bodies) {
+      const half = length / 2;
+      const place2 = (t) => valueAt(times, places[name2] ?? [], v[name2] ?? [], t) - camera * t;
+      const isOut = (t) => Math.max(place2(t) - half - high, low - place2(t) - half) > 0;
+      const row = Array.prototype.findIndex.call(times, isOut);
+      if (row < 1) continue;
+      let before = Number(times[row - 1]);
+      let after = Number(times[row]);
+      for (let k = 0; k < HALVINGS; k += 1) {
+        const middle = (before + after) / 2;
+        if (isOut(middle)) after = middle;
+        else before = middle;
+      }
+      const velocity = valueAt(times, v[name2] ?? [], a[name2] ?? [], after) - camera;
+      found.push({ t: after, name: name2, side: place2(after) > high ? "right" : "left", velocity });
+    }
+    return found;
   }
 
   // src/story.js
@@ -1994,6 +2053,8 @@
     constructor(root, baked, seek) {
       const { fence, view } = baked;
       this.view = view;
+      this.layout = /** @type {import("./types.js").Layout} */
+      view.layouts[0];
       this.telling = {
         decimals: view.decimals,
         scale: view.velocity,
@@ -2011,15 +2072,24 @@
       });
     }
     /** @param {import("./types.js").Run} run */
-    show({ header }) {
-      this.told = header.events.map((event) => ({
-        t: event.t,
-        sentence: eventSentence(event, this.telling)
-      }));
+    show(run) {
+      const { header } = run;
+      const decimals = this.view.decimals.v ?? 2;
+      this.told = [
+        ...header.events.map((event) => ({
+          t: event.t,
+          sentence: eventSentence(event, this.telling)
+        })),
+        ...exits(run, this.layout, this.telling.camera).map((exit) => ({
+          t: exit.t,
+          sentence: exitSentence(exit, decimals)
+        }))
+      ].sort((a, b) => a.t - b.t);
       const items = this.told.slice(0, MOST_EVENTS2).map(({ t, sentence: sentence2 }) => {
         const item = html("li");
-        const button = html("button", "carts-jump", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+        const button = html("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
         button.setAttribute("type", "button");
+        button.className = "carts-jump";
         button.dataset.time = String(t);
         item.append(button, " ", html("span", "", sentence2));
         return item;
@@ -2230,7 +2300,7 @@
     }
     /** Lets the reader move the time. @param {boolean} on */
     enable(on) {
-      const parts = ".carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+      const parts = ".carts-reset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
       for (const part of this.root.querySelectorAll(parts)) {
         part.disabled = !on;
       }
@@ -2501,11 +2571,12 @@
 
   // src/runtime-failure.js
   var MESSAGES = {
+    "not-packed": "This page was built without Python. It shows only the runs that came with it.",
     "payload-missing": "A file of this page is missing, so Python can't start. Copy the whole folder again.",
     "payload-damaged": "A file of this page is damaged, so Python can't start. Copy the whole folder again.",
     "no-wasm": "This browser has no WebAssembly, so Python can't start here. Try another browser.",
     "wasm-refused": "This browser, or the rules of this network, do not allow Python to start. Try another browser.",
-    "too-old": "This browser is too old to run Python. Try Chrome or Edge 103, Firefox 113, Safari 16.4, or newer.",
+    "too-old": "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer.",
     "worker-refused": "This browser does not let the page start Python. Try another browser.",
     "worker-lost": "Python stopped. It may have run out of memory.",
     "snapshot-refused": "Python could not start the quick way.",
@@ -2552,7 +2623,7 @@
       const index = page.__cartsRuntime;
       delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
-      if (!index.files) throw new RuntimeFailure("payload-missing", index.missing, "index.js");
+      if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
       return index;
     });
     loading.catch(() => indexes.delete(base));
@@ -2612,7 +2683,7 @@
     };
   }
 
-  // as-text:/work/main/sim/web/src/worker.js
+  // as-text:src/worker.js
   var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var APPEND_MORE = `\nimport importlib, os, zipfile\nwith zipfile.ZipFile("/lib/${MORE}") as more, zipfile.ZipFile("/lib/python314.zip", "a") as whole:\n    for entry in more.infolist():\n        whole.writestr(entry, more.read(entry))\nos.remove("/lib/${MORE}")\nimportlib.invalidate_caches()\n`;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";\n      const response = new Response(zip.readable, { headers: { "Content-Type": type } });\n      found = { writer: zip.writable.getWriter(), response };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    return file(name).response;\n  };\n  function compileWasm() {\n    const compiled = WebAssembly.compileStreaming(file(WASM).response);\n    compiled.catch((error) => fail("too-old", error));\n    const wasm = WebAssembly;\n    wasm.instantiateStreaming = async (_, imports) => {\n      const module = await compiled;\n      return { module, instance: await WebAssembly.instantiate(module, imports) };\n    };\n  }\n  function wasmRefusal() {\n    if (typeof WebAssembly !== "object") return "no-wasm";\n    try {\n      new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));\n      return "";\n    } catch {\n      return "wasm-refused";\n    }\n  }\n  async function boot({ index, snapshot, packages, more }) {\n    const refusal = wasmRefusal();\n    if (refusal) return fail(refusal, "");\n    try {\n      compileWasm();\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: index.lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      await load(index, snapshot, packages, more);\n      answer = python.pyimport(index.entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function load(index, snapshot, packages, more) {\n    if (more) {\n      python.FS.writeFile(`/lib/${MORE}`, await bytesOf(MORE));\n      python.runPython(APPEND_MORE);\n    }\n    if (snapshot && !packages.length) return;\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage([index.package, ...packages], { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    for (const name of [...packages, ...index.later]) {\n      importIfPossible(name);\n      progress(name);\n    }\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime.js
@@ -2667,7 +2738,7 @@
       if (packages2.length) names.push(MORE);
       names.push(...wheels.map((wheel) => index.wheels[wheel]));
       if (names.every((name2) => name2 in index.files)) return names;
-      throw new RuntimeFailure("payload-missing", index.missing || packages2.join());
+      throw new RuntimeFailure("not-packed", index.missing || packages2.join());
     }
     /** @returns {Promise<Runtime>} */
     async run() {
@@ -2839,7 +2910,7 @@
     }
     /** @param {Reason} reason @param {string} detail */
     lose(reason, detail) {
-      if (this.end(reason, detail)) this.onlost(reason);
+      if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
     }
     /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
     end(reason, detail) {

@@ -7,6 +7,7 @@ import { px } from "./numbers.js";
 import { seriesOf } from "./series.js";
 import { Table } from "./table.js";
 import { valueAt } from "./trajectory.js";
+import { noForce } from "./words.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./series.js").Series} Series */
@@ -86,7 +87,7 @@ export class GraphView {
     name.replaceChildren(
       this.#signed ? "Contact force " : "Size of the contact force ",
       Object.assign(document.createElement("i"), { textContent: this.#signed ? "F" : "|F|" }),
-      this.#signed ? " in N, + means to the right" : " in N",
+      this.#signed ? " in N, + is right" : " in N",
     );
     this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
   }
@@ -132,14 +133,12 @@ export class GraphView {
       say(text, label);
     });
     marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
-      const { at, label, zero } = /** @type {{at: string, label: string, zero: boolean}} */ (
-        rows[i]
-      );
+      const { at, textY, label, zero } = /** @type {(typeof rows)[number]} */ (rows[i]);
       put(line, "class", zero ? "carts-zero" : "carts-grid");
       put(line, "d", `M${g.LEFT} ${at}H${g.RIGHT}`);
       put(text, "class", "carts-tick-y");
       put(text, "x", String(g.LEFT - 5));
-      put(text, "y", px(Number(at) + 4));
+      put(text, "y", textY);
       say(text, label);
     });
   }
@@ -162,7 +161,7 @@ export class GraphView {
     const first = key.dataset.curves === undefined;
     key.dataset.curves = wanted;
     if (first && key.children.length === Math.max(1, this.#curves.length)) return; // as baked
-    const empty = this.quantity === "F" ? "no contact force in this run" : "";
+    const empty = this.quantity === "F" ? noForce(this.#run?.header.events ?? []) : "";
     key.replaceChildren(...(this.#curves.length ? this.#curves.map(keyEntry) : [span(empty)]));
   }
 }

@@ -12,6 +12,7 @@ export const RIGHT = 350;
 export const TOP = 8;
 export const BOTTOM = 142;
 export const WIDTH = 360;
+const BELOW_LINE = 4; // units, from a grid line to the foot of its number
 const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
 const STRAIGHT = 0.05; // units; a curve that bends less is drawn as a line
 
@@ -87,11 +88,12 @@ export function timeMarks(plane) {
   return ticks(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
 }
 
-/** @param {Plane} plane @returns {{at: string, label: string, zero: boolean}[]} horizontal grid lines */
+/** @param {Plane} plane @returns {{at: string, textY: string, label: string, zero: boolean}[]} horizontal grid lines */
 export function valueMarks(plane) {
   const decimals = axisDecimals(plane.value);
   return ticks(plane.value).map((v) => ({
     at: px(valueY(plane, v)),
+    textY: px(valueY(plane, v) + BELOW_LINE),
     label: fixed(v, decimals),
     zero: v === 0,
   }));

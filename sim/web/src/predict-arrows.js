@@ -77,25 +77,35 @@ export class ArrowsForm {
     return `Set every arrow first: ${missing.map(name).join(", ")}. Zero counts too: type 0.`;
   }
 
-  /** Their arrows and the run's, on one scale. @param {import("./types.js").Run} run */
+  /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("./types.js").Run} run */
   compare(run) {
     this.draw([]);
-    const list = html("div", "carts-compare");
-    for (const row of this.#rows) {
-      const actual = greatest(run, row.pair);
-      const line = html("div", `carts-compare-row ${row.style}`);
-      line.append(
-        html("span", "carts-compare-name", name(row)),
-        arrow(row.size ?? 0, this.full, "carts-guessed", row.side),
-        html("span", "", `you: ${fixed(row.size ?? 0, this.decimals)} N`),
-        arrow(actual, this.full, "carts-block-arrow", row.side),
-        html("span", "", `run: ${fixed(actual, this.decimals)} N`),
+    const pairs = [...new Set(this.#rows.map(({ pair }) => pair))];
+    const tables = pairs.map((pair) => {
+      const rows = this.#rows.filter((row) => row.pair === pair);
+      const actual = greatest(run, pair);
+      const grid = html("div", "carts-compare");
+      grid.append(
+        html("span"),
+        ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
       );
-      list.append(line);
-    }
+      for (const [who, style] of /** @type {const} */ ([
+        ["you", "carts-guessed"],
+        ["the run", "carts-block-arrow"],
+      ])) {
+        grid.append(html("span", "", who));
+        for (const row of rows) {
+          const size = who === "you" ? (row.size ?? 0) : actual;
+          const cell = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
+          cell.append(arrow(size, this.full, style, row.side), ` ${fixed(size, this.decimals)} N`);
+          grid.append(cell);
+        }
+      }
+      return grid;
+    });
     const text =
       "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.";
-    return [list, html("p", "", text)];
+    return [...tables, html("p", "", text)];
   }
 
   /** @param {Row} row @param {() => void} changed */
@@ -154,14 +164,14 @@ function greatest(run, pair) {
 /** @param {number} size @param {number} full @param {string} className @param {"left" | "right"} side */
 function arrow(size, full, className, side) {
   const length = arrowLength(size, full, LONG);
-  const width = Math.max(LONG, length) + 8;
+  const width = Math.max(length, 6) + 4;
   const picture = svg("svg", {
     viewBox: `0 0 ${width} 20`,
     width,
     height: 20,
     "aria-hidden": "true",
   });
-  const d = side === "left" ? blockArrow(width - 4, 10, -length) : blockArrow(4, 10, length);
+  const d = side === "left" ? blockArrow(width, 10, -length) : blockArrow(0, 10, length);
   picture.append(svg("path", { class: className, d }));
   return picture;
 }

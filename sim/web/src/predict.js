@@ -89,7 +89,8 @@ export class Predict {
     const place = need(this.root, ".carts-compared");
     place.replaceChildren(...this.form.compare(run));
     place.hidden = false;
-    say(need(this.root, ".carts-heading"), "Your prediction, locked");
+    say(need(this.root, ".carts-heading"), "Your prediction");
+    this.root.classList.add("carts-locked");
   }
 
   /** @param {string} message for the reader; empty: none */

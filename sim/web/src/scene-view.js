@@ -71,7 +71,7 @@ export class SceneView {
   /** Lets the reader move the time. @param {boolean} on */
   enable(on) {
     const parts =
-      ".carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+      ".carts-reset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
     for (const part of this.root.querySelectorAll(parts)) {
       /** @type {HTMLButtonElement} */ (part).disabled = !on;
     }

@@ -7,13 +7,15 @@ import { px, short } from "./numbers.js";
 /** @typedef {import("./types.js").Layout} Layout */
 /** @typedef {{x: number, width: number, height: number, cut: boolean, nameY: number | null, label: string, labelY: number}} Box */
 
-const REFERENCE_HEIGHT = 36;
+const REFERENCE_HEIGHT = 38;
 const TALLEST = 4;
 const LANE = 20;
-const ABOVE = 30;
-const DOT = 3;
+const ABOVE = 34;
+const DOT = 2.5; // radius of a zero force
+const RING = 1; // radius of a zero velocity, drawn as a line
 const SHORTEST = 0.5;
 const LONGEST = 1.6;
+export const LINE = 12;
 const NAMED = 34;
 const SPRING = [2, 10];
 export const PUSH = 15.5;
@@ -69,7 +71,7 @@ export function blockArrow(x, y, length) {
 
 /** @param {number} x @param {number} y @param {number} length @returns {string} velocity arrow: a line with an open head */
 export function lineArrow(x, y, length) {
-  if (Math.abs(length) < SHORTEST) return dot(x, y);
+  if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
   const tip = x + length;
   const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
   return (
@@ -79,9 +81,9 @@ export function lineArrow(x, y, length) {
 }
 
 /** @param {number} x @param {number} y @returns {string} a zero arrow */
-export function dot(x, y) {
-  const [r, d] = [px(DOT), px(2 * DOT)];
-  return `M${px(x - DOT)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+export function dot(x, y, radius = DOT) {
+  const [r, d] = [px(radius), px(2 * radius)];
+  return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
 }
 
 /** @param {number} value @param {number} full scale @param {number} length of the full scale @returns {number} cut at the longest */
@@ -95,4 +97,9 @@ export function velocityText(x, length, width) {
   const room = 62;
   if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
   return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+}
+
+/** @param {Box} box @returns {number} top of the text above a box, relative to the track */
+export function labelTop(box) {
+  return box.labelY - LINE - (box.cut ? LINE : 0);
 }

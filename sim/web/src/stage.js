@@ -47,7 +47,7 @@ export class Stage {
         half: (body.length * layout.scale) / 2,
         edge: -box.x,
         bumper: Math.max(0, (body.length * layout.scale) / 2 + box.x),
-        top: layout.track + box.labelY - 12,
+        top: layout.track + shapes.labelTop(box),
         lane: shapes.lane(i, tallest, layout),
         group,
         velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`),
@@ -169,11 +169,13 @@ export class Stage {
       "d",
       `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`,
     );
+    const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s`;
     const text = need(cart.velocity, '[data-part="text"]');
-    put(text, "x", px(at));
+    const outside = x < 0 || x > layout.width;
+    put(text, "x", px(outside ? (x < 0 ? 8 : layout.width - 8) : at));
     put(text, "y", px(cart.lane + 4));
-    put(text, "text-anchor", anchor);
-    say(text, `${fixed(seen, view.decimals.v ?? 2)} m/s`);
+    put(text, "text-anchor", outside ? (x < 0 ? "start" : "end") : anchor);
+    say(text, outside ? `${name} is outside: ${speed}` : speed);
   }
 }
 
@@ -184,7 +186,9 @@ function drawBox(group, name, box) {
   put(rect, "y", px(-box.height));
   put(rect, "width", px(box.width));
   put(rect, "height", px(box.height));
-  put(need(group, '[data-part="break"]'), "visibility", box.cut ? "visible" : "hidden");
+  const cut = need(group, '[data-part="break"]');
+  put(cut, "visibility", box.cut ? "visible" : "hidden");
+  put(need(cut, "text"), "y", px(box.labelY - shapes.LINE));
   const title = need(group, '[data-part="name"]');
   put(title, "y", px(box.nameY ?? 0));
   put(title, "visibility", box.nameY === null ? "hidden" : "visible");

@@ -1,8 +1,9 @@
 /** The run in words: a list of events, each a button that goes there; and the model card. */
 
 import { html, need } from "./dom.js";
+import { exits } from "./exits.js";
 import { fixed } from "./numbers.js";
-import { eventSentence, modelSentences } from "./words.js";
+import { eventSentence, exitSentence, modelSentences } from "./words.js";
 
 const MOST_EVENTS = 60;
 
@@ -14,6 +15,7 @@ export class Story {
   constructor(root, baked, seek) {
     const { fence, view } = baked;
     this.view = view;
+    this.layout = /** @type {import("./types.js").Layout} */ (view.layouts[0]);
     this.telling = {
       decimals: view.decimals,
       scale: view.velocity,
@@ -29,15 +31,24 @@ export class Story {
   }
 
   /** @param {import("./types.js").Run} run */
-  show({ header }) {
-    this.told = header.events.map((event) => ({
-      t: event.t,
-      sentence: eventSentence(event, this.telling),
-    }));
+  show(run) {
+    const { header } = run;
+    const decimals = this.view.decimals.v ?? 2;
+    this.told = [
+      ...header.events.map((event) => ({
+        t: event.t,
+        sentence: eventSentence(event, this.telling),
+      })),
+      ...exits(run, this.layout, this.telling.camera).map((exit) => ({
+        t: exit.t,
+        sentence: exitSentence(exit, decimals),
+      })),
+    ].sort((a, b) => a.t - b.t);
     const items = this.told.slice(0, MOST_EVENTS).map(({ t, sentence }) => {
       const item = html("li");
-      const button = html("button", "carts-jump", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+      const button = html("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
       button.setAttribute("type", "button");
+      button.className = "carts-jump";
       button.dataset.time = String(t);
       item.append(button, " ", html("span", "", sentence));
       return item;

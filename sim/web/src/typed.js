@@ -15,7 +15,7 @@ export function readTyped(typed) {
     const value = Number(text.replace(",", "."));
     return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
   }
-  if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][\w/²³^·*%µ° -]*$/.test(text)) {
+  if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
     return { text: text.replace(/(\d),(\d)/, "$1.$2") };
   }
   return { problem: `“${text}” is not a number. Type for example 0.5` };

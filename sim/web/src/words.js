@@ -90,6 +90,19 @@ export function eventSentence(event, telling) {
   }
 }
 
+/** @param {import("./exits.js").Exit} exit @param {number} decimals @returns {string} */
+export function exitSentence({ name, side, velocity }, decimals) {
+  const speed = fixed(Math.abs(velocity), decimals);
+  return `${name} leaves the picture on the ${side}, still ${speed}\u00a0m/s.`;
+}
+
+/** @param {RunEvent[]} events @returns {string} why a force graph is empty */
+export function noForce(events) {
+  const struck = events.some((event) => event.kind === "contact" && event.impulse);
+  if (struck) return "too large and too short to draw: see the impulses under “What happens”";
+  return "no contact force in this run";
+}
+
 /** @param {Header} header @returns {string[]} what is in this model, and what is left out */
 export function modelSentences(header) {
   const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];

@@ -1,0 +1,349 @@
+"""`<carts-scene>` in real browsers, by double click, with real Python behind it."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.widget_site import FENCES, MEETING, build_site, write_page
+
+pytestmark = pytest.mark.browser
+
+LIVE = 20_000  # ms; a loaded machine in the tests, not the goal
+
+STILL = """el => {
+  const copy = el.querySelector(".carts-frame").cloneNode(true);
+  for (const part of copy.querySelectorAll("*")) {
+    for (const name of ["disabled", "data-curves", "value"]) part.removeAttribute(name);
+  }
+  copy.querySelector(".carts-mark").removeAttribute("aria-label");
+  for (const part of copy.querySelectorAll(".carts-transport, .carts-scrub")) part.remove();
+  return copy.outerHTML.split(/(?=<[a-z])/).map((part) => part.trim());
+}"""
+
+
+@pytest.fixture(scope="session")
+def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return build_site(tmp_path_factory.mktemp("widget") / "site")
+
+
+def live(page: Page, name: str = "meeting") -> Page:
+    page.wait_for_selector(f'#{name}[data-state="live"]', timeout=LIVE)
+    return page
+
+
+def on_scene(page: Page, script: str, argument: Any = None, name: str = "meeting") -> Any:
+    """The value of a function body that has the element as `el`."""
+    return page.locator(f"#{name}").evaluate(
+        f"async (el, argument) => {{ {script} }}", argument, timeout=LIVE
+    )
+
+
+@pytest.mark.parametrize("name", ["meeting", "coasting", "struck"])
+def test_what_python_computes_is_what_was_baked(
+    open_page: OpenPage, widget_site: Path, name: str
+) -> None:
+    """Adopting the page and taking over changes nothing that a reader sees."""
+    text = (widget_site / f"{name}.html").read_text(encoding="utf-8")
+    quiet = widget_site / f"quiet-{name}.html"
+    quiet.write_text(text.replace("carts.js", "none.js"), encoding="utf-8")
+    baked = open_page(quiet).locator(f"#{name}").evaluate(STILL)
+    page = live(open_page(widget_site / f"{name}.html"), name)
+    page.wait_for_timeout(500)  # tables are filled when the page has come to rest
+    assert page.locator(f"#{name}").evaluate(STILL) == baked
+
+
+def test_nothing_jumps_and_the_marks_are_set(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    marks = page.evaluate("performance.getEntriesByType('mark').map((mark) => mark.name)")
+    assert marks.index("carts:still") < marks.index("carts:live")
+    shift = page.evaluate(
+        """new Promise((resolve) => {
+          let sum = 0;
+          try {
+            new PerformanceObserver((list) => {
+              for (const entry of list.getEntries()) sum += entry.value;
+            }).observe({ type: "layout-shift", buffered: true });
+          } catch { resolve(0); }
+          setTimeout(() => resolve(sum), 200);
+        })"""
+    )
+    assert shift <= 0.01
+
+
+def test_the_element_keeps_its_promises(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    told = on_scene(
+        page,
+        """
+        await el.ready;
+        const heard = [];
+        el.addEventListener("carts-update", ({ detail }) => heard.push(detail));
+        await el.set({ "A.mass": 2, "contact.restitution": "0.5" });
+        const { trajectory, plan } = el;
+        const last = trajectory.t.length - 1;
+        const out = { heard, v: [trajectory.v.A[last], trajectory.v.B[last]], plan: plan.length };
+        out.kinds = [trajectory.t, trajectory.x.A, trajectory.F["A-B"]].map((c) =>
+          c instanceof Float64Array);
+        out.events = trajectory.events.length;
+        el.time = 1.25;
+        out.time = el.time;
+        out.measures = performance.getEntriesByName("carts:update").length;
+        return out;
+        """,
+    )
+    assert told["heard"] == [{"A.mass": 2, "contact.restitution": "0.5"}]
+    assert told["kinds"] == [True] * 3
+    assert told["plan"] > 1
+    assert told["events"] > 3
+    assert told["time"] == 1.25
+    assert told["measures"] == 1
+    assert page.locator("#meeting .carts-clock").inner_text().startswith("1.25")
+    # 2 kg at 0.6 m/s meets 1 kg at rest, e = 0.5: 0.3 and 0.6 m/s; then B comes back from the wall
+    assert min(told["v"]) < 0.3
+
+
+def test_a_value_that_makes_no_sense_is_refused_and_the_run_stays(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    told = on_scene(
+        page,
+        """
+        const before = el.trajectory;
+        const errors = [];
+        for (const changes of [{ "A.mass": -1 }, { "A.mass": "1 s" }, { "Z.mass": 1 },
+          { "A.mass": "NaN" }, { "contact.restitution": 2 }]) {
+          await el.set(changes).catch((error) => errors.push(error.message));
+        }
+        const same = el.trajectory === before;
+        await el.set({ "A.velocity": 0.7 });
+        return { errors, same, after: el.trajectory.v.A[0] };
+        """,
+    )
+    assert len(told["errors"]) == 5
+    assert all(told["errors"])
+    assert told["same"]
+    assert told["after"] == pytest.approx(0.7)
+
+
+def test_a_slider_and_its_box_are_one(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    control = page.locator('#meeting [data-set="A.mass"]')
+    box, slider = control.locator("[type=text]"), control.locator("[type=range]")
+    mass = page.locator('#meeting [data-body="A"] [data-quantity="mass"]')
+    slider.focus()
+    slider.press("ArrowRight")
+    expect(mass).to_have_text("0.6")
+    expect(box).to_have_value("0.6")
+    box.fill("1,5")
+    box.press("Enter")
+    expect(mass).to_have_text("1.5")
+    assert slider.input_value() == "1.5"
+    box.fill("750 g")
+    box.press("Enter")
+    expect(mass).to_have_text("0.75")
+    expect(box).to_have_value("750 g")  # what is being typed is left alone
+    box.blur()
+    page.locator("#meeting .carts-reset").click()
+    expect(mass).to_have_text("0.5")
+    expect(box).to_have_value("0.5")
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        ("1,000", "1,000 can mean 1 or 1000"),
+        ("one", "not a number"),
+        ("99", "mass of A: 0.5 to 4.0 kg"),
+        ("1e309", "too large"),
+        ("2 s", "kg"),
+        ("-1 kg", "greater than 0 kg"),
+    ],
+)
+def test_a_wrong_number_is_explained_beside_its_box(
+    open_page: OpenPage, widget_site: Path, typed: str, said: str
+) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    control = page.locator('#meeting [data-set="A.mass"]')
+    control.locator("[type=text]").fill(typed)
+    control.locator("[type=text]").press("Enter")
+    error = control.locator(".carts-error")
+    expect(error).to_be_visible()
+    assert said in error.inner_text()
+    expect(page.locator('#meeting [data-body="A"] [data-quantity="mass"]')).to_have_text("0.5")
+
+
+def test_everything_is_reached_by_keyboard(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    world, clock = page.locator("#meeting .carts-world"), page.locator("#meeting .carts-clock")
+    world.focus()
+    page.keyboard.press("ArrowRight")
+    expect(clock).to_have_text("0.040")
+    page.keyboard.press("ArrowLeft")
+    expect(clock).to_have_text("0.000")
+    page.keyboard.press("End")
+    expect(clock).to_have_text("6.000")
+    page.keyboard.press("Home")
+    page.keyboard.press(" ")
+    expect(page.locator("#meeting .carts-play")).to_have_text("Pause")
+    page.wait_for_timeout(300)
+    page.keyboard.press(" ")
+    expect(page.locator("#meeting .carts-play")).to_have_text("Play")
+    assert on_scene(page, "return el.time") > 0.1
+    reached = set()
+    for _ in range(30):
+        page.keyboard.press("Tab")
+        reached.add(page.evaluate("document.activeElement.className.split(' ').at(-1)"))
+    assert {"carts-scrub", "carts-play", "carts-speed", "carts-slow", "carts-slider"} <= reached
+    assert {"carts-number-box", "carts-reset", "carts-window", "carts-sign"} <= reached
+
+
+def test_steps_never_pass_over_an_event(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    page.locator("#meeting .carts-speed").select_option("10")
+    page.locator("#meeting .carts-slow").uncheck()
+    times = on_scene(
+        page,
+        """const seen = [];
+        for (let k = 0; k < 40; k += 1) { el.querySelector(".carts-forward").click();
+          seen.push(el.time); }
+        return [seen, el.trajectory.events.map((event) => event.t)];""",
+    )
+    assert set(times[1]) <= set(times[0])
+
+
+def test_slow_motion_shows_both_clocks(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    on_scene(page, "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t")
+    expect(page.locator("#meeting .carts-slow-note")).to_be_visible()
+    expect(page.locator("#meeting .carts-rate")).to_have_text("1/50")
+    classes = page.locator("#meeting .carts-world").get_attribute("class") or ""
+    assert "carts-is-slow" in classes
+
+
+def test_force_arrows_are_equal_and_point_into_their_bodies(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    told = on_scene(
+        page,
+        """el.time = el.trajectory.events.find((e) => e.kind === "peak").t;
+        const arrow = (on) => el.querySelector(
+          `.carts-stage-wide [data-pair="A-B"][data-on="${on}"] [data-part="arrow"]`).getBBox();
+        const words = [...el.querySelectorAll('.carts-stage-wide [data-pair="A-B"] text')];
+        const [a, b] = [arrow("A"), arrow("B")];
+        return { a: [a.x, a.width], b: [b.x, b.width], words: words.map((w) => w.textContent) };""",
+    )
+    (ax, aw), (bx, bw) = told["a"], told["b"]
+    assert aw == pytest.approx(bw, abs=0.15)
+    assert ax + aw == pytest.approx(bx, abs=0.25)  # tail to tail, where the bumpers meet
+    assert [w.split(":")[0] for w in told["words"]] == ["on A by B", "on B by A"]
+    assert len({w.split(":")[1] for w in told["words"]}) == 1
+
+
+def test_the_live_region_tells_events(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    page.locator("#meeting .carts-speed").select_option("10")
+    page.locator("#meeting .carts-slow").uncheck()
+    page.locator("#meeting .carts-play").click()
+    expect(page.locator("#meeting .carts-announcer")).to_contain_text(
+        "End of the run", timeout=5000
+    )
+
+
+def test_a_table_is_filled_when_it_is_opened(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    on_scene(page, "await el.set({ 'A.velocity': 1 })")
+    table = page.locator('#meeting [data-quantity="v"] details')
+    table.locator("summary").click()
+    expect(table.locator("tbody tr").first.locator("td").nth(1)).to_have_text("1.00")
+
+
+def test_a_missing_runtime_is_said_and_the_baked_run_plays(
+    open_page: OpenPage, widget_site: Path, tmp_path: Path
+) -> None:
+    site = tmp_path / "broken"
+    shutil.copytree(widget_site, site)
+    shutil.rmtree(site / "assets" / "carts" / "runtime")
+    page = open_page(site / "meeting.html")
+    page.wait_for_selector('#meeting[data-state="failed"]', timeout=10_000)
+    assert page.locator("#meeting").get_attribute("data-reason")
+    expect(page.locator("#meeting .carts-note")).to_contain_text("The prepared run still plays")
+    page.locator("#meeting .carts-play").click()
+    page.wait_for_timeout(300)
+    assert on_scene(page, "return el.time") > 0.1
+    rejected = on_scene(page, "return el.ready.then(() => '', (error) => error.message)")
+    assert rejected
+    refused = on_scene(page, "return el.set({ 'A.mass': 2 }).then(() => '', (e) => e.message)")
+    assert refused
+
+
+def test_an_older_browser_keeps_the_page_and_gets_one_sentence(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    text = (widget_site / "meeting.html").read_text(encoding="utf-8")
+    old = widget_site / "old.html"
+    (widget_site / "old.js").write_text("delete self.DecompressionStream;", encoding="utf-8")
+    first = '<script src="old.js"></script><link rel="stylesheet"'
+    old.write_text(text.replace('<link rel="stylesheet"', first, 1), encoding="utf-8")
+    page = open_page(old)
+    expect(page.locator("#meeting .carts-note")).to_contain_text("too old to play")
+    assert page.locator("#meeting").get_attribute("data-state") == "still"
+
+
+def test_without_javascript_the_picture_stands(open_page: OpenPage, widget_site: Path) -> None:
+    if "firefox" in str(widget_site):
+        pytest.skip()
+    page = open_page(widget_site / "meeting.html", java_script_enabled=False)
+    expect(page.locator("#meeting .carts-stage-wide")).to_be_visible()
+    expect(page.locator("#meeting .carts-noscript")).to_be_visible()
+    expect(page.locator("#meeting .carts-play")).to_be_disabled()
+
+
+@pytest.mark.parametrize("width", [360, 800, 1300])
+def test_nothing_sticks_out(open_page: OpenPage, widget_site: Path, width: int) -> None:
+    page = live(open_page(widget_site / "meeting.html", viewport={"width": width, "height": 800}))
+    on_scene(page, "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    outside = on_scene(
+        page,
+        """const frame = el.getBoundingClientRect();
+        return [...el.querySelectorAll("button, input, select, output, .carts-plot text")]
+          .filter((part) => part.getClientRects().length)
+          .filter((part) => { const box = part.getBoundingClientRect();
+            return box.left < frame.left - 1 || box.right > frame.right + 1; })
+          .map((part) => part.outerHTML.slice(0, 80));""",
+    )
+    assert outside == []
+
+
+def test_two_scenes_share_one_worker(open_page: OpenPage, widget_site: Path) -> None:
+    other = {**MEETING, "id": "other", "until": "3 s"}
+    page = open_page(write_page(widget_site, "both", MEETING, other))
+    live(page, "meeting")
+    live(page, "other")
+    assert len(page.workers) <= 1
+    assert on_scene(page, "await el.set({ 'A.mass': 3 }); return el.trajectory.t.at(-1)",
+                    name="other") == 3  # fmt: skip
+    assert on_scene(page, "return el.trajectory.t.at(-1)") == 6
+
+
+def test_no_page_complains(open_page: OpenPage, widget_site: Path) -> None:
+    """No error and no violation of the policy while a reader uses everything once."""
+    for name in FENCES:
+        page = open_page(widget_site / f"{name}.html")
+        errors: list[str] = []
+        page.on("pageerror", lambda error, errors=errors: errors.append(str(error)))
+        page.on("console", lambda m, errors=errors: m.type == "error" and errors.append(m.text))
+        live(page, name)
+        for button in page.locator(f"#{name} button:enabled").all():
+            if button.is_visible() and not re.search("carts-lock", button.get_attribute("class")):
+                button.click()
+        assert errors == []

@@ -1,0 +1,127 @@
+"""A prediction: kept at every input, locked once, and until then nothing is told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import OpenPage
+from tests.web.test_widget_page import live, on_scene, widget_site
+
+pytestmark = pytest.mark.browser
+
+__all__ = ["widget_site"]
+
+
+def guess(page: Page, on: str, value: float) -> None:
+    box = page.locator(f'.carts-guess[data-on="{on}"] [type=text]')
+    box.fill(str(value))
+    box.press("Tab")
+
+
+def test_nothing_is_told_before_the_lock(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "arrows.html"), "arrows")
+    told = on_scene(
+        page,
+        """const error = await el.set({ "A.mass": 2 }).catch((e) => e.message);
+        el.time = 3;
+        return { trajectory: el.trajectory, plan: el.plan, time: el.time, error };""",
+        name="arrows",
+    )
+    assert told == {
+        "trajectory": None,
+        "plan": [],
+        "time": 0,
+        "error": "Make your prediction and lock it first.",
+    }
+    expect(page.locator("#arrows .carts-results")).to_be_hidden()
+    expect(page.locator("#arrows .carts-play")).to_be_disabled()
+    expect(page.locator("#arrows .carts-push").first).to_be_hidden()
+    assert page.locator("#arrows .carts-announcer").inner_text() == ""
+    assert page.locator("#arrows .carts-event").count() == 0
+    page.emulate_media(media="print") if page.context.browser.browser_type.name == "chromium" else 0
+    expect(page.locator("#arrows .carts-results")).to_be_hidden()
+
+
+def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "arrows.html"), "arrows")
+    page.locator("#arrows .carts-lock").click()
+    expect(page.locator("#arrows .carts-predict-error")).to_contain_text("Set every arrow first")
+    guess(page, "A", 2)
+    guess(page, "B", 6)
+    expect(page.locator("#arrows .carts-saved")).to_have_text("Saved.")
+    assert page.locator("#arrows .carts-stage-wide .carts-guessed").count() == 2
+    page.locator("#arrows .carts-lock").click()
+    expect(page.locator("#arrows .carts-results")).to_be_visible()
+    compared = page.locator("#arrows .carts-compared").inner_text()
+    assert "2.0 N" in compared
+    assert "6.0 N" in compared
+    assert compared.count("6.9 N") == 2  # the run: equal
+    assert page.locator("#arrows .carts-guessed:visible").count() == 2  # in the comparison only
+    assert on_scene(page, "return el.trajectory.events.length", name="arrows") > 3
+    expect(page.locator("#arrows .carts-play")).to_be_enabled()
+
+
+def test_a_prediction_comes_back_after_a_reload(open_page: OpenPage, widget_site: Path) -> None:
+    page = open_page(widget_site / "arrows.html")
+    page.locator(".carts-guess [type=text]:enabled").first.wait_for()
+    guess(page, "A", 2)
+    expect(page.locator("#arrows .carts-saved")).to_have_text("Saved.")
+    page.reload()
+    expect(page.locator('.carts-guess[data-on="A"] [type=text]')).to_have_value("2.0")
+    guess(page, "B", 6)
+    page.locator("#arrows .carts-lock").click()
+    expect(page.locator("#arrows .carts-compared")).to_be_visible(timeout=20_000)
+    page.reload()
+    expect(page.locator("#arrows .carts-compared")).to_contain_text("2.0 N", timeout=20_000)
+    expect(page.locator("#arrows .carts-lock")).to_be_hidden()
+
+
+def test_a_curve_is_typed_or_drawn_and_compared_by_features(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "curve.html"), "curve")
+    heights = page.locator("#curve .carts-height")
+    for k, height in enumerate((0, 5, 9, 5)):
+        heights.nth(k).fill(str(height))
+    page.locator("#curve .carts-pad").scroll_into_view_if_needed()
+    pad = page.locator("#curve .carts-pad").bounding_box()
+    assert pad
+    page.mouse.click(pad["x"] + pad["width"] * 350 / 360, pad["y"] + pad["height"] * 94 / 170)
+    expect(heights.nth(4)).to_have_value("3")
+    page.locator("#curve .carts-lock").click()
+    compared = page.locator("#curve .carts-compared")
+    expect(compared).to_contain_text("starts from zero: your curve yes, the run yes")
+    expect(compared).to_contain_text("is zero again at the end: your curve no, the run yes")
+
+
+def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "choice.html"), "choice")
+    page.locator("#choice .carts-lock").click()
+    expect(page.locator("#choice .carts-predict-error")).to_be_visible()
+    page.get_by_label("It turns back").check()
+    page.locator("#choice .carts-lock").click()
+    expect(page.locator("#choice .carts-compared")).to_contain_text("You chose: It turns back")
+    page = live(open_page(widget_site / "words.html"), "words")
+    page.locator("#words textarea").fill("It turns back, <b>I think</b>.")
+    expect(page.locator("#words .carts-saved")).to_have_text("Saved.")
+    page.reload()
+    expect(page.locator("#words textarea")).to_have_value("It turns back, <b>I think</b>.")
+
+
+def test_without_python_a_prediction_is_kept_and_the_reader_told(
+    open_page: OpenPage, widget_site: Path, tmp_path: Path
+) -> None:
+    import shutil
+
+    site = tmp_path / "broken"
+    shutil.copytree(widget_site, site)
+    shutil.rmtree(site / "assets" / "carts" / "runtime")
+    page = open_page(site / "choice.html")
+    page.wait_for_selector('#choice[data-state="failed"]', timeout=10_000)
+    page.get_by_label("It turns back").check()
+    expect(page.locator("#choice .carts-saved")).to_have_text("Saved.")
+    page.locator("#choice .carts-lock").click()
+    expect(page.locator("#choice .carts-predict-error")).to_contain_text("prediction is kept")
