@@ -10,7 +10,7 @@ window.progress = [];
 window.booted = startRuntime({
   base,
   packages: packages.split(" ").filter(Boolean),
-  onProgress: (progress) => window.progress.push(progress),
+  onProgress: (progress) => window.progress.push({ ...progress, ms: performance.now() }),
 }).then(
   async (runtime) => {
     window.runtime = runtime;

@@ -23,7 +23,7 @@ Server = Callable[[Path], str]
 
 
 @pytest.fixture(scope="session")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def boot_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build_site(tmp_path_factory.mktemp("boot") / "site with space, ü & 100 %")
 
 
@@ -36,9 +36,9 @@ def free_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def broken_site(site: Path, tmp_path: Path) -> Path:
+def broken_site(boot_site: Path, tmp_path: Path) -> Path:
     """A copy of the site to damage."""
-    return shutil.copytree(site, tmp_path / "site")
+    return shutil.copytree(boot_site, tmp_path / "site")
 
 
 def booted(page: Any) -> dict[str, Any]:
@@ -59,8 +59,8 @@ def write_index(site: Path, index: dict[str, Any]) -> None:
     (site / RUNTIME / "index.js").write_text(text, encoding="utf-8")
 
 
-def test_python_answers_from_a_double_clicked_file(open_page: OpenPage, site: Path) -> None:
-    page = open_page(site / "index.html")
+def test_python_answers_from_a_double_clicked_file(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
     result = booted(page)
     assert result["start"] == "snapshot"
     assert result["header"]["ok"] is True
@@ -69,32 +69,34 @@ def test_python_answers_from_a_double_clicked_file(open_page: OpenPage, site: Pa
     assert result["numbers"] == pytest.approx([0, 2, 0.4, 1.6, 0.6, 0.6, 0, 0], abs=1e-15)
 
 
-def test_python_answers_from_a_server(open_page: OpenPage, site: Path, site_server: Server) -> None:
+def test_python_answers_from_a_server(
+    open_page: OpenPage, boot_site: Path, site_server: Server
+) -> None:
     csp = STRICT.replace("connect-src 'none'", "connect-src 'self'")
     csp = csp.replace("worker-src blob:", "worker-src 'self' blob:")
-    write_page(site, name="hosted.html", csp=csp)
-    result = booted(open_page(site_server(site) + "/hosted.html"))
+    write_page(boot_site, name="hosted.html", csp=csp)
+    result = booted(open_page(site_server(boot_site) + "/hosted.html"))
     assert result["start"] == "snapshot"
     assert result["header"]["ok"] is True
 
 
-def test_nothing_of_the_payload_stays_in_the_page(open_page: OpenPage, site: Path) -> None:
-    page = open_page(site / "index.html")
+def test_nothing_of_the_payload_stays_in_the_page(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
     booted(page)
     assert page.evaluate("Object.keys(window.__cartsParts)") == []
     assert page.evaluate("document.querySelectorAll('script[src*=runtime]').length") == 0
 
 
-def test_progress_only_grows(open_page: OpenPage, site: Path) -> None:
-    page = open_page(site / "index.html")
+def test_progress_only_grows(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
     booted(page)
     fractions = [p["fraction"] for p in page.evaluate("window.progress")]
     assert fractions == sorted(fractions)
     assert fractions[-1] == 1
 
 
-def test_answers_come_in_the_order_of_the_requests(open_page: OpenPage, site: Path) -> None:
-    page = open_page(site / "index.html")
+def test_answers_come_in_the_order_of_the_requests(open_page: OpenPage, boot_site: Path) -> None:
+    page = open_page(boot_site / "index.html")
     booted(page)
     ids = page.evaluate(
         """Promise.all([1, 2, 3].map((id) => runtime.request({ id, kind: "run", scene: {} })
@@ -156,21 +158,23 @@ def test_a_missing_file_is_named_as_missing(
     assert result["ms"] < TOLD_WITHIN
 
 
-def test_a_page_whose_package_was_not_packed_says_so(open_page: OpenPage, site: Path) -> None:
-    page = write_page(site, name="numpy.html", packages="numpy")
-    assert booted(open_page(page))["reason"] == "payload-missing"
+def test_a_page_whose_package_was_not_packed_says_so(open_page: OpenPage, boot_site: Path) -> None:
+    page = write_page(boot_site, name="numpy.html", packages="numpy")
+    result = booted(open_page(page))
+    assert result["reason"] == "not-packed"
+    assert "without Python" in result["message"]
 
 
-def test_wasm_refused_by_the_policy_is_told(open_page: OpenPage, site: Path) -> None:
-    page = write_page(site, name="refused.html", csp=STRICT.replace(" 'wasm-unsafe-eval'", ""))
+def test_wasm_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path) -> None:
+    page = write_page(boot_site, name="refused.html", csp=STRICT.replace(" 'wasm-unsafe-eval'", ""))
     result = booted(open_page(page))
     assert result["reason"] == "wasm-refused"
     assert result["ms"] < TOLD_WITHIN
 
 
-def test_a_worker_refused_by_the_policy_is_told(open_page: OpenPage, site: Path) -> None:
+def test_a_worker_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path) -> None:
     csp = STRICT.replace("worker-src blob:", "worker-src 'none'")
-    result = booted(open_page(write_page(site, name="no-worker.html", csp=csp)))
+    result = booted(open_page(write_page(boot_site, name="no-worker.html", csp=csp)))
     assert result["reason"] == "worker-refused"
     assert result["ms"] < TOLD_WITHIN
 
@@ -178,29 +182,33 @@ def test_a_worker_refused_by_the_policy_is_told(open_page: OpenPage, site: Path)
 @pytest.mark.parametrize(
     ("lost", "reason"), [("WebAssembly", "no-wasm"), ("DecompressionStream", "too-old")]
 )
-def test_an_older_browser_is_told(open_page: OpenPage, site: Path, lost: str, reason: str) -> None:
-    (site / "older.js").write_text(f"delete window.{lost};\n", encoding="utf-8")
-    page = write_page(site, name="older.html", before='<script src="older.js"></script>')
+def test_an_older_browser_is_told(
+    open_page: OpenPage, boot_site: Path, lost: str, reason: str
+) -> None:
+    (boot_site / "older.js").write_text(f"delete window.{lost};\n", encoding="utf-8")
+    page = write_page(boot_site, name="older.html", before='<script src="older.js"></script>')
     result = booted(open_page(page))
     assert result["reason"] == reason
     assert result["ms"] < TOLD_WITHIN
 
 
-def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, site: Path) -> None:
-    (site / "dying.js").write_text(
+def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_site: Path) -> None:
+    (boot_site / "dying.js").write_text(
         "window.Worker = class extends Worker {\n"
         "  constructor(...given) { super(...given); setTimeout(() => this.terminate(), 50); }\n"
         "};\n",
         encoding="utf-8",
     )
-    page = write_page(site, name="dying.html", before='<script src="dying.js"></script>')
+    page = write_page(boot_site, name="dying.html", before='<script src="dying.js"></script>')
     result = booted(open_page(page))
     assert result["reason"] == "stalled"
     assert result["ms"] < TOLD_WITHIN
 
 
-def test_a_worker_killed_later_is_told_and_can_be_replaced(open_page: OpenPage, site: Path) -> None:
-    page = open_page(site / "index.html")
+def test_a_worker_killed_later_is_told_and_can_be_replaced(
+    open_page: OpenPage, boot_site: Path
+) -> None:
+    page = open_page(boot_site / "index.html")
     booted(page)
     lost = page.evaluate(
         """async () => {
@@ -208,7 +216,7 @@ def test_a_worker_killed_later_is_told_and_can_be_replaced(open_page: OpenPage, 
              const before = performance.now();
              runtime.worker.terminate();
              const reason = await runtime.request({ kind: "run" }).catch((e) => e.reason);
-             return { reason, told: await told, ms: performance.now() - before };
+             return { reason, told: (await told).reason, ms: performance.now() - before };
            }"""
     )
     assert lost["reason"] == lost["told"] == "worker-lost"

@@ -78,7 +78,7 @@ def make_packages(
 
     code = code_key("packages", "stdlib", "lock")
     key = key_of(tools_key(), code, str(tool_works()), *(p.name for p in originals.values()))
-    folder = cache.step("packages-" + "-".join(originals), key, make)
+    folder = cache.step("packages", key, make)
     used = (folder / "used.txt").read_text(encoding="utf-8").split()
     return Packages({n: folder / names[n] for n in originals}, tuple(used))
 

@@ -1,10 +1,11 @@
 // Every way in which Python can fail to start, and what the reader is told.
 
-/** @typedef {"payload-missing" | "payload-damaged" | "no-wasm" | "wasm-refused" | "too-old" |
+/** @typedef {"not-packed" | "payload-missing" | "payload-damaged" | "no-wasm" | "wasm-refused" | "too-old" |
  *   "worker-refused" | "worker-lost" | "snapshot-refused" | "python-failed" | "stalled" | "stopped"} Reason */
 
 /** @type {Record<Reason, string>} */
 const MESSAGES = {
+  "not-packed": "This page was built without Python. It shows only the runs that came with it.",
   "payload-missing":
     "A file of this page is missing, so Python can't start. Copy the whole folder again.",
   "payload-damaged":
@@ -13,7 +14,7 @@ const MESSAGES = {
   "wasm-refused":
     "This browser, or the rules of this network, do not allow Python to start. Try another browser.",
   "too-old":
-    "This browser is too old to run Python. Try Chrome or Edge 103, Firefox 113, Safari 16.4, or newer.",
+    "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer.",
   "worker-refused": "This browser does not let the page start Python. Try another browser.",
   "worker-lost": "Python stopped. It may have run out of memory.",
   "snapshot-refused": "Python could not start the quick way.",

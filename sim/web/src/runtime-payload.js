@@ -54,7 +54,7 @@ export function loadIndex(base) {
     const index = page.__cartsRuntime;
     delete page.__cartsRuntime;
     if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
-    if (!index.files) throw new RuntimeFailure("payload-missing", index.missing, "index.js");
+    if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
     return index;
   });
   loading.catch(() => indexes.delete(base));

@@ -83,7 +83,7 @@ class Start {
     if (packages.length) names.push(MORE);
     names.push(...wheels.map((wheel) => index.wheels[wheel]));
     if (names.every((name) => name in index.files)) return names;
-    throw new RuntimeFailure("payload-missing", index.missing || packages.join());
+    throw new RuntimeFailure("not-packed", index.missing || packages.join());
   }
 
   /** @returns {Promise<Runtime>} */
@@ -205,7 +205,7 @@ export class Runtime {
    */
   constructor(worker, start) {
     this.start = start;
-    /** Called once when Python is gone. @type {(reason: Reason) => void} */
+    /** Called once when Python is gone. @type {(failure: RuntimeFailure) => void} */
     this.onlost = () => {};
     this.worker = worker;
     /** @type {Reason | ""} */
@@ -268,7 +268,7 @@ export class Runtime {
 
   /** @param {Reason} reason @param {string} detail */
   lose(reason, detail) {
-    if (this.end(reason, detail)) this.onlost(reason);
+    if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
   }
 
   /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
