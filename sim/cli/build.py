@@ -68,6 +68,8 @@ def build_site(
     try:
         elsewhere = {"site_dir": str(site_dir)} if site_dir else {}
         config: MkDocsConfig = load_config(str(root / "mkdocs.yml"), strict=strict, **elsewhere)
+        if "carts" not in config.plugins:
+            raise Abort("mkdocs.yml: error: the plugin “carts” is not listed under plugins:")
         config.plugins["carts"].config["hosted"] = hosted
         with _messages_to_stderr():
             config.plugins.on_startup(command="build", dirty=False)

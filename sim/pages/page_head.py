@@ -1,8 +1,9 @@
 """The last step of every page: a strict Content-Security-Policy, and only the scripts it needs.
 
-A page may run what lies beside it and nothing else. The inline scripts that the theme writes are
-allowed one by one, by the SHA-256 of their text; what an author or a file might smuggle in is not.
-The policy must be the first element of <head>: what stands before it is not covered.
+A page may run what lies beside it and nothing else. The inline scripts that the theme's templates
+write are allowed one by one, by the SHA-256 of their text; a script that came into the page in any
+other way (front matter, raw HTML in a lesson) is not. The policy must be the first element of
+<head>: what stands before it is not covered.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import re
 from base64 import b64encode
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from html import escape
 from html.parser import HTMLParser
@@ -18,6 +19,7 @@ from typing import Literal
 
 Audience = Literal["offline", "hosted", "preview"]
 
+_EXPRESSION = re.compile(r"\{\{.*?\}\}")
 _SCRIPT = re.compile(r"<script(?P<attributes>[^>]*)>(?P<text>.*?)</script>", re.DOTALL)
 _DATA_TYPE = re.compile(r"""\btype\s*=\s*["']?(?!text/javascript|module)[\w/+-]+""")
 # Firefox prefetches these pages, which the policy rightly forbids; the links in the footer stay.
@@ -70,14 +72,40 @@ def inline_scripts(page: str) -> list[str]:
     ]
 
 
-def finish(page: str, *, audience: Audience, site_id: str, assets: str, needs: Needs) -> str:
+def trusted_scripts(templates: Iterable[str]) -> list[re.Pattern[str]]:
+    """The inline scripts in the sources of the theme's templates, as patterns.
+
+    Where a template fills something in (the address of the site's root), a path may stand.
+    """
+    return [
+        re.compile(r"[\w./:-]*".join(map(re.escape, _EXPRESSION.split(text))))
+        for template in templates
+        for text in inline_scripts(template)
+    ]
+
+
+def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
+    """Whether an inline script is one of the theme's own."""
+    return any(pattern.fullmatch(script) for pattern in trusted)
+
+
+def finish(
+    page: str,
+    *,
+    audience: Audience,
+    site_id: str,
+    assets: str,
+    needs: Needs,
+    trusted: Collection[re.Pattern[str]],
+) -> str:
     """The page with its policy, its site's name and the scripts that it needs.
 
     `assets` leads from the page to the folder assets/carts/, with a slash at its end.
     """
+    allowed = [script for script in inline_scripts(page) if is_trusted(script, trusted)]
     first = (
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
-        f'content="{policy(audience, inline_scripts(page))}">\n'
+        f'content="{policy(audience, allowed)}">\n'
         f'    <meta name="carts-site" content="{escape(site_id)}">'
     )
     last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in ("site.css", "carts.css")]

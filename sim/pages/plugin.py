@@ -1,8 +1,9 @@
 """The MkDocs plugin: a thin shell around `SiteBuild` and the Markdown extension.
 
 Which events are used, and why: `config` (settings, the Markdown extension), `files` (lessons and
-assets join the site), `page_markdown` and `page_content` (tell the extension which page is made),
-`post_page` and `post_template` (policy and scripts), `post_build` (runtime, search, licences).
+assets join the site), `env` (which scripts are the theme's), `page_markdown` and `page_content`
+(tell the extension which page is made), `post_page` and `post_template` (policy and scripts),
+`post_build` (runtime, search, licences).
 """
 
 from __future__ import annotations
@@ -11,10 +12,12 @@ import logging
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from html import escape
 from pathlib import Path
 from typing import Any, Literal
 from urllib.parse import urlsplit
 
+from jinja2 import Environment
 from mkdocs.config import config_options as c
 from mkdocs.config.base import Config
 from mkdocs.config.defaults import MkDocsConfig
@@ -26,7 +29,7 @@ from mkdocs.utils import CountHandler, get_relative_url
 
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import Finding
-from sim.pages.page_head import Audience, blocked
+from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.site_build import SiteBuild, SiteError, with_lessons
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
 
@@ -97,6 +100,9 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
     ) -> str:
         """Tell the extension which page comes now, and on which line of its file it begins."""
         path = Path(page.file.abs_src_path or page.file.src_uri)
+        for key in ("title", "description", "author"):  # the theme writes them out as they are
+            if isinstance(page.meta.get(key), str):
+                page.meta[key] = escape(page.meta[key])
         self.page = self.build.page(path, whole=page.file.content_string, markdown=markdown)
         set_page(self.page)
         return markdown
@@ -111,8 +117,19 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             log.warning("%s: the page's policy blocks %s", self.page.lesson.file, what)
         return html
 
+    def on_env(self, env: Environment, *, config: MkDocsConfig, files: Files) -> Environment:
+        """The scripts that the theme's own templates hold are the only ones to be trusted."""
+        names = env.list_templates(extensions=["html"])
+        sources = (env.loader.get_source(env, name)[0] for name in names if env.loader)
+        self.build.trusted = trusted_scripts(sources)
+        return env
+
     def on_post_page(self, output: str, *, page: MkDocsPage, config: MkDocsConfig) -> str:
         """Policy and scripts of one page."""
+        for script in self.build.strangers(output):
+            log.warning(
+                "%s: the page's policy blocks a script in it: %.60s", page.file.src_uri, script
+            )
         assets = get_relative_url(ASSETS, page.url)
         return self.build.finished(output, assets, page.file.src_uri)
 

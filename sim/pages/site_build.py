@@ -16,7 +16,7 @@ from sim.pages import licences, site_files
 from sim.pages.check import scene_folders
 from sim.pages.extension import Page
 from sim.pages.findings import Finding
-from sim.pages.page_head import Audience, Needs, finish
+from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.scene_block import Lesson, SiteIds
 
 _SITE_ID = re.compile(r"[a-z0-9][a-z0-9-]{2,39}")
@@ -43,6 +43,7 @@ class SiteBuild:
     ids: SiteIds = field(default_factory=SiteIds)
     packages: set[str] = field(default_factory=set)
     needs: dict[str, Needs] = field(default_factory=dict)
+    trusted: list[re.Pattern[str]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         if not _SITE_ID.fullmatch(self.site_id):
@@ -65,8 +66,17 @@ class SiteBuild:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
         needs = self.needs.get(name, Needs()) if name else Needs()
         return finish(
-            html, audience=self.audience, site_id=self.site_id, assets=assets, needs=needs
+            html,
+            audience=self.audience,
+            site_id=self.site_id,
+            assets=assets,
+            needs=needs,
+            trusted=self.trusted,
         )
+
+    def strangers(self, html: str) -> list[str]:
+        """Inline scripts in a page that are not the theme's: its policy will not let them run."""
+        return [text for text in inline_scripts(html) if not is_trusted(text, self.trusted)]
 
     def assets(self) -> dict[str, bytes]:
         """The files beside the pages, by their address in the site; raises `SiteError`."""

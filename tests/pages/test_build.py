@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import json
 import logging
 from collections.abc import Callable
@@ -156,6 +158,14 @@ def test_a_site_without_a_name_is_not_built(
     assert "extra.carts.site_id" in capsys.readouterr().err
 
 
+def test_a_site_without_our_plugin_is_not_built(
+    make_site: MakeSite, capsys: pytest.CaptureFixture[str]
+) -> None:
+    root = make_site(CONFIG.replace("[search, carts]", "[search]"))
+    assert build_site(root, hosted=False, strict=True) is None
+    assert "the plugin “carts” is not listed" in capsys.readouterr().err
+
+
 def test_what_the_policy_blocks_is_a_mistake(
     make_site: MakeSite, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -238,3 +248,26 @@ def test_two_builds_are_the_same_to_the_byte(make_site: MakeSite) -> None:
         }
 
     assert contents() == contents()
+
+
+@pytest.mark.parametrize("key", ["title", "description"])
+def test_front_matter_is_text_and_no_html(make_site: MakeSite, key: str) -> None:
+    front = f"""---\n{key}: '"></title><script>steal()</script>'\n---\n\n# A lesson\n"""
+    site = build_site(make_site(first=front), hosted=False, strict=True)
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert "<script>steal" not in page
+    assert "&lt;script&gt;steal" in page
+
+
+def test_a_script_in_a_lesson_is_not_allowed_to_run(
+    make_site: MakeSite, caplog: pytest.LogCaptureFixture
+) -> None:
+    root = make_site(first="# A\n\n<script>steal()</script>\n")
+    with caplog.at_level(logging.WARNING):
+        site = build_site(root, hosted=False, strict=False)
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    digest = base64.b64encode(hashlib.sha256(b"steal()").digest()).decode()
+    assert digest not in page
+    assert "worksheets/first.md: the page's policy blocks a script in it: steal()" in caplog.text

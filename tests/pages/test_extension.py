@@ -11,6 +11,7 @@ import pytest
 from sim.pages import extension
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.page_head import blocked
 from sim.pages.scene_block import Lesson
 
 SCENE = """\
@@ -125,3 +126,32 @@ def test_a_scene_file_gives_the_scene(tmp_path: Path) -> None:
         assert "<carts-scene" in html("```scene\nid: one\nfile: two.yml\n```\n")
     finally:
         set_page(None)
+
+
+@pytest.mark.parametrize(
+    "payload",
+    [
+        "<img src=x onerror=alert(1)>",
+        "</script><script>alert(1)</script>",
+        "' onmouseover='alert(1)",
+        "-->]]><svg onload=alert(1)>",
+        "<a href=javascript:alert(1)>x</a>",
+        "&lt;img src=x onerror=alert(1)&gt;",
+        "{{ 7 * 7 }}{% raw %}",
+    ],
+)
+@pytest.mark.parametrize(
+    "where",
+    [
+        "title: {}",
+        "predict: {{ask: {0}, choice: [{0}, other]}}",
+        "predict: {{text: {}}}",
+    ],
+)
+def test_no_text_of_an_author_becomes_html(payload: str, where: str, found: list[Finding]) -> None:
+    quoted = "'" + payload.replace("'", "''") + "'"
+    made = html(SCENE.replace("until:", where.format(quoted) + "\nuntil:"))
+    assert "<carts-scene" in made, found
+    assert blocked(made) == []
+    assert "<img" not in made
+    assert made.count("<script") == made.count('<script type="application/json"')

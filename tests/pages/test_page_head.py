@@ -8,7 +8,15 @@ import re
 
 import pytest
 
-from sim.pages.page_head import Needs, blocked, finish, inline_scripts, policy
+from sim.pages.page_head import (
+    Needs,
+    blocked,
+    finish,
+    inline_scripts,
+    is_trusted,
+    policy,
+    trusted_scripts,
+)
 
 PAGE = (
     '<!doctype html>\n<html><head>\n<meta charset="utf-8">\n<script>a = 1</script>'
@@ -18,9 +26,14 @@ PAGE = (
 )
 
 
-def finished(**needs: bool) -> str:
+def finished(page: str = PAGE, *, site_id: str = "a-site", **needs: bool) -> str:
     return finish(
-        PAGE, audience="offline", site_id="a-site", assets="../assets/carts/", needs=Needs(**needs)
+        page,
+        audience="offline",
+        site_id=site_id,
+        assets="../assets/carts/",
+        needs=Needs(**needs),
+        trusted=trusted_scripts([PAGE]),
     )
 
 
@@ -68,12 +81,25 @@ def test_scripts_are_loaded_only_where_they_are_needed() -> None:
     assert "carts.css" in finished()
 
 
+def test_a_script_that_the_theme_did_not_write_is_not_allowed() -> None:
+    assert finished().count("sha256-") == 2
+    smuggled = PAGE.replace("<body>", "<body><script>steal()</script>")
+    assert finished(smuggled).count("sha256-") == 2
+
+
+def test_a_template_may_fill_in_a_path_and_nothing_else() -> None:
+    trusted = trusted_scripts(['<script>go(new URL("{{ base | d(x) }}",here))</script>'])
+    assert is_trusted('go(new URL("../..",here))', trusted)
+    assert not is_trusted('go(new URL("",steal());("",here))', trusted)
+    assert not is_trusted("steal()", trusted)
+
+
 def test_no_page_is_prefetched() -> None:
     assert 'rel="next"' not in finished()
 
 
 def test_the_site_has_a_name_that_cannot_break_out() -> None:
-    page = finish(PAGE, audience="offline", site_id='x"><script>', assets="", needs=Needs())
+    page = finished(site_id='x"><script>')
     assert 'content="x&quot;&gt;&lt;script&gt;"' in page
 
 
