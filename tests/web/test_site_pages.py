@@ -180,3 +180,17 @@ def test_every_text_can_be_told_from_what_lies_behind_it(
         page.goto((site / name).as_uri())
         page.wait_for_load_state()
         assert page.evaluate(pale) == [], name
+
+
+def test_what_is_printed_from_a_dark_screen_can_be_read(
+    site: Path, open_page: OpenPage, browser_name: str
+) -> None:
+    if browser_name == "firefox":
+        pytest.skip("Firefox ESR cannot be told to prefer dark")
+    page = open_page(site / "index.html", color_scheme="dark")
+    pale = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
+    for name in PAGES:
+        page.goto((site / name).as_uri())
+        page.emulate_media(media="print", color_scheme="dark")
+        page.wait_for_timeout(500)  # the theme fades colours of links
+        assert page.evaluate(pale) == [], name
