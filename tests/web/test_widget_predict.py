@@ -40,6 +40,7 @@ def test_nothing_is_told_before_the_lock(open_page: OpenPage, widget_site: Path)
     expect(page.locator("#arrows .carts-play")).to_be_disabled()
     expect(page.locator("#arrows .carts-push").first).to_be_hidden()
     assert page.locator("#arrows .carts-announcer").inner_text() == ""
+    assert "equally hard" not in (page.locator("#arrows").text_content() or "")
     assert page.locator("#arrows .carts-event").count() == 0
     page.emulate_media(media="print") if page.context.browser.browser_type.name == "chromium" else 0
     expect(page.locator("#arrows .carts-results")).to_be_hidden()

@@ -535,7 +535,8 @@
   }
   function modelSentences(header) {
     const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
-    if (header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const told = header.plan.length > 0;
+    if (told && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
     const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
     const last = leftOut.pop();
     if (last !== void 0) {
@@ -1709,8 +1710,11 @@
       this.decimals = baked.view.decimals;
       this.cards = baked.run.header.bodies.map(({ name: name2 }) => {
         const card = need(root, `.carts-card[data-body="${name2}"]`);
-        const outputs = [...card.querySelectorAll("output")];
-        return { name: name2, outputs: new Map(outputs.map((o) => [o.dataset.quantity ?? "", o])) };
+        const outputs = (
+          /** @type {NodeListOf<HTMLElement>} */
+          card.querySelectorAll(".carts-value")
+        );
+        return { name: name2, outputs: new Map([...outputs].map((o) => [o.dataset.quantity ?? "", o])) };
       });
     }
     /** @param {Run} run */
@@ -2684,7 +2688,7 @@
   }
 
   // as-text:src/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var APPEND_MORE = `\nimport importlib, os, zipfile\nwith zipfile.ZipFile("/lib/${MORE}") as more, zipfile.ZipFile("/lib/python314.zip", "a") as whole:\n    for entry in more.infolist():\n        whole.writestr(entry, more.read(entry))\nos.remove("/lib/${MORE}")\nimportlib.invalidate_caches()\n`;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";\n      const response = new Response(zip.readable, { headers: { "Content-Type": type } });\n      found = { writer: zip.writable.getWriter(), response };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    return file(name).response;\n  };\n  function compileWasm() {\n    const compiled = WebAssembly.compileStreaming(file(WASM).response);\n    compiled.catch((error) => fail("too-old", error));\n    const wasm = WebAssembly;\n    wasm.instantiateStreaming = async (_, imports) => {\n      const module = await compiled;\n      return { module, instance: await WebAssembly.instantiate(module, imports) };\n    };\n  }\n  function wasmRefusal() {\n    if (typeof WebAssembly !== "object") return "no-wasm";\n    try {\n      new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));\n      return "";\n    } catch {\n      return "wasm-refused";\n    }\n  }\n  async function boot({ index, snapshot, packages, more }) {\n    const refusal = wasmRefusal();\n    if (refusal) return fail(refusal, "");\n    try {\n      compileWasm();\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: index.lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      await load(index, snapshot, packages, more);\n      answer = python.pyimport(index.entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function load(index, snapshot, packages, more) {\n    if (more) {\n      python.FS.writeFile(`/lib/${MORE}`, await bytesOf(MORE));\n      python.runPython(APPEND_MORE);\n    }\n    if (snapshot && !packages.length) return;\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage([index.package, ...packages], { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    for (const name of [...packages, ...index.later]) {\n      importIfPossible(name);\n      progress(name);\n    }\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";\n      const response = new Response(zip.readable, { headers: { "Content-Type": type } });\n      found = { writer: zip.writable.getWriter(), response };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  function compileWasm() {\n    const compiled = WebAssembly.compileStreaming(file(WASM).response);\n    compiled.catch((error) => fail("too-old", error));\n    const wasm = WebAssembly;\n    wasm.instantiateStreaming = async (_, imports) => {\n      const module = await compiled;\n      return { module, instance: await WebAssembly.instantiate(module, imports) };\n    };\n  }\n  function wasmRefusal() {\n    if (typeof WebAssembly !== "object") return "no-wasm";\n    try {\n      new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));\n      return "";\n    } catch {\n      return "wasm-refused";\n    }\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    const refusal = wasmRefusal();\n    if (refusal) return fail(refusal, "");\n    try {\n      compileWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime.js
   var LOADER = "pyodide.js";
@@ -2734,11 +2738,16 @@
       const names = [LOADER, "pyodide.asm.wasm"];
       if (snapshot) names.push(SNAPSHOT);
       names.push("python.zip");
-      const wheels = packages2.length || !snapshot ? [index.package, ...packages2] : [];
-      if (packages2.length) names.push(MORE);
-      names.push(...wheels.map((wheel) => index.wheels[wheel]));
+      if (packages2.length && index.tableAt) names.push(MORE);
+      names.push(...this.toLoad().map((name2) => index.wheels[name2]));
       if (names.every((name2) => name2 in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages2.join());
+    }
+    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
+    toLoad() {
+      const { index, packages: packages2, snapshot } = this;
+      const ours = !snapshot || packages2.length > 0 && index.later.length > 0;
+      return ours ? [index.package, ...packages2] : packages2;
     }
     /** @returns {Promise<Runtime>} */
     async run() {
@@ -2813,14 +2822,14 @@
         };
       });
       const { index, packages: packages2, snapshot } = this;
-      const { lock, package: own2, entry, later } = index;
-      const wanted = { lock, package: own2, entry, later };
       worker.postMessage({
         do: "boot",
-        index: wanted,
+        lock: index.lock,
+        entry: index.entry,
         snapshot,
-        packages: packages2,
-        more: packages2.length > 0
+        tableAt: packages2.length ? index.tableAt : 0,
+        load: this.toLoad(),
+        modules: packages2.length ? [...packages2, ...index.later] : []
       });
       for (const name2 of this.names.slice(1)) this.send(name2, parts.get(name2) ?? []);
       const { start } = await ready;

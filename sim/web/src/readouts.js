@@ -17,8 +17,10 @@ export class Readouts {
     /** @type {{name: string, outputs: Map<string, Element>}[]} */
     this.cards = baked.run.header.bodies.map(({ name }) => {
       const card = need(root, `.carts-card[data-body="${name}"]`);
-      const outputs = [...card.querySelectorAll("output")];
-      return { name, outputs: new Map(outputs.map((o) => [o.dataset.quantity ?? "", o])) };
+      const outputs = /** @type {NodeListOf<HTMLElement>} */ (
+        card.querySelectorAll(".carts-value")
+      );
+      return { name, outputs: new Map([...outputs].map((o) => [o.dataset.quantity ?? "", o])) };
     });
   }
 

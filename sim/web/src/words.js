@@ -106,7 +106,8 @@ export function noForce(events) {
 /** @param {Header} header @returns {string[]} what is in this model, and what is left out */
 export function modelSentences(header) {
   const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
-  if (header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+  const told = header.plan.length > 0; // not so before a prediction
+  if (told && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
   const leftOut = header.notSimulated.map((name) => EFFECTS[name] ?? name);
   const last = leftOut.pop();
   if (last !== undefined) {
