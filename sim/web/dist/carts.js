@@ -858,9 +858,8 @@
 
   // src/predict-words.js
   var ChoiceForm = class {
-    /** @param {HTMLElement} root @param {import("./types.js").PredictSpec} spec @param {() => void} changed */
-    constructor(root, spec, changed) {
-      this.options = spec.options;
+    /** @param {HTMLElement} root @param {() => void} changed */
+    constructor(root, changed) {
       this.radios = /** @type {HTMLInputElement[]} */
       [
         ...root.querySelectorAll('input[type="radio"]')
@@ -881,8 +880,7 @@
       return this.value === null ? "Choose one first." : null;
     }
     compare() {
-      const chosen = this.options[Number(this.value)] ?? "";
-      return [html("p", "", `You chose: ${chosen}`), html("p", "", "Play the run. What do you see?")];
+      return [html("p", "", "Play the run. What do you see?")];
     }
   };
   var WordsForm = class {
@@ -1012,7 +1010,7 @@
       const forms = {
         arrows: () => new ArrowsForm(root, baked, draw, changed),
         curve: () => new CurveForm(root, spec, changed),
-        choice: () => new ChoiceForm(root, spec, changed),
+        choice: () => new ChoiceForm(root, changed),
         text: () => new WordsForm(root, changed)
       };
       this.form = forms[spec.kind]();
@@ -2603,6 +2601,27 @@
     }
   };
 
+  // src/runtime-watch.js
+  var SECOND = 1e3;
+  var PATIENCE = 8;
+  function watch(patience, late) {
+    let left = patience;
+    const timer = setInterval(() => {
+      left -= 1;
+      if (left > 0) return;
+      clearInterval(timer);
+      late();
+    }, SECOND);
+    return {
+      progress() {
+        left = patience;
+      },
+      stop() {
+        clearInterval(timer);
+      }
+    };
+  }
+
   // src/runtime-payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
@@ -2620,10 +2639,16 @@
       document.head.append(script);
     });
   }
+  function patiently(promise) {
+    return new Promise((resolve, reject) => {
+      const waiting = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
+      promise.then(resolve, reject).finally(waiting.stop);
+    });
+  }
   function loadIndex(base) {
     const known = indexes.get(base);
     if (known) return known;
-    const loading = runScript(`${base}index.js`, "index.js").then(() => {
+    const loading = patiently(runScript(`${base}index.js`, "index.js")).then(() => {
       const index = page.__cartsRuntime;
       delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
@@ -2667,53 +2692,39 @@
     return bytes;
   }
 
-  // src/runtime-watch.js
-  var SECOND = 1e3;
-  function watch(patience, late) {
-    let left = patience;
-    const timer = setInterval(() => {
-      left -= 1;
-      if (left > 0) return;
-      clearInterval(timer);
-      late();
-    }, SECOND);
-    return {
-      progress() {
-        left = patience;
-      },
-      stop() {
-        clearInterval(timer);
-      }
-    };
+  // src/runtime-wasm.js
+  var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
+  function requireWasm() {
+    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
+    try {
+      new WebAssembly.Module(NOTHING);
+    } catch (error) {
+      throw new RuntimeFailure("wasm-refused", String(error));
+    }
+  }
+  async function compile(parts) {
+    const zip = new DecompressionStream("gzip");
+    const headers = { "Content-Type": "application/wasm" };
+    const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
+    const written = write(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written]);
+    return module;
+  }
+  async function write(writer, parts) {
+    for (const part of parts) await writer.write(await part);
+    await writer.close();
   }
 
   // as-text:src/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";\n      const response = new Response(zip.readable, { headers: { "Content-Type": type } });\n      found = { writer: zip.writable.getWriter(), response };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  function compileWasm() {\n    const compiled = WebAssembly.compileStreaming(file(WASM).response);\n    compiled.catch((error) => fail("too-old", error));\n    const wasm = WebAssembly;\n    wasm.instantiateStreaming = async (_, imports) => {\n      const module = await compiled;\n      return { module, instance: await WebAssembly.instantiate(module, imports) };\n    };\n  }\n  function wasmRefusal() {\n    if (typeof WebAssembly !== "object") return "no-wasm";\n    try {\n      new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));\n      return "";\n    } catch {\n      return "wasm-refused";\n    }\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    const refusal = wasmRefusal();\n    if (refusal) return fail(refusal, "");\n    try {\n      compileWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
-  // src/runtime.js
-  var LOADER = "pyodide.js";
+  // src/runtime-start.js
   var SNAPSHOT = "memory.snapshot";
+  var LOADER = "pyodide.js";
+  var WASM = "pyodide.asm.wasm";
+  var STDLIB = "python.zip";
   var MORE = "python-more.zip";
-  var PATIENCE = 8;
-  var PICK_UP = 3;
-  async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
-  } }) {
-    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
-    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
-    const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
-    const index = await loadIndex(folder);
-    const options = { folder, index, packages: order(packages2), onProgress };
-    if (!(SNAPSHOT in index.files)) return new Start(options, false).run();
-    try {
-      return await new Start(options, true).run();
-    } catch (error) {
-      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
-      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
-      return new Start(options, false).run();
-    }
-  }
-  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
-  var order = (packages2) => packages2.includes("scipy") ? ["numpy", "scipy"] : [...new Set(packages2)];
+  var modules = /* @__PURE__ */ new Map();
   var Start = class {
     /**
      * @param {{folder: string, index: Index, packages: string[],
@@ -2735,9 +2746,9 @@
     /** The files to load, the most urgent first. */
     files() {
       const { index, packages: packages2, snapshot } = this;
-      const names = [LOADER, "pyodide.asm.wasm"];
+      const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
       if (snapshot) names.push(SNAPSHOT);
-      names.push("python.zip");
+      names.push(STDLIB);
       if (packages2.length && index.tableAt) names.push(MORE);
       names.push(...this.toLoad().map((name2) => index.wheels[name2]));
       if (names.every((name2) => name2 in index.files)) return names;
@@ -2749,7 +2760,7 @@
       const ours = !snapshot || packages2.length > 0 && index.later.length > 0;
       return ours ? [index.package, ...packages2] : packages2;
     }
-    /** @returns {Promise<Runtime>} */
+    /** @returns {Promise<Started>} */
     async run() {
       let reject = () => {
       };
@@ -2803,6 +2814,8 @@
      * @returns {Promise<any>}
      */
     async boot(parts, reject) {
+      const compiling = this.module(parts.get(WASM) ?? []);
+      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
       const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
       if (this.over) return null;
       const { worker, address } = startWorker(loader);
@@ -2831,10 +2844,18 @@
         load: this.toLoad(),
         modules: packages2.length ? [...packages2, ...index.later] : []
       });
-      for (const name2 of this.names.slice(1)) this.send(name2, parts.get(name2) ?? []);
+      for (const [name2, its] of parts) if (name2 !== LOADER && name2 !== WASM) this.send(name2, its);
+      worker.postMessage({ do: "wasm", module: await compiling });
+      this.progress(WASM);
       const { start } = await ready;
       this.onProgress({ fraction: 1, stage: "ready" });
-      return new Runtime(worker, start);
+      return { worker, start };
+    }
+    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
+    async module(parts) {
+      const module = modules.get(this.folder) ?? await compile(parts);
+      modules.set(this.folder, module);
+      return module;
     }
     /**
      * @param {string} name
@@ -2857,12 +2878,31 @@
       throw new RuntimeFailure("worker-refused", String(error));
     }
   }
+
+  // src/runtime.js
+  var PICK_UP = 3;
+  async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
+  } }) {
+    requireWasm();
+    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
+    const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
+    const index = await loadIndex(folder);
+    const options = { folder, index, packages: order(packages2), onProgress };
+    const start = (snapshot) => new Start(options, snapshot).run();
+    if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
+    try {
+      return new Runtime(await start(true));
+    } catch (error) {
+      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
+      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
+      return new Runtime(await start(false));
+    }
+  }
+  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
+  var order = (packages2) => packages2.includes("scipy") ? ["numpy", "scipy"] : [...new Set(packages2)];
   var Runtime = class {
-    /**
-     * @param {Worker} worker
-     * @param {"snapshot" | "plain"} start how it started
-     */
-    constructor(worker, start) {
+    /** @param {import("./runtime-start.js").Started} started */
+    constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
       };

@@ -3,9 +3,8 @@
 import { html, need } from "./dom.js";
 
 export class ChoiceForm {
-  /** @param {HTMLElement} root @param {import("./types.js").PredictSpec} spec @param {() => void} changed */
-  constructor(root, spec, changed) {
-    this.options = spec.options;
+  /** @param {HTMLElement} root @param {() => void} changed */
+  constructor(root, changed) {
     this.radios = /** @type {HTMLInputElement[]} */ ([
       ...root.querySelectorAll('input[type="radio"]'),
     ]);
@@ -30,8 +29,7 @@ export class ChoiceForm {
   }
 
   compare() {
-    const chosen = this.options[Number(this.value)] ?? "";
-    return [html("p", "", `You chose: ${chosen}`), html("p", "", "Play the run. What do you see?")];
+    return [html("p", "", "Play the run. What do you see?")];
   }
 }
 

@@ -49,7 +49,7 @@ export class Predict {
     const forms = {
       arrows: () => new ArrowsForm(root, baked, draw, changed),
       curve: () => new CurveForm(root, spec, changed),
-      choice: () => new ChoiceForm(root, spec, changed),
+      choice: () => new ChoiceForm(root, changed),
       text: () => new WordsForm(root, changed),
     };
     /** @type {Form} */
