@@ -12,14 +12,10 @@ from tests.web.conftest import OpenPage
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
-PAGES = (
-    "index.html",
-    "about.html",
-    "physics/index.html",
-    "teachers/index.html",
-    "worksheets/newtons-first-law.html",
-    "404.html",
-)
+
+def pages(site: Path) -> list[str]:
+    """The addresses of all pages, from the site's folder."""
+    return sorted(path.relative_to(site).as_posix() for path in site.rglob("*.html"))
 
 
 def listen(page: Page) -> list[str]:
@@ -40,7 +36,7 @@ def search(page: Page, word: str) -> None:
 def test_no_page_breaks_its_policy_from_disk(site: Path, open_page: OpenPage) -> None:
     page = open_page(site / "index.html")
     heard = listen(page)
-    for name in PAGES:
+    for name in pages(site):
         page.goto((site / name).as_uri())
         expect(page.locator("html.js")).to_be_attached()
         page.wait_for_load_state()
@@ -54,10 +50,11 @@ def test_no_page_breaks_its_policy_from_a_server(
     site_server: Callable[[Path], str],
     request: pytest.FixtureRequest,
 ) -> None:
-    address = site_server(request.getfixturevalue(built))
+    folder = request.getfixturevalue(built)
+    address = site_server(folder)
     page = open_page(f"{address}/index.html")
     heard = listen(page)
-    for name in PAGES:
+    for name in pages(folder):
         page.goto(f"{address}/{name}")
         expect(page.locator("html.js")).to_be_attached()
         page.wait_for_load_state()
@@ -157,7 +154,7 @@ def test_nothing_jumps_while_a_page_is_read_in(
         pytest.skip("Firefox does not measure layout shifts")
     page = open_page(site / "index.html", viewport={"width": width, "height": 800})
     page.add_init_script(COUNT_SHIFTS)
-    for name in PAGES:
+    for name in pages(site):
         page.goto((site / name).as_uri())
         page.wait_for_load_state()
         page.evaluate("document.fonts.ready")
@@ -176,7 +173,7 @@ def test_every_text_can_be_told_from_what_lies_behind_it(
         site / "index.html", viewport={"width": width, "height": 800}, color_scheme=scheme
     )
     pale = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
-    for name in PAGES:
+    for name in pages(site):
         page.goto((site / name).as_uri())
         page.wait_for_load_state()
         assert page.evaluate(pale) == [], name
@@ -189,7 +186,7 @@ def test_what_is_printed_from_a_dark_screen_can_be_read(
         pytest.skip("Firefox ESR cannot be told to prefer dark")
     page = open_page(site / "index.html", color_scheme="dark")
     pale = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
-    for name in PAGES:
+    for name in pages(site):
         page.goto((site / name).as_uri())
         page.emulate_media(media="print", color_scheme="dark")
         page.wait_for_timeout(500)  # the theme fades colours of links
