@@ -601,7 +601,8 @@
           "input",
           () => this.#take(row, row.slider.valueAsNumber, changed)
         );
-        row.box.addEventListener("change", () => this.#typed(row, changed));
+        row.box.addEventListener("input", () => this.#typed(row, changed, false));
+        row.box.addEventListener("change", () => this.#typed(row, changed, true));
         return row;
       });
     }
@@ -660,17 +661,23 @@
       const text = "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.";
       return [...tables, html("p", "", text)];
     }
-    /** @param {Row} row @param {() => void} changed */
-    #typed(row, changed) {
+    /** While typing only what makes sense is taken. @param {Row} row @param {() => void} changed @param {boolean} done */
+    #typed(row, changed, done) {
       const read = readTyped(row.box.value);
       let problem = "";
       if ("problem" in read) problem = read.problem;
       else if ("text" in read) problem = "Type a number; the unit is N.";
       else if (read.value < 0 || read.value > this.full)
-        problem = `0 to ${fixed(this.full, 0)} N, please.`;
-      say(row.error, problem);
-      row.error.hidden = !problem;
-      if ("value" in read && !problem) this.#take(row, read.value, changed);
+        problem = `0 to ${short(this.full)} N, please.`;
+      if (done) {
+        say(row.error, problem);
+        row.error.hidden = !problem;
+      }
+      if (!("value" in read) || problem) return;
+      if (done) this.#show(row, read.value);
+      else this.#set(row, read.value);
+      this.#picture();
+      changed();
     }
     /** @param {Row} row @param {number} size @param {() => void} changed */
     #take(row, size, changed) {
@@ -679,10 +686,14 @@
       changed();
     }
     /** @param {Row} row @param {number} size */
-    #show(row, size) {
+    #set(row, size) {
       row.size = size;
       row.slider.valueAsNumber = size;
       row.slider.setAttribute("aria-valuetext", `${fixed(size, this.decimals)} newtons`);
+    }
+    /** @param {Row} row @param {number} size */
+    #show(row, size) {
+      this.#set(row, size);
       row.box.value = fixed(size, this.decimals);
       row.error.hidden = true;
     }
