@@ -35,6 +35,8 @@ from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
 
 log = logging.getLogger("mkdocs.plugins.carts")
 
+PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf")  # in a folder of lessons
+
 
 class CartsConfig(Config):  # type: ignore[no-untyped-call]
     """Settings in mkdocs.yml under `plugins: - carts:`."""
@@ -64,12 +66,13 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         with _stopping():
             site_id = str((config.extra.get("carts") or {}).get("site_id"))
             self.build = SiteBuild(root, audience, site_id, _report)
-        self.lessons = sorted((root / self.config.lessons).glob("*.md"))
+        self.folder = root / self.config.lessons
+        self.lessons = sorted(self.folder.glob("*.md"))
         if config.nav is not None:
             config.nav = with_lessons(config.nav, self.config.lessons, self.lessons)
         config.use_directory_urls = False
         config.markdown_extensions.append(CartsExtension())  # type: ignore[arg-type]
-        config.watch.append(str(root / self.config.lessons))
+        config.watch.append(str(self.folder))
         if audience == "offline":
             config.extra.setdefault("polyfills", []).append(SEARCH_FROM_DISK)
         if not config.site_url:
@@ -77,9 +80,10 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         return config
 
     def on_files(self, files: Files, *, config: MkDocsConfig) -> Files:
-        """Lessons become pages, our assets become files; what only developers use is left out."""
-        for path in self.lessons:
-            uri = f"{self.config.lessons}/{path.name}"
+        """Lessons and their pictures join the site; what only developers use is left out."""
+        pictures = (p for p in sorted(self.folder.rglob("*")) if p.suffix.lower() in PICTURES)
+        for path in (*self.lessons, *pictures):
+            uri = f"{self.config.lessons}/{path.relative_to(self.folder).as_posix()}"
             file = File.generated(config, uri, abs_src_path=str(path))
             file.edit_uri = f"../{uri}"  # from docs/, where the generator believes it to be
             files.append(file)

@@ -79,6 +79,15 @@ def test_a_lesson_becomes_a_page_with_a_scene(make_site: MakeSite) -> None:
     assert 'href="worksheets/first.html"' in home
 
 
+def test_a_picture_beside_a_lesson_comes_along(make_site: MakeSite) -> None:
+    root = make_site(first="# A lesson\n\n![A cart](pictures/cart.svg)\n")
+    (root / "worksheets" / "pictures").mkdir()
+    (root / "worksheets" / "pictures" / "cart.svg").write_text("<svg/>", encoding="utf-8")
+    site = build_site(root, hosted=False, strict=True)
+    assert site is not None
+    assert (site / "worksheets" / "pictures" / "cart.svg").is_file()
+
+
 def test_a_site_without_scenes_has_no_scene_script(make_site: MakeSite) -> None:
     site = build_site(make_site(first="# A lesson\n\nWords.\n"), hosted=False, strict=True)
     assert site is not None
