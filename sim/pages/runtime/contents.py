@@ -13,7 +13,7 @@ from .classic import classic_script
 from .lock import make_lock
 from .node import code_key, node_version
 from .ours import ENTRY, NAME, Ours
-from .packages import MORE, make_packages, write_more
+from .packages import MORE, make_packages, more_of_stdlib
 from .payload import Payload, payload_from_json, write_payload
 from .snapshot import make_start
 from .stdlib import compiled_stdlib
@@ -48,12 +48,11 @@ def make_contents(
         STDLIB: start.stdlib.read_bytes(),
     }
     wheels = {NAME: start.wheel}
+    table_at = 0
     if originals:
         packages = make_packages(originals, core, stdlib, cache, report)
         wheels |= packages.wheels
-        with cache.workspace() as folder:
-            write_more(stdlib, packages.used, start.used.files, folder / MORE)
-            files[MORE] = (folder / MORE).read_bytes()
+        table_at, files[MORE] = more_of_stdlib(stdlib, packages.used, start.stdlib)
     files |= {path.name: path.read_bytes() for path in wheels.values()}
     payloads = [_scripts(name, data, cache) for name, data in files.items()]
     lock = make_lock(core / pins.LOCK, wheels, cache)
@@ -65,6 +64,7 @@ def make_contents(
         "entry": ENTRY,
         "package": NAME,
         "later": list(start.used.later),
+        "tableAt": table_at,
         "files": {payload.name: payload.as_json() for _, payload in payloads},
         "wheels": {name: path.name for name, path in wheels.items()},
         "lock": lock,

@@ -6,8 +6,10 @@ they need of the standard library goes into a second archive that ships with the
 
 from __future__ import annotations
 
+import io
 import json
 import shutil
+import zipfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,9 +17,9 @@ from pathlib import Path
 from .cache import Cache, key_of
 from .lock import tool_works
 from .node import code_key, tools_key
-from .stdlib import compile_archives, used_files, write_selection
+from .stdlib import append_selection, compile_archives, used_files
 
-MORE = "python-more.zip"
+MORE = "python-more.zip"  # the rest of an archive, see more_of_stdlib
 
 # What a scene may import, so that its share of the standard library is known.
 IMPORTED = {
@@ -83,6 +85,14 @@ def make_packages(
     return Packages({n: folder / names[n] for n in originals}, tuple(used))
 
 
-def write_more(stdlib: Path, needed: Sequence[str], start: Sequence[str], out: Path) -> None:
-    """Write the archive of what the packages need beyond what every page has."""
-    write_selection(stdlib, set(needed) - set(start), out)
+def more_of_stdlib(stdlib: Path, needed: Sequence[str], start: Path) -> tuple[int, bytes]:
+    """Return what the packages need beyond the archive `start` that every page has.
+
+    The bytes go on from `start` at the returned place, where its table of contents begins, and end
+    in a table of both: put together, they are one archive.
+    """
+    whole = io.BytesIO(start.read_bytes())
+    with zipfile.ZipFile(whole, "a") as target:
+        table_at = target.start_dir
+        append_selection(stdlib, set(needed) - set(target.namelist()), target)
+    return table_at, whole.getvalue()[table_at:]

@@ -7,6 +7,7 @@ ours makes these again (a few seconds) and leaves the compiled standard library 
 from __future__ import annotations
 
 import json
+import zipfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from . import pins
 from .cache import Cache, key_of
 from .node import INSIDE, code_key, run_script, tools_key
 from .ours import ENTRY, Ours
-from .stdlib import Used, compile_archives, used_files, write_selection
+from .stdlib import Used, append_selection, compile_archives, used_files
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,8 @@ def make_start(core: Path, stdlib: Path, ours: Ours, cache: Cache) -> Start:
             absent=pins.PACKAGES, entry=ENTRY,
         )  # fmt: skip
         (folder / "used.json").write_text(json.dumps(asdict(used)), encoding="utf-8")
-        write_selection(stdlib, used.files, folder / "python.zip")
+        with zipfile.ZipFile(folder / "python.zip", "w") as target:
+            append_selection(stdlib, used.files, target)
         job = {
             "core": f"{core}/", "stdlib": str(folder / "python.zip"), "wheel": str(wheel),
             "programs": [str(INSIDE / "used.py"), str(INSIDE / "warm.py")],

@@ -89,9 +89,9 @@ def used_files(
     return Used(tuple(found["used"]), tuple(found["later"]))
 
 
-def write_selection(stdlib: Path, names: Iterable[str], out: Path) -> None:
-    """Write an archive of the files `names`, uncompressed: it is packed once, as a whole, later."""
-    with zipfile.ZipFile(stdlib) as source, zipfile.ZipFile(out, "w") as target:
+def append_selection(stdlib: Path, names: Iterable[str], target: zipfile.ZipFile) -> None:
+    """Append the files `names`, uncompressed: an archive is packed once, as a whole, later."""
+    with zipfile.ZipFile(stdlib) as source:
         have = set(source.namelist())
         for name in sorted(set(names) & have):
             info = zipfile.ZipInfo(name, DATE)

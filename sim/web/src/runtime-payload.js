@@ -1,6 +1,7 @@
 // Loads the runtime's files: classic scripts that hold gzip as base64, as no other kind of file can be
 // read by a page on file://. Every part is checked before it is used and let go of afterwards.
 import { RuntimeFailure } from "./runtime-failure.js";
+import { PATIENCE, watch } from "./runtime-watch.js";
 
 /** @typedef {{src: string, sha256: string, size: number}} Part */
 /** @typedef {{size: number, parts: Part[]}} Payload */
@@ -11,7 +12,8 @@ import { RuntimeFailure } from "./runtime-failure.js";
  * @property {object} lock
  * @property {string} entry
  * @property {string} package
- * @property {string[]} later
+ * @property {string[]} later modules of ours that need numpy or scipy
+ * @property {number} tableAt where python-more.zip goes on from python.zip
  * @property {string} missing
  */
 
@@ -42,6 +44,14 @@ function runScript(src, name) {
   });
 }
 
+/** @param {Promise<void>} promise */
+function patiently(promise) {
+  return new Promise((resolve, reject) => {
+    const waiting = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
+    promise.then(resolve, reject).finally(waiting.stop);
+  });
+}
+
 /**
  * The table of contents, read once per page.
  * @param {string} base address of the runtime's folder, with a slash at its end
@@ -50,7 +60,7 @@ function runScript(src, name) {
 export function loadIndex(base) {
   const known = indexes.get(base);
   if (known) return known;
-  const loading = runScript(`${base}index.js`, "index.js").then(() => {
+  const loading = patiently(runScript(`${base}index.js`, "index.js")).then(() => {
     const index = page.__cartsRuntime;
     delete page.__cartsRuntime;
     if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");

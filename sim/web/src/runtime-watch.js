@@ -3,6 +3,9 @@
 
 const SECOND = 1000;
 
+/** In s without progress: the reader is told within 10 s. */
+export const PATIENCE = 8;
+
 /**
  * Calls `late` once, after `patience` such seconds without a call of `progress`.
  * @param {number} patience in s

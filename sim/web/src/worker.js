@@ -9,16 +9,8 @@ const STDLIB = "python.zip";
 const SNAPSHOT = "memory.snapshot";
 const MORE = "python-more.zip";
 
-// One archive, not two on the path: a package looks for its modules only where it was found itself.
-const APPEND_MORE = `
-import importlib, os, zipfile
-with zipfile.ZipFile("/lib/${MORE}") as more, zipfile.ZipFile("/lib/python314.zip", "a") as whole:
-    for entry in more.infolist():
-        whole.writestr(entry, more.read(entry))
-os.remove("/lib/${MORE}")
-importlib.invalidate_caches()
-`;
-
+/** @type {Promise<Response>} */
+let stdlib;
 /** @type {Map<string, {writer: WritableStreamDefaultWriter, response: Response}>} */
 const files = new Map();
 
@@ -42,9 +34,7 @@ function file(name) {
   let found = files.get(name);
   if (!found) {
     const zip = new DecompressionStream("gzip");
-    const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";
-    const response = new Response(zip.readable, { headers: { "Content-Type": type } });
-    found = { writer: zip.writable.getWriter(), response };
+    found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };
     files.set(name, found);
   }
   return found;
@@ -64,50 +54,66 @@ const bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBu
 /** Pyodide asks for its files here. @param {string | URL | Request} address */
 scope.fetch = async (address) => {
   const name = String(address).split("/").pop() ?? "";
-  if (name === WASM) return new Response(); // compiled already, see compileWasm
+  if (name === WASM) return new Response(); // see useCompiledWasm
+  if (name === STDLIB) return stdlib;
   return file(name).response;
 };
 
 /**
- * Starts compiling while the bytes still come, and tells what went wrong: Pyodide itself would only
- * write to the console and wait for ever.
+ * The standard library, with what numpy and scipy need of it. One archive, not two on the path: a
+ * package looks for its modules only where it was found itself. The first archive's table of contents
+ * gives way to the second part, which ends in one for both.
+ * @param {number} tableAt where the table of contents starts, or 0 for the first part alone
  */
-function compileWasm() {
-  const compiled = WebAssembly.compileStreaming(file(WASM).response);
-  compiled.catch((error) => fail("too-old", error));
+async function wholeStdlib(tableAt) {
+  if (!tableAt) return file(STDLIB).response;
+  const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);
+  return new Response(new Blob([first.subarray(0, tableAt), more]));
+}
+
+/** @type {(module: WebAssembly.Module) => void} */
+let giveWasm = () => {};
+/** @type {Promise<WebAssembly.Module>} */
+const wasm = new Promise((resolve) => {
+  giveWasm = resolve;
+});
+
+/** The page has compiled it. Tells what goes wrong: Pyodide would write a line and wait for ever. */
+function useCompiledWasm() {
   /** @type {any} */
-  const wasm = WebAssembly;
-  wasm.instantiateStreaming = async (/** @type {unknown} */ _, /** @type {any} */ imports) => {
-    const module = await compiled;
-    return { module, instance: await WebAssembly.instantiate(module, imports) };
+  const api = WebAssembly;
+  api.instantiateStreaming = async (/** @type {unknown} */ _, /** @type {any} */ imports) => {
+    const module = await wasm;
+    try {
+      return { module, instance: await WebAssembly.instantiate(module, imports) };
+    } catch (error) {
+      fail("too-old", error);
+      throw error;
+    }
   };
 }
 
-/** Refused by a Content-Security-Policy or absent: say so before anything large is loaded. */
-function wasmRefusal() {
-  if (typeof WebAssembly !== "object") return "no-wasm";
-  try {
-    new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])); // the empty module
-    return "";
-  } catch {
-    return "wasm-refused";
-  }
-}
-
 /**
- * @param {{index: any, snapshot: boolean, packages: string[], more: boolean}} plan
+ * @typedef {object} Plan
+ * @property {object} lock what `loadPackage` may load
+ * @property {boolean} snapshot
+ * @property {number} tableAt see wholeStdlib
+ * @property {string[]} load packages to load
+ * @property {string[]} modules to import before the first request
+ * @property {string} entry the module that answers
  */
-async function boot({ index, snapshot, packages, more }) {
-  const refusal = wasmRefusal();
-  if (refusal) return fail(refusal, "");
+
+/** @param {Plan} plan */
+async function boot({ lock, snapshot, tableAt, load, modules, entry }) {
   try {
-    compileWasm();
+    useCompiledWasm();
+    stdlib = wholeStdlib(tableAt);
     const { loadPyodide, createPyodideModule } = scope.__pyodide;
     python = await loadPyodide({
       indexURL: BASE,
       packageBaseUrl: BASE,
       stdLibURL: BASE + STDLIB,
-      lockFileContents: index.lock,
+      lockFileContents: lock,
       createPyodideModule,
       _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : undefined,
       args: [],
@@ -120,8 +126,12 @@ async function boot({ index, snapshot, packages, more }) {
     return fail(snapshot ? "snapshot-refused" : "python-failed", error);
   }
   try {
-    await load(index, snapshot, packages, more);
-    answer = python.pyimport(index.entry).answer;
+    if (load.length) await loadPackages(load);
+    for (const name of modules) {
+      importIfPossible(name);
+      progress(name);
+    }
+    answer = python.pyimport(entry).answer;
   } catch (error) {
     return fail("python-failed", error);
   }
@@ -138,29 +148,15 @@ if "random" in sys.modules:
 `);
 }
 
-/**
- * Our package, where it is not in memory yet, and what the page's scenes need besides.
- * @param {any} index
- * @param {boolean} snapshot
- * @param {string[]} packages
- * @param {boolean} more
- */
-async function load(index, snapshot, packages, more) {
-  if (more) {
-    python.FS.writeFile(`/lib/${MORE}`, await bytesOf(MORE));
-    python.runPython(APPEND_MORE);
-  }
-  if (snapshot && !packages.length) return;
+/** @param {string[]} names */
+async function loadPackages(names) {
   const alive = setInterval(() => progress("packages"), 1000);
   try {
-    await python.loadPackage([index.package, ...packages], { messageCallback: () => {} });
+    await python.loadPackage(names, { messageCallback: () => {} });
   } finally {
     clearInterval(alive);
   }
-  for (const name of [...packages, ...index.later]) {
-    importIfPossible(name);
-    progress(name);
-  }
+  progress("packages");
 }
 
 /** A module of ours may need scipy on a page that has only numpy. @param {string} name */
@@ -195,6 +191,7 @@ function isDead() {
 scope.onmessage = (/** @type {MessageEvent} */ { data }) => {
   if (data.do === "boot") boot(data);
   else if (data.do === "part") take(data);
+  else if (data.do === "wasm") giveWasm(data.module);
   else if (data.do === "request") respond(data);
 };
 tell({ tell: "hello" });
