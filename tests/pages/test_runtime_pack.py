@@ -23,6 +23,7 @@ from sim.pages.runtime import (
 )
 from sim.pages.runtime.cache import Cache, sha256
 from sim.pages.runtime.classic import classic_script
+from sim.pages.runtime.lock import release_lock
 from sim.pages.runtime.places import Place
 from sim.pages.runtime.sources import Wanted, collect
 from tests.web.boot_site import write_stand_in
@@ -240,3 +241,16 @@ def test_elsewhere_the_page_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 def test_another_text_of_pyodide_is_noticed() -> None:
     with pytest.raises(RuntimePackError, match="once was expected"):
         classic_script("export const a = 1;", "export default somethingElse;", "0")
+
+
+def test_without_pyodide_build_the_locks_entries_are_those_of_the_release(tmp_path: Path) -> None:
+    """As on Python 3.11: numpy is the distribution's own wheel, ours has an entry of its own."""
+    release = tmp_path / "lock.json"
+    entry = {"name": "numpy", "file_name": "numpy-2.4.3-x.whl", "sha256": "0" * 64, "depends": []}
+    release.write_text(json.dumps({"info": {"python": "3.14.0"}, "packages": {"numpy": entry}}))
+    ours = tmp_path / "newtons_carts-0.1.0-py3-none-any.whl"
+    ours.write_bytes(b"wheel")
+    packages: Any = release_lock(release, {"newtons-carts": ours, "numpy": ours})["packages"]
+    assert packages["numpy"]["sha256"] == entry["sha256"]
+    assert packages["newtons-carts"]["sha256"] == sha256(b"wheel")
+    assert packages["newtons-carts"]["version"] == "0.1.0"
