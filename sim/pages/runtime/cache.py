@@ -85,7 +85,7 @@ class Cache:
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
-    def _forget_old(self, name: str, newest: Path, kept: int = 6) -> None:
+    def _forget_old(self, name: str, newest: Path, kept: int = 4) -> None:
         """Keep the last few results of a step: an edit should not fill the disk."""
         found = [p for p in self.root.glob(f"{name}-*") if p != newest and p.is_dir()]
         found.sort(key=lambda p: p.stat().st_mtime, reverse=True)
