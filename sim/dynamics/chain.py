@@ -13,8 +13,10 @@ import math
 from dataclasses import dataclass, field
 
 from sim.dynamics.clock import ZERO, Time, elapsed
+from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.laws import Figures, FiniteLaw, finite_law
+from sim.dynamics.touching import Touching
 from sim.scene.model import Contact, Scene
 
 
@@ -29,7 +31,7 @@ class Body:
     left: int  # gap on its left
     right: int  # gap on its right
     time: Time = ZERO
-    contact: PairContact | None = None
+    motion: PairContact | Cluster | None = None  # None: free flight
 
 
 @dataclass(slots=True)
@@ -46,7 +48,7 @@ class Gap:
     time: Time = ZERO
     memory: float = 0.0  # m, of the bumper
     turn: int = 0  # counts predictions: an older one in the calendar is void
-    touching: PairContact | None = None
+    touching: Touching | None = None
     joined: bool = False
     _figures: tuple[float, Figures] | None = field(default=None)
 
@@ -97,7 +99,7 @@ class Chain:
 
     def advance(self, gap: Gap, now: Time) -> None:
         """Bring the room of a gap that is not touching to `now`."""
-        if gap.left.contact is None and gap.right.contact is None:
+        if gap.left.motion is None and gap.right.motion is None:
             gap.room += gap.rate * elapsed(gap.time, now)
         else:
             gap.room += moved(gap.right, gap.time, now) - moved(gap.left, gap.time, now)
@@ -108,18 +110,11 @@ class Chain:
 
 def moved(body: Body, start: Time, end: Time) -> float:
     """m. How far a body goes between two times with no event of its own in between."""
-    contact = body.contact
-    if contact is None:
+    if body.motion is None:
         return body.v * elapsed(start, end)
-    a, b = elapsed(contact.begun, start), elapsed(contact.begun, end)
-    share = contact.shares[0] if contact.gap == body.right else -contact.shares[1]
-    return contact.velocity * (b - a) + share * (contact.overlap(b) - contact.overlap(a))
+    return body.motion.shift(body, start, end)
 
 
 def velocity(body: Body, now: Time) -> float:
     """m/s at `now`."""
-    contact = body.contact
-    if contact is None:
-        return body.v
-    share = contact.shares[0] if contact.gap == body.right else -contact.shares[1]
-    return contact.velocity + share * contact.at(elapsed(contact.begun, now))[1]
+    return body.v if body.motion is None else body.motion.velocity(body, now)

@@ -17,10 +17,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from sim.dynamics.clock import Time
+from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.laws import Figures, FiniteLaw
 from sim.dynamics.laws.swing import Swing, first_turn, greatest_force
+
+if TYPE_CHECKING:
+    from sim.dynamics.chain import Body
+
+SLACK = 1.0 + 1e-9
+"""The bound on the acceleration is itself computed: a little more keeps it a bound."""
+
+FAR = 1e300
+"""s. In place of infinity for a contact that never ends: everything has faded there."""
 
 
 @dataclass(slots=True)
@@ -34,7 +44,7 @@ class PairContact:
     d0: float  # m
     u: float  # m/s
     memory: float  # m, of the bumper, before this contact
-    velocity: float  # m/s, V
+    velocity_of_centre: float  # m/s, V
     shares: tuple[float, float]  # mu/mA, mu/mB
     figures: Figures | None  # where it starts from first touch
     duration: float = field(init=False)
@@ -56,12 +66,10 @@ class PairContact:
     def at(self, tau: float) -> tuple[float, float, float, float]:
         """d, d', d'', d''' at tau s after the contact began."""
         stretches = self.stretches
-        for swing in stretches:
-            if tau < swing.start + swing.duration:
-                return swing.at(tau)
-        if not stretches:
-            return self.d0, self.u, 0.0, 0.0
-        return stretches[-1].at(tau)
+        for swing in stretches:  # a stretch holds at its own end: the last force, not the next
+            if tau <= swing.start + swing.duration or swing is stretches[-1]:
+                return swing.at(max(tau, swing.start))
+        return self.d0, self.u, 0.0, 0.0
 
     def out(self) -> tuple[float, float]:
         """Separation speed and overlap left at the end."""
@@ -111,6 +119,57 @@ class PairContact:
             if swing.rate.beta > 0.0:
                 best = max(best, swing.at(swing.start + _turn(swing))[0])
         return best
+
+    def side(self, body: Body) -> float:
+        """Signed share of a body in the overlap: x = x0 + V t + side (d − d0)."""
+        return self.shares[0] if self.gap == body.right else -self.shares[1]
+
+    def shift(self, body: Body, start: Time, end: Time) -> float:
+        """m. How far a body goes between two times in the contact."""
+        a, b = elapsed(self.begun, start), elapsed(self.begun, end)
+        return self.velocity_of_centre * (b - a) + self.side(body) * (
+            self.overlap(b) - self.overlap(a)
+        )
+
+    def velocity(self, body: Body, now: Time) -> float:
+        """m/s."""
+        return self.velocity_of_centre + self.side(body) * self.at(elapsed(self.begun, now))[1]
+
+    def excess(self, body: Body, start: Time, dt: float) -> float:
+        """m. Displacement in dt s beyond that at the velocity of `start`."""
+        a = elapsed(self.begun, start)
+        d, v, _, _ = self.at(a) if a > 0.0 else (self.d0, self.u, 0.0, 0.0)
+        return self.side(body) * (self.at(a + dt)[0] - d - v * dt)
+
+    def speeds(self, body: Body) -> tuple[float, float]:
+        """Least and greatest velocity: |d'| never exceeds all the energy in motion."""
+        fastest = math.hypot(self.u, self.d0 * math.sqrt(self.law.stiffness / self.mu))
+        reach = abs(self.side(body)) * fastest
+        return self.velocity_of_centre - reach, self.velocity_of_centre + reach
+
+    def acceleration(self, body: Body) -> float:
+        """m/s². Bound over the contact."""
+        end = abs(self.at(min(self.duration, FAR))[2])
+        return abs(self.side(body)) * max(self.peak()[1] / self.mu, end) * SLACK
+
+    def state(self, side: float, tau: float) -> tuple[float, float, float]:
+        """Displacement [m], v [m/s], a [m/s²] of the body with that side, tau s after the start."""
+        d, v, a, _ = self.at(tau)
+        centre = self.velocity_of_centre
+        return centre * tau + side * (d - self.d0), centre + side * v, side * a
+
+    def force(self, gap: int, tau: float) -> tuple[float, float]:
+        """N and dN/dt."""
+        _, _, a, j = self.at(tau)
+        return -self.mu * a, -self.mu * j
+
+    def marks(self) -> list[float]:
+        """s after the start, where the formula changes."""
+        return [swing.start for swing in self.stretches[1:]]
+
+    def time_left(self, now: Time) -> float:
+        """s to the end of the contact."""
+        return self.duration - elapsed(self.begun, now)
 
     def peak(self) -> tuple[float, float, float]:
         """Time after the beginning, N, and d' of the greatest force."""

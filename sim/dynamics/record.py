@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from sim.dynamics.chain import Body, Gap
 from sim.dynamics.clock import Time
+from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.events import ORDER, Event
 from sim.scene.model import Scene
@@ -20,8 +21,18 @@ class Piece:
     start: Time
     x: float  # m, at start
     v: float  # m/s, at start, or that of the common centre in a contact
-    contact: PairContact | None = None
-    share: float = 0.0  # signed: x = x0 + V tau + share (d − d0)
+    motion: PairContact | Cluster | None = None  # None: free flight
+    side: float = 0.0  # which body of the motion this is
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """One solver's part of the run: `gaps` touch from `begin` to `end` s."""
+
+    solver: PairContact | Cluster
+    gaps: tuple[int, ...]
+    begin: float
+    end: float
 
 
 @dataclass(slots=True)
@@ -34,20 +45,18 @@ class Record:
     events: list[Event] = field(default_factory=list)
     counts: Counter[str] = field(default_factory=Counter)
     pieces: list[list[Piece]] = field(default_factory=list)
-    contacts: list[tuple[PairContact, float, float]] = field(default_factory=list)  # begin, end: s
+    solved: list[Solved] = field(default_factory=list)
     joints: list[tuple[int, Time]] = field(default_factory=list)  # gap, when it stuck
-    deepest: dict[int, tuple[float, PairContact]] = field(default_factory=dict)  # per gap, m
+    deepest: dict[int, tuple[float, float]] = field(default_factory=dict)
+    """Per gap: greatest overlap [m] and the approach speed [m/s] of that contact."""
 
     def piece(self, body: Body) -> None:
         """The body's motion changed at its time."""
         if not self.keep_motion:
             return
-        contact, share, v = body.contact, 0.0, body.v
-        if contact is not None:
-            share = contact.shares[0] if contact.gap == body.right else -contact.shares[1]
-            v = contact.velocity
+        side = 0.0 if body.motion is None else body.motion.side(body)
         for cart, offset in zip(body.carts, self.offsets(body), strict=True):
-            self.pieces[cart].append(Piece(body.time, body.x + offset, v, contact, share))
+            self.pieces[cart].append(Piece(body.time, body.x + offset, body.v, body.motion, side))
 
     def offsets(self, body: Body) -> list[float]:
         """m. How far each cart's centre is from the first one's: they touch, edge to edge."""
@@ -64,15 +73,17 @@ class Record:
         """Two bodies stick together."""
         self.joints.append((gap.index, now))
 
-    def depth(self, gap: Gap, contact: PairContact, deepest: float) -> None:
+    def depth(self, gap: Gap, deepest: float) -> None:
         """Keep the deepest overlap of each gap, for the warning about short bumpers."""
-        if deepest > self.deepest.get(gap.index, (0.0, contact))[0]:
-            self.deepest[gap.index] = (deepest, contact)
+        if deepest > self.deepest.get(gap.index, (0.0, 0.0))[0]:
+            touching = gap.touching
+            speed = 0.0 if touching is None else touching.before[0] - touching.before[1]
+            self.deepest[gap.index] = (deepest, speed)
 
-    def finished(self, contact: PairContact, end: float) -> None:
-        """A contact is over, or the run is, at `end` s."""
+    def finished(self, solver: PairContact | Cluster, gaps: tuple[int, ...], end: float) -> None:
+        """A solver has done its part, at `end` s."""
         if self.keep_motion:
-            self.contacts.append((contact, contact.begun[0], end))
+            self.solved.append(Solved(solver, gaps, solver.begun[0], end))
 
     def end(self, t: float, v: Sequence[float]) -> None:
         """The last event; then everything is put in order."""

@@ -8,11 +8,12 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.chain import Body, Chain, Gap
-from sim.dynamics.clock import Time, elapsed, later
+from sim.dynamics.clock import ZERO, Time, later
 from sim.dynamics.contact import PairContact
 from sim.dynamics.impact import outgoing
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.record import Record
+from sim.dynamics.touching import Peak, Touching
 
 
 def common_velocity(left: Body, right: Body) -> float:
@@ -92,12 +93,25 @@ def join(chain: Chain, gap: Gap, now: Time, record: Record, ledger: Ledger) -> N
     record.piece(one)
 
 
-def touch(gap: Gap, now: Time, record: Record) -> PairContact:
-    """A contact of finite duration begins."""
+def reclaim(gap: Gap, now: Time, ledger: Ledger) -> None:
+    """A contact begins with an overlap: its spring holds energy already.
+
+    At the start of the run that belongs to the beginning; later it was booked as warmed when the
+    pair separated with this overlap, and comes back from there.
+    """
+    if gap.room < 0.0 and gap.law is not None:
+        stored = gap.law.stored(-gap.room, -gap.rate, gap.memory)
+        if now == ZERO:
+            ledger.stored_initial += stored
+        else:
+            ledger.warm(-stored)
+
+
+def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> PairContact:
+    """A contact of finite duration begins between two free bodies."""
     assert gap.law is not None
     left, right, mu = gap.left, gap.right, gap.mu
     overlap = max(0.0, -gap.room)
-    fresh = overlap == 0.0
     contact = PairContact(
         gap=gap.index,
         law=gap.law,
@@ -106,82 +120,121 @@ def touch(gap: Gap, now: Time, record: Record) -> PairContact:
         d0=overlap,
         u=-gap.rate,
         memory=gap.memory,
-        velocity=common_velocity(left, right),
+        velocity_of_centre=common_velocity(left, right),
         shares=shares(left, right, mu),
-        figures=gap.figures(mu) if fresh else None,
+        figures=gap.figures(mu) if overlap == 0.0 else None,
     )
-    left.contact = right.contact = gap.touching = contact
-    before = (left.v, right.v)
-    record.event("contact", gap, now, before, before, 0.0, contact.first_force())
+    gap.room = -overlap
+    reclaim(gap, now, ledger)
+    gap.touching = Touching(now, (left.v, right.v), contact)
+    record.event(
+        "contact",
+        gap,
+        now,
+        (left.v, right.v),
+        (left.v, right.v),
+        0.0,
+        contact.first_force() if record.keep_events else 0.0,
+    )
     for body in (left, right):
-        if body.carts:
+        if body.carts:  # a wall can be in two contacts: it does not move in either
+            body.motion = contact
             record.piece(body)
-        else:
-            body.contact = None  # a wall can be in two contacts: it does not move in either
     return contact
 
 
-def _peak(gap: Gap, contact: PairContact, until: float, record: Record) -> None:
-    """The event of greatest force, if it comes within `until` s of the contact."""
-    tau, force, rate = contact.peak()
-    if tau > until or force <= 0.0:
-        return
-    before = (gap.left.v, gap.right.v)
-    change = contact.u - rate
-    after = (before[0] - contact.shares[0] * change, before[1] + contact.shares[1] * change)
-    when = later(contact.begun, tau)
-    record.event("peak", gap, when, before, after, contact.mu * change, force)
+def touch_among_others(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
+    """A contact begins while one of the two is in another one: settled, but not formed yet."""
+    assert gap.law is not None
+    left, right = gap.left, gap.right
+    gap.room = min(gap.room, 0.0)
+    placeholder = PairContact(
+        gap=gap.index,
+        law=gap.law,
+        mu=gap.mu,
+        begun=now,
+        d0=max(0.0, -gap.room),
+        u=-gap.rate,
+        memory=gap.memory,
+        velocity_of_centre=common_velocity(left, right),
+        shares=shares(left, right, gap.mu),
+        figures=gap.figures(gap.mu),
+    )
+    reclaim(gap, now, ledger)
+    gap.touching = Touching(now, (left.v, right.v), placeholder)
+    record.event(
+        "contact",
+        gap,
+        now,
+        (left.v, right.v),
+        (left.v, right.v),
+        0.0,
+        placeholder.first_force() if record.keep_events else 0.0,
+    )
 
 
-def separate(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
-    """The force of a finite contact has become zero."""
-    contact = gap.touching
-    assert contact is not None and gap.law is not None
+def separate_pair(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
+    """The force of a contact that was a closed form to its end has become zero."""
+    touching, law = gap.touching, gap.law
+    assert touching is not None and law is not None
+    contact = touching.solver
+    assert isinstance(contact, PairContact)
     left, right, mu = gap.left, gap.right, contact.mu
     speed, overlap = contact.out()
-    before = (left.v, right.v)
-    _peak(gap, contact, math.inf, record)
+    if record.keep_events:
+        tau, force, rate = contact.peak()
+        change = contact.u - rate
+        a, b = contact.shares
+        velocities = (left.v - a * change, right.v + b * change)
+        when = later(contact.begun, tau)
+        touching.see(Peak(when, force, touching.impulse + mu * change, velocities))
     e = contact.figures.e if contact.figures is not None else None
     if e is not None:
         out = velocities_after(left, right, e)
     else:
         a, b = contact.shares
-        out = contact.velocity - a * speed, contact.velocity + b * speed
+        out = contact.velocity_of_centre - a * speed, contact.velocity_of_centre + b * speed
     for body, share, v in ((left, contact.shares[0], out[0]), (right, -contact.shares[1], out[1])):
         if body.carts:
-            body.x += contact.velocity * contact.duration + share * (overlap - contact.d0)
-            body.v, body.time, body.contact = v, now, None
+            shift = contact.velocity_of_centre * contact.duration
+            body.x += shift + share * (overlap - contact.d0)
+            body.v, body.time, body.motion = v, now, None
     impulse = mu * (contact.u + speed)
+    touching.impulse += impulse
     deepest = contact.greatest_overlap()
-    gap.memory = gap.law.remember(deepest, contact.memory) if overlap > 0.0 else 0.0
-    gap.room, gap.rate, gap.time, gap.touching = -overlap, speed, now, None
-    stored = gap.law.stored(contact.d0, contact.u, contact.memory)
+    record.depth(gap, deepest)
+    stored = law.stored(contact.d0, contact.u, contact.memory)
     if e is not None:
         ledger.warm(0.5 * mu * contact.u * contact.u * (1.0 - e) * (1.0 + e))
     else:
         ledger.warm(0.5 * mu * (contact.u - speed) * (contact.u + speed) + stored)
+    gap.memory = law.remember(deepest, contact.memory) if overlap > 0.0 else 0.0
+    gap.room, gap.rate, gap.time = -overlap, speed, now
     outside(left, right, impulse, ledger)
-    record.depth(gap, contact, deepest)
-    record.finished(contact, now[0])
-    after = (left.v, right.v)
-    record.event("separate", gap, now, before, after, impulse, contact.last_force())
+    record.finished(contact, (gap.index,), now[0])
+    last_force = contact.last_force() if record.keep_events else 0.0
+    tell_separation(gap, now, last_force, record)
     for body in (left, right):
         if body.carts:
             record.piece(body)
 
 
-def unfinished(gap: Gap, end: Time, record: Record, ledger: Ledger) -> None:
-    """The run ends while this contact lasts: book what has happened so far."""
-    contact = gap.touching
-    assert contact is not None and gap.law is not None
-    tau = elapsed(contact.begun, end)
-    _peak(gap, contact, tau, record)
-    d, v, _, _ = contact.at(tau)
-    deepest = contact.deepest_until(tau)
-    stored = gap.law.stored(d, v, gap.law.remember(deepest, contact.memory))
-    begun = gap.law.stored(contact.d0, contact.u, contact.memory)
-    ledger.stored_final += stored
-    ledger.warm(0.5 * contact.mu * (contact.u - v) * (contact.u + v) + begun - stored)
-    outside(gap.left, gap.right, contact.mu * (contact.u - v), ledger)
-    record.depth(gap, contact, deepest)
-    record.finished(contact, end[0])
+def tell_separation(gap: Gap, now: Time, last_force: float, record: Record) -> None:
+    """The events at the end of a contact; the gap is free from here on."""
+    touching = gap.touching
+    assert touching is not None
+    tell_peak(gap, record)
+    out = (gap.left.v, gap.right.v)
+    record.event("separate", gap, now, touching.before, out, touching.impulse, last_force)
+    gap.touching = None
+
+
+def tell_peak(gap: Gap, record: Record) -> None:
+    """The event of greatest force, once a contact is over or the run is."""
+    touching = gap.touching
+    assert touching is not None
+    if not record.keep_events:
+        record.counts["peak"] += 1
+    elif touching.peak is not None and touching.peak.force > 0.0:
+        peak = touching.peak
+        record.event("peak", gap, peak.time, touching.before, peak.after, peak.impulse, peak.force)

@@ -1,7 +1,8 @@
 """The run: detect the next event, advance to it, resolve it, record it.
 
-Tier 0, free flight, and tier 1, one contact at a time, both in closed form. The calendar holds
-one prediction per gap; a prediction that an event has overtaken is void and skipped.
+Tier 0, free flight, and tier 1, one contact at a time, are closed forms; tier 2, contacts that
+share bodies, is a power series. The calendar holds one prediction per gap; a prediction that an
+event has overtaken is void and skipped.
 """
 
 from __future__ import annotations
@@ -11,9 +12,11 @@ import math
 from collections import Counter
 from dataclasses import dataclass
 
-from sim.dynamics import ledger, resolve
+from sim.dynamics import components, ledger, resolve
 from sim.dynamics.chain import Body, Chain, Gap, moved, velocity
 from sim.dynamics.clock import ZERO, Time, later
+from sim.dynamics.cluster import Cluster
+from sim.dynamics.contact import PairContact
 from sim.dynamics.detect import next_touch, touch_during_contact
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.outcome import Outcome, UnsolvedError
@@ -22,6 +25,10 @@ from sim.scene.model import Scene
 
 MOST_EVENTS = 1_000_000
 """A run stops after this many events unless told otherwise: some scenes have infinitely many."""
+
+STEPS_PER_EVENT = 10
+"""A contact of several carts takes a handful of steps; a run that needs ten times as many as it may
+have events is one that never ends."""
 
 REST_SPEED = 1e-12
 """m/s. Slower than this at the end counts as "came to rest" in words; it changes no number."""
@@ -61,8 +68,9 @@ class _Run:
         self.chain = Chain(scene)
         self.ledger = Ledger()
         self.solvers: Counter[str] = Counter()
-        self.calendar: list[tuple[float, float, int, int, bool]] = []
+        self.calendar: list[tuple[float, float, int, int]] = []
         self.happened = 0
+        self.steps = 0
         record.pieces = [[] for _ in scene.carts]
         for body in self.chain.bodies:
             self.solvers["free-flight"] += 1
@@ -71,7 +79,6 @@ class _Run:
             if gap is None:
                 continue
             if gap.room < 0.0 and gap.law is not None:
-                self.ledger.stored_initial += gap.law.stored(-gap.room, -gap.rate, 0.0)
                 self.begin(gap, ZERO)
             elif gap.touching is None:
                 self.predict(gap, ZERO)
@@ -81,34 +88,37 @@ class _Run:
         calendar, gaps = self.calendar, self.chain.gaps
         full = False
         while calendar and calendar[0][0] <= end[0]:
-            hi, lo, index, turn, third = heapq.heappop(calendar)
+            hi, lo, index, turn = heapq.heappop(calendar)
             gap = gaps[index]
             if gap is None or gap.turn != turn:
                 continue
-            if self.happened >= self.max_events:
+            if self.happened >= self.max_events or self.steps >= STEPS_PER_EVENT * self.max_events:
                 full, end = True, (hi, lo)
                 break
             now = (hi, lo)
-            if third:
-                self.third_body(gap, now)
-            elif gap.touching is not None:
-                self.separate(gap, now)
-            else:
+            if gap.touching is None:
                 self.chain.advance(gap, now)
                 self.begin(gap, now)
+            elif isinstance(gap.touching.solver, PairContact):
+                self.separate(gap, now)
+            else:
+                self.step(gap, now)
         return self.result(end, full)
 
-    def predict(self, gap: Gap, now: Time, own_separation: bool = False) -> None:
-        """Put the gap's next event into the calendar. The gap is up to date."""
+    def schedule(self, gap: Gap, now: Time, dt: float) -> None:
+        """Put the gap's next event into the calendar; an earlier entry becomes void."""
         gap.turn += 1
-        if gap.left.contact is None and gap.right.contact is None:
-            dt, third = next_touch(gap, now, own_separation), False
-        else:
-            found = touch_during_contact(gap, now)
-            dt, third = (math.inf, False) if found is None else (found, True)
         if dt != math.inf:
             hi, lo = later(now, dt)
-            heapq.heappush(self.calendar, (hi, lo, gap.index, gap.turn, third))
+            heapq.heappush(self.calendar, (hi, lo, gap.index, gap.turn))
+
+    def predict(self, gap: Gap, now: Time, own_separation: bool = False) -> None:
+        """When does this gap close? The gap is up to date."""
+        if gap.left.motion is None and gap.right.motion is None:
+            self.schedule(gap, now, next_touch(gap, now, own_separation))
+        else:
+            found = touch_during_contact(gap, now)
+            self.schedule(gap, now, math.inf if found is None else found)
 
     def around(self, gap: Gap, now: Time) -> None:
         """Bring the neighbouring gaps up to date before the bodies of `gap` change."""
@@ -131,89 +141,134 @@ class _Run:
 
     def begin(self, gap: Gap, now: Time) -> None:
         """Two bodies touch."""
-        if gap.left.contact is not None or gap.right.contact is not None:
-            self.third_body(gap, now)
+        self.happened += 1 if gap.law is None else 2
+        if gap.left.motion is not None or gap.right.motion is not None:
+            self.join(gap, now)
+            return
         self.around(gap, now)
         self.place(gap.left, now)
         self.place(gap.right, now)
-        law = gap.contact.law
-        if law == "instant":
-            self.happened += 1
-            self.solvers["instant"] += 1
-            resolve.instant(gap, now, self.record, self.ledger)
-        elif law == "velcro":
-            self.happened += 1
-            self.solvers["velcro"] += 1
-            resolve.join(self.chain, gap, now, self.record, self.ledger)
-            for other in self.chain.neighbours(gap):
-                if other is not None:
-                    self.chain.advance(other, now)
-        else:
-            self.happened += 2
-            self.solvers["pair-contact"] += 1
-            contact = resolve.touch(gap, now, self.record)
-            hi, lo = later(now, contact.duration)
-            gap.turn += 1
-            if hi < math.inf:
-                heapq.heappush(self.calendar, (hi, lo, gap.index, gap.turn, False))
-            for other in self.chain.neighbours(gap):
-                if other is not None and other.touching is None:
-                    self.predict(other, now)  # velocities do not jump at a touch
+        if gap.law is None:
+            self.at_once(gap, now)
+            self.predict_around(gap, now)
             return
-        if law == "instant":
+        self.solvers["pair-contact"] += 1
+        contact = resolve.touch(gap, now, self.record, self.ledger)
+        self.schedule(gap, now, contact.duration)
+        for other in self.chain.neighbours(gap):
+            if other is not None and other.touching is None:
+                self.predict(other, now)  # velocities do not jump at a touch
+
+    def at_once(self, gap: Gap, now: Time) -> None:
+        """A contact without duration between two bodies that are free, or settled."""
+        self.solvers[gap.contact.law] += 1
+        if gap.contact.law == "instant":
+            resolve.instant(gap, now, self.record, self.ledger)
             self.predict(gap, now)
-        self.predict_around(gap, now)
+            return
+        resolve.join(self.chain, gap, now, self.record, self.ledger)
+        for other in self.chain.neighbours(gap):
+            if other is not None and other.touching is None:
+                self.chain.advance(other, now)
 
     def separate(self, gap: Gap, now: Time) -> None:
-        """The force of a contact has become zero."""
+        """The force of a contact that is alone has become zero."""
         self.happened += 1
         self.around(gap, now)
-        resolve.separate(gap, now, self.record, self.ledger)
+        resolve.separate_pair(gap, now, self.record, self.ledger)
         self.predict(gap, now, own_separation=True)
         self.predict_around(gap, now)
 
-    def third_body(self, gap: Gap, now: Time) -> None:
-        """A touch while one of the two is still in another contact."""
-        bodies: list[str] = []
+    def join(self, gap: Gap, now: Time) -> None:
+        """A touch while one of the two is in another contact: more than two bodies from now on."""
+        touching = components.around(self.chain, gap)
+        outer = self.outside([*touching, gap], now)
+        components.settle(touching, now, self.record, self.ledger)
         for body in (gap.left, gap.right):
-            contact = body.contact
-            if contact is not None:
-                bodies.extend(self.scene.names_at(contact.gap))
-        bodies.extend(self.scene.names_at(gap.index))
-        order = ["left", *(cart.name for cart in self.scene.carts), "right"]
-        names = tuple(name for name in order if name in bodies)
-        raise UnsolvedError(
-            f"At t = {now[0]:.6g} s {', '.join(names[:-1])} and {names[-1]} touch at once: "
-            "this cannot be solved exactly yet",
-            "move the carts apart, raise the stiffness, or use law: instant",
-            now[0],
-            names,
-        )
+            self.place(body, now)
+        gap.rate = gap.right.v - gap.left.v
+        if gap.law is not None:
+            resolve.touch_among_others(gap, now, self.record, self.ledger)
+        else:
+            self.at_once(gap, now)
+            for other in touching:
+                other.rate = other.right.v - other.left.v
+        self.form_again([*touching, gap], outer, now)
+
+    def step(self, gap: Gap, now: Time) -> None:
+        """A cluster's step is over, or something happened in it."""
+        assert gap.touching is not None and isinstance(gap.touching.solver, Cluster)
+        cluster = gap.touching.solver
+        touching = list(cluster.gaps)
+        outer = self.outside(touching, now)
+        components.settle(touching, now, self.record, self.ledger)
+        for k, cause in cluster.ends:
+            components.leave_branch(touching[k], cause, now, self.record, self.ledger)
+            self.happened += touching[k].touching is None
+        self.form_again(touching, outer, now)
+
+    def outside(self, touching: list[Gap], now: Time) -> list[Gap]:
+        """The gaps around a component, brought to `now` before its bodies change."""
+        found: list[Gap] = []
+        for body in components.bodies_of(touching):
+            for index in (body.left, body.right):
+                other = self.chain.gaps[index]
+                if other is not None and other.touching is None and other not in found:
+                    self.chain.advance(other, now)
+                    found.append(other)
+        return found
+
+    def form_again(self, gaps: list[Gap], outer: list[Gap], now: Time) -> None:
+        """What still touches gets new solvers; everything around is predicted anew."""
+        still = sorted((g for g in gaps if g.touching is not None), key=lambda g: g.index)
+        for body in components.bodies_of([*gaps]):
+            self.record.piece(body)
+        for solver in components.form(still, now, self.record):
+            first = solver.gaps[0] if isinstance(solver, Cluster) else self.chain.gaps[solver.gap]
+            assert first is not None
+            name = "pair-contact" if isinstance(solver, PairContact) else "coupled-contacts"
+            self.solvers[name] += 1
+            self.steps += 1
+            self.schedule(first, now, solver.duration)
+        for gap in still:
+            mover = gap.touching.solver if gap.touching is not None else None
+            if isinstance(mover, Cluster) and gap is not mover.gaps[0]:
+                gap.turn += 1  # the cluster's events stand under its first gap
+        for gap in gaps:
+            if gap.touching is None and not gap.joined:
+                self.predict(gap, now, own_separation=True)
+        for other in outer:
+            if other.touching is None and not other.joined and other not in gaps:
+                other.rate = velocity(other.right, now) - velocity(other.left, now)
+                self.predict(other, now)
 
     def result(self, end: Time, full: bool) -> Run:
         """Bring everything to the end."""
-        scene = self.scene
-        x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
-        seen: set[int] = set()
-        for body in self.chain.bodies:
-            if not body.carts or id(body) in seen:
-                continue
-            seen.add(id(body))
-            at, speed = body.x + moved(body, body.time, end), velocity(body, end)
-            for cart, offset in zip(body.carts, self.record.offsets(body), strict=True):
-                x[cart], v[cart] = at + offset, speed
+        scene, record, touching = self.scene, self.record, []
         for gap in self.chain.gaps:
             if gap is not None and gap.touching is not None:
-                resolve.unfinished(gap, end, self.record, self.ledger)
+                touching.append(gap)
+        if touching:
+            components.settle(touching, end, record, self.ledger)
+            for gap in touching:
+                resolve.tell_peak(gap, record)
+                assert gap.law is not None
+                stored = gap.law.stored(-gap.room, -gap.rate, gap.memory)
+                self.ledger.stored_final += stored
+        x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
+        for body in self.chain.bodies:
+            at = body.x + moved(body, body.time, end)
+            for cart, offset in zip(body.carts, record.offsets(body), strict=True):
+                x[cart], v[cart] = at + offset, body.v
         ledger.close(self.ledger, scene, v)
-        self.record.end(end[0], v)
+        record.end(end[0], v)
         return Run(
             scene=scene,
             t=end[0],
             x=tuple(x),
             v=tuple(v),
             outcome=self.outcome(end[0], v, full),
-            record=self.record,
+            record=record,
             ledger=self.ledger,
             solvers=self.solvers,
         )

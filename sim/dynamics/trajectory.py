@@ -14,12 +14,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from sim.dynamics.contact import PairContact
-from sim.dynamics.record import Piece
+from sim.dynamics.record import Piece, Solved
 from sim.dynamics.run import Run
 from sim.scene.model import Scene
-
-Live = tuple[PairContact, float, float]
-"""A contact with its begin and end in s."""
 
 PER_STRETCH = 16
 """Samples in one stretch of a contact (a quarter swing of a bumper): cubic error below 1e-8."""
@@ -47,24 +44,24 @@ def trajectory(run: Run) -> Trajectory:
     """Sample a run that kept its motion."""
     scene, record = run.scene, run.record
     names = [cart.name for cart in scene.carts]
-    contacts = sorted(record.contacts, key=lambda c: (c[1], c[0].gap))
+    solved = sorted(record.solved, key=lambda part: (part.begin, part.gaps))
     joints = {gap: time[0] for gap, time in record.joints}
-    gaps = sorted({c.gap for c, _, _ in contacts} | set(joints))
+    gaps = sorted({gap for part in solved for gap in part.gaps} | set(joints))
     columns: dict[tuple[str, ...], array[float]] = {("t",): array("d")}
     for name in names:
         columns.update({(kind, name): array("d") for kind in ("x", "v", "a")})
     for gap in gaps:
         pair = "-".join(scene.names_at(gap))
         columns.update({(kind, pair): array("d") for kind in ("F", "dF")})
-    dense = _density(len(contacts), len(columns))
+    dense = _density(len(solved), len(columns))
     starts = [[piece.start[0] for piece in pieces] for pieces in record.pieces]
-    live: list[Live] = []
+    live: list[Solved] = []
     upcoming, last = 0, None
     for begin, end in pairwise(_marks(run)):
-        while upcoming < len(contacts) and contacts[upcoming][1] <= begin:
-            live.append(contacts[upcoming])
+        while upcoming < len(solved) and solved[upcoming].begin <= begin:
+            live.append(solved[upcoming])
             upcoming += 1
-        live = [item for item in live if item[2] > begin]
+        live = [part for part in live if part.end > begin]
         middle = 0.5 * (begin + end)
         motion = [
             pieces[bisect_right(times, middle) - 1]
@@ -83,9 +80,9 @@ def trajectory(run: Run) -> Trajectory:
 def _marks(run: Run) -> list[float]:
     """Times at which some motion changes its formula, both ends included."""
     marks = {0.0, run.t}
-    for contact, begin, end in run.record.contacts:
-        marks.update((begin, end))
-        marks.update(t for swing in contact.stretches if (t := begin + swing.start) < end)
+    for part in run.record.solved:
+        marks.update((part.begin, part.end))
+        marks.update(t for mark in part.solver.marks() if (t := part.begin + mark) < part.end)
     for pieces in run.record.pieces:
         marks.update(piece.start[0] for piece in pieces)
     return sorted(t for t in marks if t <= run.t)
@@ -98,13 +95,19 @@ def _density(contacts: int, columns: int) -> int:
     return max(2, min(PER_STRETCH, MOST_NUMBERS // (columns * 2 * contacts)))
 
 
-def _times(begin: float, end: float, live: list[Live], dense: int) -> list[float]:
+def _times(begin: float, end: float, live: list[Solved], dense: int) -> list[float]:
     """Sample times from begin to end, both included."""
     if not live:
         return [begin, end]
     count = dense
     span = end - begin
-    fade = [s.rate for c, _, _ in live for s in c.stretches if s.rate.beta > 0.0]
+    fade = [
+        swing.rate
+        for part in live
+        if isinstance(part.solver, PairContact)
+        for swing in part.solver.stretches
+        if swing.rate.beta > 0.0
+    ]
     quick = max((max(rate.w0, rate.beta + rate.w) for rate in fade), default=0.0)
     if quick * span > LONG_TIMES:  # a long fading tail: equal steps first, then longer and longer
         early = LONG_TIMES / quick
@@ -118,22 +121,30 @@ def _times(begin: float, end: float, live: list[Live], dense: int) -> list[float
 
 
 def _row(
-    t: float, scene: Scene, motion: list[Piece], live: list[Live], gaps: list[int], stuck: set[int]
+    t: float,
+    scene: Scene,
+    motion: list[Piece],
+    live: list[Solved],
+    gaps: list[int],
+    stuck: set[int],
 ) -> list[float]:
     """All columns at t, with the formulas that hold in the interval that t belongs to."""
     row = [t]
     accelerations = []
     for piece in motion:
         tau = (t - piece.start[0]) - piece.start[1]
-        d, v, a, _ = (0.0, 0.0, 0.0, 0.0) if piece.contact is None else _at(piece.contact, tau)
-        d0 = 0.0 if piece.contact is None else piece.contact.d0
-        share = piece.share
-        accelerations.append(share * a)
-        row += (piece.x + piece.v * tau + share * (d - d0), piece.v + share * v, share * a)
+        if piece.motion is None:
+            row += (piece.x + piece.v * tau, piece.v, 0.0)
+            accelerations.append(0.0)
+        else:
+            shift, v, a = piece.motion.state(piece.side, tau)
+            row += (piece.x + shift, v, a)
+            accelerations.append(a)
     forces = dict.fromkeys(gaps, (0.0, 0.0))
-    for contact, start, _ in live:
-        _, _, a, j = _at(contact, (t - start) - contact.begun[1])
-        forces[contact.gap] = (-contact.mu * a, -contact.mu * j)
+    for part in live:
+        tau = (t - part.begin) - part.solver.begun[1]
+        for gap in part.gaps:
+            forces[gap] = part.solver.force(gap, tau)
     if stuck:
         _joint_forces(scene, accelerations, forces, stuck)
     for gap in gaps:
@@ -158,15 +169,6 @@ def _joint_forces(
         forces[gap] = (before - carts[gap - 1].mass * a[gap - 1], 0.0)
 
 
-def _at(contact: PairContact, tau: float) -> tuple[float, float, float, float]:
-    """The stretch that holds at tau, its own end included: the last force, not the nought after."""
-    stretches = contact.stretches
-    for swing in stretches:
-        if tau <= swing.start + swing.duration * (1.0 + 1e-15) or swing is stretches[-1]:
-            return swing.at(max(tau, swing.start))
-    return contact.d0, contact.u, 0.0, 0.0
-
-
 def sample(run: Run, t: float) -> tuple[list[float], list[float]]:
     """x [m] and v [m/s] of every cart at one time, exactly (after a jump at t, if there is one)."""
     x, v = [], []
@@ -174,8 +176,11 @@ def sample(run: Run, t: float) -> tuple[list[float], list[float]]:
         k = bisect_right(pieces, t, key=lambda piece: piece.start[0]) - 1
         piece = pieces[max(k, 0)]
         tau = (t - piece.start[0]) - piece.start[1]
-        d = (0.0, 0.0, 0.0, 0.0) if piece.contact is None else _at(piece.contact, tau)
-        shift = 0.0 if piece.contact is None else piece.share * (d[0] - piece.contact.d0)
-        x.append(piece.x + piece.v * tau + shift)
-        v.append(piece.v + piece.share * d[1])
+        if piece.motion is None:
+            x.append(piece.x + piece.v * tau)
+            v.append(piece.v)
+        else:
+            shift, speed, _ = piece.motion.state(piece.side, tau)
+            x.append(piece.x + shift)
+            v.append(speed)
     return x, v

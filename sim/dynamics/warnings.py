@@ -23,7 +23,7 @@ def warnings(run: Run) -> tuple[Warning, ...]:
     """
     found = []
     scene = run.scene
-    for gap, (deepest, contact) in run.record.deepest.items():
+    for gap, (deepest, speed) in run.record.deepest.items():
         names = scene.names_at(gap)
         bumpers = [cart.bumper_length for cart in scene.carts if cart.name in names]
         room = sum(bumpers)
@@ -35,12 +35,12 @@ def warnings(run: Run) -> tuple[Warning, ...]:
             f"The {owner} between {pair} would be squeezed by {100 * deepest:.3g} cm, but there is "
             f"room for {100 * room:.3g} cm. "
         )
-        if room > 0.0 and contact.u > 0.0:
-            stiffness = contact.law.stiffness * (deepest / room) ** 2
-            speed = contact.u * room / deepest
+        contact = scene.contacts[gap]
+        if room > 0.0 and speed > 0.0 and contact is not None and contact.stiffness is not None:
+            stiffness = contact.stiffness * (deepest / room) ** 2
             message += (
                 f"Raise the stiffness to at least {_up(stiffness)} N/m, or let them meet at "
-                f"{_down(speed)} m/s or less."
+                f"{_down(speed * room / deepest)} m/s or less."
             )
         found.append((deepest - room, Warning("bumper-bottoms", message)))
     return tuple(warning for _, warning in sorted(found, key=lambda item: -item[0]))

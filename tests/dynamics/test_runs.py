@@ -252,7 +252,7 @@ def test_a_bumper_caught_between_cart_and_wall_is_pressed_again_before_it_is_cle
         ("B", "right"),
         ("A", "B"),
     ]
-    again = finished.record.contacts[-1][0]
+    again = finished.record.solved[-1].solver
     assert 0 < again.d0 < again.memory
 
 

@@ -42,9 +42,6 @@ class FiniteLaw(Protocol):
     def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
         """The contact from overlap d0 [m] and rate v0 [m/s] until the force is zero."""
 
-    def pushes(self, mu: float, d: float, v: float) -> bool:
-        """Whether an overlap d > 0 that is not growing (v <= 0) pushes again after separation."""
-
     def resting_overlap(self, memory: Memory) -> float:
         """m. While a pair flies, its force turns positive when the overlap grows beyond this."""
 

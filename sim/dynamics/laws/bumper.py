@@ -77,10 +77,6 @@ class Bumper:
             )
         return tuple(out)
 
-    def pushes(self, mu: float, d: float, v: float) -> bool:
-        """After separation the steep line is left: an overlap that does not grow never pushes."""
-        return False
-
     def resting_overlap(self, memory: Memory) -> float:
         """Where the springing-back line meets zero force."""
         return (1.0 - self.e * self.e) * memory

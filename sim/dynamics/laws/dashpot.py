@@ -136,9 +136,13 @@ class _Dashpot:
             last_force=last_force,
         )
 
+    def damper(self, mu: float) -> float:
+        """c in N s/m."""
+        return 2.0 * self.damping.zeta * math.sqrt(self.stiffness * mu)
+
     def force(self, mu: float, d: float, v: float) -> float:
         """N at overlap d and rate v, not clipped."""
-        return self.stiffness * d + 2.0 * self.damping.zeta * math.sqrt(self.stiffness * mu) * v
+        return self.stiffness * d + self.damper(mu) * v
 
     def resting_overlap(self, memory: Memory) -> float:
         """These laws remember nothing."""
@@ -171,10 +175,6 @@ class Paper(_Dashpot):
         rate = self.damping.rate(self.stiffness, mu)
         return (Swing(rate, 0.0, first_zero(rate, d0, v0), 0.0, d0, v0),)
 
-    def pushes(self, mu: float, d: float, v: float) -> bool:
-        """In contact whenever there is overlap."""
-        return d > 0.0
-
 
 @dataclass(frozen=True, slots=True)
 class PushOnly(_Dashpot):
@@ -202,10 +202,6 @@ class PushOnly(_Dashpot):
         n0 = rate.w0 * rate.w0 * d0 + 2.0 * rate.beta * v0  # N/mu solves the same equation
         n1 = rate.w0 * rate.w0 * v0 - 2.0 * rate.beta * n0
         return (Swing(rate, 0.0, first_zero(rate, n0, n1), 0.0, d0, v0),)
-
-    def pushes(self, mu: float, d: float, v: float) -> bool:
-        """Spring and damper together push."""
-        return d > 0.0 and self.force(mu, d, v) > 0.0
 
 
 @dataclass(frozen=True, slots=True)
