@@ -5,17 +5,16 @@ from __future__ import annotations
 import re
 import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import FENCES, MEETING, build_site, write_page
+from tests.web.widget_site import FENCES, MEETING, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
-LIVE = 20_000  # ms; a loaded machine in the tests, not the goal
+__all__ = ["widget_site"]  # a fixture
 
 STILL = """el => {
   const copy = el.querySelector(".carts-frame").cloneNode(true);
@@ -26,23 +25,6 @@ STILL = """el => {
   for (const part of copy.querySelectorAll(".carts-transport, .carts-scrub")) part.remove();
   return copy.outerHTML.split(/(?=<[a-z])/).map((part) => part.trim());
 }"""
-
-
-@pytest.fixture(scope="session")
-def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build_site(tmp_path_factory.mktemp("widget") / "site")
-
-
-def live(page: Page, name: str = "meeting") -> Page:
-    page.wait_for_selector(f'#{name}[data-state="live"]', timeout=LIVE)
-    return page
-
-
-def on_scene(page: Page, script: str, argument: Any = None, name: str = "meeting") -> Any:
-    """The value of a function body that has the element as `el`."""
-    return page.locator(f"#{name}").evaluate(
-        f"async (el, argument) => {{ {script} }}", argument, timeout=LIVE
-    )
 
 
 @pytest.mark.parametrize("name", ["meeting", "coasting", "struck"])

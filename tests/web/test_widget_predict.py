@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.test_widget_page import live, on_scene, widget_site
+from tests.web.widget_site import live, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 
-__all__ = ["widget_site"]
+__all__ = ["widget_site"]  # a fixture
 
 
 def guess(page: Page, on: str, value: float) -> None:
@@ -117,8 +118,6 @@ def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Pat
 def test_without_python_a_prediction_is_kept_and_the_reader_told(
     open_page: OpenPage, widget_site: Path, tmp_path: Path
 ) -> None:
-    import shutil
-
     site = tmp_path / "broken"
     shutil.copytree(widget_site, site)
     shutil.rmtree(site / "assets" / "carts" / "runtime")

@@ -10,6 +10,9 @@ from array import array
 from pathlib import Path
 from typing import Any
 
+import pytest
+from playwright.sync_api import Page
+
 from sim.bridge.protocol import answer
 from sim.pages.runtime import default_cache, pack
 from sim.pages.runtime.node import node_program
@@ -118,3 +121,23 @@ def in_node(script: str, data: object) -> Any:
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
+
+
+LIVE = 20_000  # ms; a loaded machine in the tests, not the goal
+
+
+@pytest.fixture(scope="session")
+def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return build_site(tmp_path_factory.mktemp("widget") / "site")
+
+
+def live(page: Page, name: str = "meeting") -> Page:
+    page.wait_for_selector(f'#{name}[data-state="live"]', timeout=LIVE)
+    return page
+
+
+def on_scene(page: Page, script: str, argument: Any = None, name: str = "meeting") -> Any:
+    """The value of a function body that has the element as `el`."""
+    return page.locator(f"#{name}").evaluate(
+        f"async (el, argument) => {{ {script} }}", argument, timeout=LIVE
+    )
