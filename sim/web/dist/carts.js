@@ -447,6 +447,9 @@
     const exact = full ? value / full * length : 0;
     return Math.max(-LONGEST2 * length, Math.min(LONGEST2 * length, exact));
   }
+  function isCut(value, full) {
+    return full > 0 && Math.abs(value) > LONGEST2 * full;
+  }
   function velocityText(x, length, width) {
     const room = 62;
     if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
@@ -1823,7 +1826,8 @@
       const texts = push.groups.map((group) => need(group, '[data-part="text"]'));
       for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
       if (!visible) return;
-      const value = `${fixed(size, this.view.decimals.F ?? 2)} N`;
+      const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
+      const value = `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
       const labels = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
         return `on ${brief2(on)} by ${brief2(by)}: ${value}`;
@@ -2006,7 +2010,8 @@
         "d",
         `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`
       );
-      const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s`;
+      const cut = isCut(seen, view.velocity) ? ", arrow cut" : "";
+      const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
       const outside = x < 0 || x > layout.width;
       put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at));

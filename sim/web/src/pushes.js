@@ -6,7 +6,7 @@
 
 import { need, put, say } from "./dom.js";
 import { fixed, px } from "./numbers.js";
-import { arrowLength, blockArrow, PUSH } from "./shapes.js";
+import { arrowLength, blockArrow, isCut, PUSH } from "./shapes.js";
 import { valueAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").Run} Run */
@@ -86,7 +86,8 @@ export class Pushes {
     const texts = push.groups.map((group) => need(group, '[data-part="text"]'));
     for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
     if (!visible) return;
-    const value = `${fixed(size, this.view.decimals.F ?? 2)} N`;
+    const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
+    const value = `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
       return `on ${brief(on)} by ${brief(by)}: ${value}`;

@@ -92,6 +92,11 @@ export function arrowLength(value, full, length) {
   return Math.max(-LONGEST * length, Math.min(LONGEST * length, exact));
 }
 
+/** @param {number} value @param {number} full @returns {boolean} whether the arrow is cut: then the label says so */
+export function isCut(value, full) {
+  return full > 0 && Math.abs(value) > LONGEST * full;
+}
+
 /** @param {number} x @param {number} length @param {number} width @returns {[number, "start" | "end"]} where a velocity is written */
 export function velocityText(x, length, width) {
   const room = 62;

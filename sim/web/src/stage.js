@@ -169,7 +169,8 @@ export class Stage {
       "d",
       `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`,
     );
-    const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s`;
+    const cut = shapes.isCut(seen, view.velocity) ? ", arrow cut" : "";
+    const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s${cut}`;
     const text = need(cart.velocity, '[data-part="text"]');
     const outside = x < 0 || x > layout.width;
     put(text, "x", px(outside ? (x < 0 ? 8 : layout.width - 8) : at));
