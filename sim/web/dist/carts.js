@@ -384,7 +384,8 @@
   var DOT = 2.5;
   var RING = 1;
   var SHORTEST = 0.5;
-  var LONGEST2 = 1.6;
+  var LONGEST2 = 1.15;
+  var TORN = 6;
   var LINE = 12;
   var NAMED = 34;
   var SPRING = [2, 10];
@@ -432,6 +433,11 @@
     const tip = x + length;
     const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
     return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
+  }
+  function cutArrow(x, y, length) {
+    const half = length / 2 - Math.sign(length) * TORN / 2;
+    const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
+    return piece + blockArrow(x + length - half, y, half);
   }
   function lineArrow(x, y, length) {
     if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
@@ -1809,13 +1815,10 @@
         const touching = this.#windows.some(
           (w) => w.pair === push.pair && t >= w.start && t <= w.end
         );
+        const draw = isCut(size, view.force) ? cutArrow : blockArrow;
         push.groups.forEach((group, side) => {
-          const x = Number(ends[side]);
-          put(
-            need(group, '[data-part="arrow"]'),
-            "d",
-            blockArrow(x, y, side === 0 ? -length : length)
-          );
+          const way = side === 0 ? -1 : 1;
+          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
         });
         this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
       }

@@ -6,7 +6,7 @@
 
 import { need, put, say } from "./dom.js";
 import { fixed, px } from "./numbers.js";
-import { arrowLength, blockArrow, isCut, PUSH } from "./shapes.js";
+import { arrowLength, blockArrow, cutArrow, isCut, PUSH } from "./shapes.js";
 import { valueAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").Run} Run */
@@ -68,13 +68,10 @@ export class Pushes {
       const touching = this.#windows.some(
         (w) => w.pair === push.pair && t >= w.start && t <= w.end,
       );
+      const draw = isCut(size, view.force) ? cutArrow : blockArrow;
       push.groups.forEach((group, side) => {
-        const x = Number(ends[side]);
-        put(
-          need(group, '[data-part="arrow"]'),
-          "d",
-          blockArrow(x, y, side === 0 ? -length : length),
-        );
+        const way = side === 0 ? -1 : 1;
+        put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
       });
       this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
     }

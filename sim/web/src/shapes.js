@@ -14,7 +14,8 @@ const ABOVE = 34;
 const DOT = 2.5; // radius of a zero force
 const RING = 1; // radius of a zero velocity, drawn as a line
 const SHORTEST = 0.5;
-const LONGEST = 1.6;
+const LONGEST = 1.15;
+const TORN = 6; // units of the gap in an arrow that is cut
 export const LINE = 12;
 const NAMED = 34;
 const SPRING = [2, 10];
@@ -67,6 +68,13 @@ export function blockArrow(x, y, length) {
     `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}` +
     `L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`
   );
+}
+
+/** @param {number} x @param {number} y @param {number} length @returns {string} force arrow that is cut: with a gap */
+export function cutArrow(x, y, length) {
+  const half = length / 2 - (Math.sign(length) * TORN) / 2;
+  const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
+  return piece + blockArrow(x + length - half, y, half);
 }
 
 /** @param {number} x @param {number} y @param {number} length @returns {string} velocity arrow: a line with an open head */
