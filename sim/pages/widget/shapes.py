@@ -17,7 +17,7 @@ from sim.pages.widget.scale_of import REFERENCE_HEIGHT, TALLEST, Scales, body_wi
 DOT = 2.5  # radius of a zero force
 RING = 1.0  # radius of a zero velocity, drawn as a line
 SHORTEST = 0.5  # units; a shorter arrow is zero to the eye and is drawn as a dot
-LONGEST = 1.15  # full lengths; the page cuts a longer arrow here, with a gap, and says so
+FASTEST = 2.2  # full lengths; a longer velocity arrow is cut here, and its text says so
 LINE = 12.0  # between two lines of text above a box
 NAMED = 34.0  # units; a box at least this tall carries its name
 SPRING = (2.0, 10.0)  # heights of the spring above the track
@@ -112,7 +112,7 @@ def dot(x: float, y: float, radius: float = DOT) -> str:
 def arrow_length(value: float, full: float, length: float) -> float:
     """Length of an arrow for `value` on a scale; cut where it would leave the picture."""
     exact = value / full * length if full else 0.0
-    return max(-LONGEST * length, min(LONGEST * length, exact))
+    return max(-FASTEST * length, min(FASTEST * length, exact))
 
 
 def label_top(box: Box) -> float:

@@ -385,6 +385,7 @@
   var RING = 1;
   var SHORTEST = 0.5;
   var LONGEST2 = 1.15;
+  var FASTEST = 2.2;
   var TORN = 6;
   var LINE = 12;
   var NAMED = 34;
@@ -449,12 +450,12 @@
     const [r, d] = [px(radius), px(2 * radius)];
     return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
   }
-  function arrowLength(value, full, length) {
+  function arrowLength(value, full, length, longest = LONGEST2) {
     const exact = full ? value / full * length : 0;
-    return Math.max(-LONGEST2 * length, Math.min(LONGEST2 * length, exact));
+    return Math.max(-longest * length, Math.min(longest * length, exact));
   }
-  function isCut(value, full) {
-    return full > 0 && Math.abs(value) > LONGEST2 * full;
+  function isCut(value, full, longest = LONGEST2) {
+    return full > 0 && Math.abs(value) > longest * full;
   }
   function velocityText(x, length, width) {
     const room = 62;
@@ -2005,7 +2006,7 @@
       const { layout, view } = this;
       const v = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t) - this.camera;
       const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
-      const length = arrowLength(seen, view.velocity, layout.velocity);
+      const length = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const [at, anchor] = velocityText(x, length, layout.width);
       put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x, cart.lane, length));
       put(
@@ -2013,7 +2014,7 @@
         "d",
         `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`
       );
-      const cut = isCut(seen, view.velocity) ? ", arrow cut" : "";
+      const cut = isCut(seen, view.velocity, FASTEST) ? ", arrow cut" : "";
       const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
       const outside = x < 0 || x > layout.width;

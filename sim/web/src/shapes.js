@@ -14,7 +14,8 @@ const ABOVE = 34;
 const DOT = 2.5; // radius of a zero force
 const RING = 1; // radius of a zero velocity, drawn as a line
 const SHORTEST = 0.5;
-const LONGEST = 1.15;
+const LONGEST = 1.15; // full lengths of a force arrow, so that it stays in the picture
+export const FASTEST = 2.2; // full lengths of a velocity arrow
 const TORN = 6; // units of the gap in an arrow that is cut
 export const LINE = 12;
 const NAMED = 34;
@@ -95,14 +96,14 @@ export function dot(x, y, radius = DOT) {
 }
 
 /** @param {number} value @param {number} full scale @param {number} length of the full scale @returns {number} cut at the longest */
-export function arrowLength(value, full, length) {
+export function arrowLength(value, full, length, longest = LONGEST) {
   const exact = full ? (value / full) * length : 0;
-  return Math.max(-LONGEST * length, Math.min(LONGEST * length, exact));
+  return Math.max(-longest * length, Math.min(longest * length, exact));
 }
 
-/** @param {number} value @param {number} full @returns {boolean} whether the arrow is cut: then the label says so */
-export function isCut(value, full) {
-  return full > 0 && Math.abs(value) > LONGEST * full;
+/** @param {number} value @param {number} full @returns {boolean} whether the arrow is cut: then its text says so */
+export function isCut(value, full, longest = LONGEST) {
+  return full > 0 && Math.abs(value) > longest * full;
 }
 
 /** @param {number} x @param {number} length @param {number} width @returns {[number, "start" | "end"]} where a velocity is written */

@@ -161,7 +161,7 @@ export class Stage {
     const v =
       valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
     const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
-    const length = shapes.arrowLength(seen, view.velocity, layout.velocity);
+    const length = shapes.arrowLength(seen, view.velocity, layout.velocity, shapes.FASTEST);
     const [at, anchor] = shapes.velocityText(x, length, layout.width);
     put(need(cart.velocity, '[data-part="arrow"]'), "d", shapes.lineArrow(x, cart.lane, length));
     put(
@@ -169,7 +169,7 @@ export class Stage {
       "d",
       `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`,
     );
-    const cut = shapes.isCut(seen, view.velocity) ? ", arrow cut" : "";
+    const cut = shapes.isCut(seen, view.velocity, shapes.FASTEST) ? ", arrow cut" : "";
     const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s${cut}`;
     const text = need(cart.velocity, '[data-part="text"]');
     const outside = x < 0 || x > layout.width;
