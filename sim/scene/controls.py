@@ -9,21 +9,30 @@ from typing import Any
 from sim.scene.fields import CART, GRAVITY, RESTITUTION, STIFFNESS, TRACK_LENGTH, UNTIL, Field
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
-from sim.scene.quantity import QuantityError, read_quantity
+from sim.scene.quantity import QuantityError, read_quantity, unit_of
 from sim.scene.tables import mapping, unknown_keys
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Control:
-    """A slider with a number box. All numbers SI; `value` is the scene's own."""
+    """A slider with a number box. All numbers SI; `value` is the scene's own.
+
+    `unit` is the one in which the author wrote the limits, and `per` its size in SI: a slider from
+    0 to 0.5 mm/s counts in mm/s.
+    """
 
     set: str
     low: float
     high: float
     step: float
     unit: str
+    per: float
     label: str
     value: float
+
+    def shown(self, number: float) -> float:
+        """An SI number in the control's unit, without the rounding of the conversion."""
+        return float(f"{number / self.per:.12g}")
 
 
 def read_controls(value: object, scene: Scene, problems: list[Problem]) -> tuple[Control, ...]:
@@ -93,12 +102,14 @@ def _control(
         if isinstance(bound, Problem):
             problems.append(bound)
             return None
+    unit, per = _shown_unit(field, table)
     return Control(
         set=str(target),
         low=float(numbers["from"]),
         high=float(numbers["to"]),
         step=float(numbers["step"]),
-        unit=field.dimension.si,
+        unit=unit,
+        per=per,
         label=label,
         value=value,
     )
@@ -124,3 +135,13 @@ def _target(target: str, scene: Scene) -> tuple[Field, str, float] | None:
     if target == "gravity":
         return GRAVITY, "gravity", scene.gravity
     return None
+
+
+def _shown_unit(field: Field, table: Mapping[str, Any]) -> tuple[str, float]:
+    """The unit that all limits with a unit share, and its size in SI; else the SI unit."""
+    texts = [str(table[key]) for key in ("from", "to", "step")]
+    units = {unit for text in texts if (unit := unit_of(text)) in field.dimension.units}
+    if len(units) != 1:
+        return field.dimension.si, 1.0
+    unit = units.pop()
+    return unit, float(field.dimension.units[unit])

@@ -123,6 +123,12 @@ def read_quantity(value: object, dimension: Dimension) -> Fraction:
     return _bounded(_from_text(value, dimension, hint), hint)
 
 
+def unit_of(text: str) -> str:
+    """The unit at the end of a quantity's text, or nothing."""
+    match = _NUMBER.fullmatch(text.strip().translate(_MINUS))
+    return match.group(2).strip() if match else ""
+
+
 def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
     if len(text) > LONGEST_TEXT:
         raise QuantityError("not-a-number", "this text is too long to be a number", hint)

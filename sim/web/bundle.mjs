@@ -27,7 +27,11 @@ const asText = {
       namespace: "as-text",
     }));
     bundler.onLoad({ filter: /.*/, namespace: "as-text" }, async ({ path: file }) => {
-      const { outputFiles } = await build({ ...shared, entryPoints: [path.join(here, file)], write: false });
+      const { outputFiles } = await build({
+        ...shared,
+        entryPoints: [path.join(here, file)],
+        write: false,
+      });
       return { contents: outputFiles[0].text, loader: "text", watchFiles: [path.join(here, file)] };
     });
   },

@@ -194,3 +194,13 @@ def test_a_fence_knows_how_it_is_shown():
 )
 def test_a_fence_has_its_own_mistakes(extra, where):
     assert where in {place for place, _ in problems({**FENCE, **extra}, read_fence)}
+
+
+def test_a_control_counts_in_the_unit_that_its_limits_are_written_in():
+    controls = [
+        {"set": "A.velocity", "from": "-0.5 mm/s", "to": "0.5 mm/s", "step": "0.1 mm/s"},
+        {"set": "A.mass", "from": "0.5 kg", "to": "900 g", "step": "0.1 kg"},
+    ]
+    slow, mixed = read_fence({**FENCE, "controls": controls}).controls
+    assert (slow.unit, slow.shown(slow.high), slow.high) == ("mm/s", 0.5, 0.0005)
+    assert (mixed.unit, mixed.per) == ("kg", 1.0)

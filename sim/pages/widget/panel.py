@@ -70,7 +70,10 @@ def _readouts(
 
 
 def _control(control: Any, suffix: str) -> dict[str, Any]:
-    decimals = max(_decimals(control.step), _decimals(control.low), _decimals(control.value))
+    low, high, step, value = map(
+        control.shown, (control.low, control.high, control.step, control.value)
+    )
+    decimals = max(_decimals(step), _decimals(low), _decimals(value))
     label = str(control.label)
     return {
         "set": control.set,
@@ -78,11 +81,11 @@ def _control(control: Any, suffix: str) -> dict[str, Any]:
         "label": label,
         "short": label.removesuffix(suffix) if suffix else label,
         "unit": control.unit,
-        "low": plain(control.low),
-        "high": plain(control.high),
-        "step": plain(control.step),
-        "value": plain(control.value),
-        "text": fixed(control.value, decimals).replace("−", "-"),
+        "low": plain(low),
+        "high": plain(high),
+        "step": plain(step),
+        "value": plain(value),
+        "text": fixed(value, decimals).replace("−", "-"),
     }
 
 

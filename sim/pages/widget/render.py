@@ -88,10 +88,11 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
                 "set": c.set,
                 "label": c.label,
                 "unit": c.unit,
-                "low": c.low,
-                "high": c.high,
-                "step": c.step,
-                "value": c.value,
+                "per": c.per,
+                "low": c.shown(c.low),
+                "high": c.shown(c.high),
+                "step": c.shown(c.step),
+                "value": c.shown(c.value),
             }
             for c in fence.controls
         ],

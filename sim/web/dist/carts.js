@@ -273,8 +273,8 @@
     show(settings, header) {
       for (const [target, view] of this.#views) {
         const value = target in settings ? settings[target] : view.control.value;
-        const number = valueIn(header, target) ?? Number(value);
-        view.show(Number.isFinite(number) ? number : view.control.value);
+        const number = valueIn(header, target) ?? Number(value) * view.control.per;
+        view.show(Number.isFinite(number) ? view.shown(number) : view.control.value);
       }
     }
     /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
@@ -297,7 +297,7 @@
       this.slider.addEventListener("input", (event) => {
         const value = this.slider.valueAsNumber;
         this.#accept(value);
-        change(control.set, value, event.timeStamp);
+        change(control.set, this.#asked(value), event.timeStamp);
       });
       this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
       this.box.addEventListener("keydown", (event) => {
@@ -309,7 +309,15 @@
       this.slider.disabled = !on;
       this.box.disabled = !on;
     }
-    /** @param {number} value SI; leaves alone what the reader is typing */
+    /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
+    shown(value) {
+      return Number((value / this.control.per).toPrecision(12));
+    }
+    /** @param {number} value in the control's unit @returns {number | string} what to ask for: SI, or text with the unit */
+    #asked(value) {
+      return this.control.per === 1 ? value : `${value} ${this.control.unit}`;
+    }
+    /** @param {number} value in the control's unit; leaves alone what the reader is typing */
     show(value) {
       this.slider.valueAsNumber = value;
       put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
@@ -339,7 +347,7 @@
         return this.complain(`${label}: ${range}, please.`);
       }
       this.#accept(read.value);
-      return change(this.control.set, read.value, at);
+      return change(this.control.set, this.#asked(read.value), at);
     }
     /** @param {number} value */
     #accept(value) {
