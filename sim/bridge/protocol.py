@@ -13,10 +13,11 @@ from array import array
 from collections.abc import Mapping
 from typing import Any
 
+from sim.dynamics.finished import Run
 from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.plan import not_simulated
 from sim.dynamics.report import report
-from sim.dynamics.run import Run, run
+from sim.dynamics.run import run
 from sim.dynamics.trajectory import trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.dynamics.run import Run
+from sim.dynamics.finished import Run
 from sim.dynamics.trajectory import trajectory
 from sim.dynamics.warnings import warnings
 

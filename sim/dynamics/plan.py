@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from sim.dynamics.finished import Run
 from sim.dynamics.record import Solved
-from sim.dynamics.run import Run
 from sim.scene.effects import KINDS
 from sim.scene.model import Scene
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from sim.dynamics.finished import Run
 from sim.dynamics.plan import Phase, plan
-from sim.dynamics.run import Run
 from sim.dynamics.warnings import warnings
 
 FORMAT = 1

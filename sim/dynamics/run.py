@@ -10,7 +10,6 @@ from __future__ import annotations
 import heapq
 import math
 from collections import Counter
-from dataclasses import dataclass
 
 from sim.dynamics import components, ledger, resolve
 from sim.dynamics.chain import Body, Chain, Gap, moved, velocity
@@ -18,8 +17,9 @@ from sim.dynamics.clock import ZERO, Time, later
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.detect import next_touch, touch_during_contact
+from sim.dynamics.finished import Run, outcome_of
 from sim.dynamics.ledger import Ledger
-from sim.dynamics.outcome import Outcome, UnsolvedError
+from sim.dynamics.outcome import refuse_what_is_not_solved
 from sim.dynamics.record import Record
 from sim.scene.model import Scene
 
@@ -29,23 +29,6 @@ MOST_EVENTS = 1_000_000
 STEPS_PER_EVENT = 10
 """A contact of several carts takes a handful of steps; a run that needs ten times as many as it may
 have events is one that never ends."""
-
-REST_SPEED = 1e-12
-"""m/s. Slower than this at the end counts as "came to rest" in words; it changes no number."""
-
-
-@dataclass(frozen=True, slots=True)
-class Run:
-    """A finished run: where everything is, what happened, and what it took."""
-
-    scene: Scene
-    t: float
-    x: tuple[float, ...]  # m, per cart from left to right
-    v: tuple[float, ...]  # m/s
-    outcome: Outcome
-    record: Record
-    ledger: Ledger
-    solvers: Counter[str]
 
 
 def run(
@@ -63,7 +46,7 @@ class _Run:
     """The state of one run in progress."""
 
     def __init__(self, scene: Scene, max_events: int, record: Record) -> None:
-        _refuse_what_is_not_solved(scene)
+        refuse_what_is_not_solved(scene)
         self.scene, self.max_events, self.record = scene, max_events, record
         self.chain = Chain(scene)
         self.ledger = Ledger()
@@ -267,37 +250,8 @@ class _Run:
             t=end[0],
             x=tuple(x),
             v=tuple(v),
-            outcome=self.outcome(end[0], v, full),
+            outcome=outcome_of(scene, end[0], v, self.max_events if full else None),
             record=record,
             ledger=self.ledger,
             solvers=self.solvers,
         )
-
-    def outcome(self, t: float, v: list[float], full: bool) -> Outcome:
-        """Why it ended."""
-        if full:
-            return Outcome(
-                "too-many-events",
-                f"The run was stopped at t = {t:.6g} s after {self.max_events} events. "
-                "Ask for an earlier end (until), more events (--max-events), or a larger "
-                "restitution.",
-            )
-        if all(abs(speed) < REST_SPEED for speed in v):
-            return Outcome("came-to-rest", f"Every cart is at rest at t = {t:.6g} s.")
-        return Outcome("reached-end", f"The run reached its end at t = {t:.6g} s.")
-
-
-def _refuse_what_is_not_solved(scene: Scene) -> None:
-    if scene.effects:
-        kinds = ", ".join(dict.fromkeys(effect.kind for effect in scene.effects))
-        raise UnsolvedError(
-            f"the effect {kinds} is not simulated yet", "remove it from effects", 0.0, ()
-        )
-    for k, contact in enumerate(scene.contacts):
-        if contact is not None and contact.law == "hertz":
-            raise UnsolvedError(
-                "the contact law hertz is not simulated yet",
-                "use law: bumper",
-                0.0,
-                scene.names_at(k),
-            )

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from sim.dynamics.contact import PairContact
+from sim.dynamics.finished import Run
 from sim.dynamics.record import Piece, Solved
-from sim.dynamics.run import Run
 from sim.scene.model import Scene
 
 PER_STRETCH = 16

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sim.dynamics.run import Run
+from sim.dynamics.finished import Run
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,7 +50,12 @@ def _dimension(name: str, example: str, **units: str) -> Dimension:
 
 
 def _spelt(unit: str) -> str:
-    return unit.replace("_per_", "/").replace("__", " ")
+    return _micro(unit.replace("_per_", "/"))
+
+
+def _micro(unit: str) -> str:
+    """One µ for the two that look the same (U+03BC, U+00B5)."""
+    return unit.replace("\u03bc", "\u00b5")
 
 
 MASS = _dimension("mass", "0.5 kg", kg="1", g="1/1000", mg="1/1000000", t="1000")
@@ -146,7 +151,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
         )
     factor = Fraction(1)
     if unit:
-        known = dimension.units.get(unit.replace("μ", "µ"))
+        known = dimension.units.get(_micro(unit))
         if known is None:
             takes = ", ".join(dimension.units) or "no unit"
             raise QuantityError(

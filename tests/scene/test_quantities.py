@@ -24,6 +24,8 @@ from sim.scene.quantity import QuantityError, read_quantity
         (".25", quantity.LENGTH, "1/4"),
         ("0.5 mm/s", quantity.SPEED, "1/2000"),
         ("30 %", quantity.RATIO, "3/10"),
+        ("5 \u00b5m", quantity.LENGTH, "1/200000"),
+        ("5 \u03bcm", quantity.LENGTH, "1/200000"),
         ("4 N/cm", quantity.STIFFNESS, "400"),
         ("2 min", quantity.TIME, "120"),
         (0.1, quantity.LENGTH, "1/10"),

@@ -1,0 +1,66 @@
+"""The documentation names everything there is, and what it shows works."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sim.cli import COMMANDS
+from sim.pages.yaml_source import load
+from sim.scene import fields, read_fence
+from sim.scene.predict import KINDS as PREDICTIONS
+from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS
+from sim.scene.read import SCENE_KEYS
+from sim.scene.read_contact import LAWS
+
+ROOT = Path(__file__).parents[1]
+REFERENCE = (ROOT / "docs" / "reference" / "scene.md").read_text(encoding="utf-8")
+TEXTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+
+CART_KEYS = [field.key for field in fields.CART]
+OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *LAWS, *PREDICTIONS, *SHOWS, *PACKAGES]
+
+
+@pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])
+def test_the_reference_names_every_key(key: str) -> None:
+    assert re.search(rf"(`|\.|\[|\b){re.escape(key)}(`|\.|\b)", REFERENCE), key
+
+
+@pytest.mark.parametrize("field", fields.CART, ids=lambda field: field.key)
+def test_the_reference_names_every_unit_of_a_cart(field: fields.Field) -> None:
+    (line,) = re.findall(rf"^\| `{field.key}` .*$", REFERENCE, re.M)
+    for unit in field.dimension.units:
+        assert unit in line, (field.key, unit)
+    if field.default is not None:
+        assert field.default in line
+
+
+@pytest.mark.parametrize("command", sorted(COMMANDS))
+def test_every_command_is_documented(command: str) -> None:
+    assert any(f"carts {command}" in text.read_text(encoding="utf-8") for text in TEXTS)
+
+
+def scene_blocks() -> list[tuple[str, str]]:
+    found = []
+    for text in TEXTS:
+        for block in re.findall(
+            r"^```scene\n(.*?)^```", text.read_text(encoding="utf-8"), re.M | re.S
+        ):
+            found.append((text.relative_to(ROOT).as_posix(), block))
+    return found
+
+
+@pytest.mark.parametrize(("where", "block"), scene_blocks())
+def test_every_scene_in_the_texts_is_a_good_one(where: str, block: str) -> None:
+    read_fence(load(block).plain)
+
+
+@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_no_text_links_to_a_file_that_is_not_there(path: Path) -> None:
+    for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", path.read_text(encoding="utf-8")):
+        if path.name == "index.md" and target.startswith("worksheets/"):
+            assert (ROOT / target).exists(), target
+        else:
+            assert (path.parent / target).exists(), (path.name, target)
