@@ -2,6 +2,8 @@
 
     {"id": 7, "kind": "run", "scene": {...plain scene...}, "set": {"A.mass": 2}}
 
+(`"samples"`, if given, is the number of samples per quarter swing of a contact)
+
 is answered by a header (JSON) and one array of float64, column after column. The header of a
 refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
 what a reader or an author typed.
@@ -18,7 +20,7 @@ from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.plan import not_simulated
 from sim.dynamics.report import report
 from sim.dynamics.run import run
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.trajectory import PER_STRETCH, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 
 PROTOCOL = 1
@@ -41,7 +43,8 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return refusal(identity, error.problems)
     except UnsolvedError as error:
         return refusal(identity, [Problem((), "unsolved", error.message, error.hint)])
-    header, numbers = describe(finished)
+    samples = request.get("samples")
+    header, numbers = describe(finished, samples if isinstance(samples, int) else PER_STRETCH)
     return {"id": identity, "ok": True, **header}, numbers
 
 
@@ -54,10 +57,10 @@ def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> 
     return {"id": identity, "ok": False, "problems": listed}, array("d")
 
 
-def describe(finished: Run) -> Answer:
+def describe(finished: Run, per_stretch: int = PER_STRETCH) -> Answer:
     """Header and numbers of a finished run."""
     scene = finished.scene
-    samples = trajectory(finished)
+    samples = trajectory(finished, max(2, per_stretch))
     numbers = array("d")
     for column in samples.columns.values():
         numbers.extend(column)

@@ -11,8 +11,8 @@ from sim.dynamics.record import Record
 from sim.scene.model import Scene
 
 REST = 1e-12
-"""Of the greatest speed at the start. Slower than this at the end is called "at rest", in words only:
-it is what rounding leaves of nought. It changes no number."""
+"""Of the greatest speed at the start. Slower than this at the end is called "at rest", in words
+only: it is what rounding leaves of nought. It changes no number."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,8 +40,8 @@ class Trajectory:
         return len(self.columns[("t",)])
 
 
-def trajectory(run: Run) -> Trajectory:
-    """Sample a run that kept its motion."""
+def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
+    """Sample a run that kept its motion; fewer samples per stretch make a lighter page."""
     scene, record = run.scene, run.record
     names = [cart.name for cart in scene.carts]
     solved = sorted(record.solved, key=lambda part: (part.begin, part.gaps))
@@ -53,7 +53,7 @@ def trajectory(run: Run) -> Trajectory:
     for gap in gaps:
         pair = "-".join(scene.names_at(gap))
         columns.update({(kind, pair): array("d") for kind in ("F", "dF")})
-    dense = _density(len(solved), len(columns))
+    dense = min(per_stretch, _density(len(solved), len(columns)))
     starts = [[piece.start[0] for piece in pieces] for pieces in record.pieces]
     live: list[Solved] = []
     upcoming, last = 0, None

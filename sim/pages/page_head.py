@@ -94,11 +94,14 @@ def finish(
     *,
     audience: Audience,
     site_id: str,
+    page_id: str,
     assets: str,
     needs: Needs,
     trusted: Collection[re.Pattern[str]],
 ) -> str:
-    """The page with its policy, its site's name and the scripts that it needs.
+    """The page with its policy, its site's and its own name, and the scripts that it needs.
+
+    Under the two names the page keeps what a reader types: a moved folder finds it again.
 
     `assets` leads from the page to the folder assets/carts/, with a slash at its end.
     """
@@ -106,7 +109,8 @@ def finish(
     first = (
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
         f'content="{policy(audience, allowed)}">\n'
-        f'    <meta name="carts-site" content="{escape(site_id)}">'
+        f'    <meta name="carts-site" content="{escape(site_id)}">\n'
+        f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
     last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in ("site.css", "carts.css")]
     if needs.formulas:

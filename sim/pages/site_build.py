@@ -60,6 +60,18 @@ class SiteBuild:
     def rendered(self, name: str, page: Page, html: str) -> None:
         """Note what the page `name` needs, now that it is rendered."""
         self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html)
+        for scene in re.findall(r'<carts-scene id="([^"]+)"', html):
+            if html.count(f' id="{scene}"') > 1:
+                self.report(
+                    Finding(
+                        page.lesson.file,
+                        1,
+                        1,
+                        "id-taken",
+                        f"id: “{scene}” is also the address of a heading on this page",
+                        "give the scene an id of its own, for example " + f"{scene}-scene",
+                    )
+                )
         self.packages |= page.packages
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
@@ -69,6 +81,7 @@ class SiteBuild:
             html,
             audience=self.audience,
             site_id=self.site_id,
+            page_id=(name or "").rpartition(".")[0],
             assets=assets,
             needs=needs,
             trusted=self.trusted,

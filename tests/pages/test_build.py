@@ -280,3 +280,19 @@ def test_a_script_in_a_lesson_is_not_allowed_to_run(
     digest = base64.b64encode(hashlib.sha256(b"steal()").digest()).decode()
     assert digest not in page
     assert "worksheets/first.md: the page's policy blocks a script in it: steal()" in caplog.text
+
+
+def test_a_scene_may_not_share_its_id_with_a_heading(
+    make_site: MakeSite, caplog: pytest.LogCaptureFixture
+) -> None:
+    root = make_site(first=f"# First\n\n## The crash\n\n{lesson(identity='the-crash')}")
+    assert build_site(root, hosted=False, strict=True) is None
+    assert "“the-crash” is also the address of a heading" in caplog.text
+
+
+def test_a_page_knows_its_name_wherever_its_folder_goes(make_site: MakeSite) -> None:
+    root = make_site(first=lesson())
+    site = build_site(root, hosted=False, strict=True)
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert '<meta name="carts-page" content="worksheets/first">' in page

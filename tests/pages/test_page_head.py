@@ -31,6 +31,7 @@ def finished(page: str = PAGE, *, site_id: str = "a-site", **needs: bool) -> str
         page,
         audience="offline",
         site_id=site_id,
+        page_id="worksheets/first",
         assets="../assets/carts/",
         needs=Needs(**needs),
         trusted=trusted_scripts([PAGE]),
