@@ -60,7 +60,7 @@ class SiteBuild:
     def rendered(self, name: str, page: Page, html: str) -> None:
         """Note what the page `name` needs, now that it is rendered."""
         self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html)
-        for scene in re.findall(r'<carts-scene id="([^"]+)"', html):
+        for scene in re.findall(r'<carts-scene\b[^>]*\sid="([^"]+)"', html):
             if html.count(f' id="{scene}"') > 1:
                 self.report(
                     Finding(

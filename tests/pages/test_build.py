@@ -285,7 +285,7 @@ def test_a_script_in_a_lesson_is_not_allowed_to_run(
 def test_a_scene_may_not_share_its_id_with_a_heading(
     make_site: MakeSite, caplog: pytest.LogCaptureFixture
 ) -> None:
-    root = make_site(first=f"# First\n\n## The crash\n\n{lesson(identity='the-crash')}")
+    root = make_site(first=f"{lesson(identity='the-crash')}\n## The crash\n")
     assert build_site(root, hosted=False, strict=True) is None
     assert "“the-crash” is also the address of a heading" in caplog.text
 
