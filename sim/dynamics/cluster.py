@@ -20,6 +20,7 @@ from sim.dynamics.series import (
     expand,
     first_fall,
     integral,
+    size,
     slope,
     step_length,
     value,
@@ -28,6 +29,10 @@ from sim.dynamics.series import (
 Cause = Literal["apart", "turn", "climb"]
 """apart: the force is zero. turn: a bumper is deepest. climb: it is back at its old depth, or, with
 e = 0, pressed as hard as at its greatest overlap."""
+
+NEGLIGIBLE = 1e-13
+"""Of the largest force in the cluster. Far ahead of the push that runs through a touching chain the
+forces are a rounding error of it and less, and their sign means nothing: such a contact is kept."""
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
@@ -74,7 +79,11 @@ class Cluster:
             self.ends = [(k, "apart") for k in range(len(branches))]
             self.duration = 0.0
             return
+        sizes = [size(force, self.duration) for force in self.force_of]
+        noise = NEGLIGIBLE * max(sizes)
         for k, (gap, branch) in enumerate(zip(self.gaps, branches, strict=True)):
+            if sizes[k] < noise:
+                continue
             for cause, watched in self._watch(k, gap, branch):
                 found = first_fall(watched, self.duration)
                 if found is not None:

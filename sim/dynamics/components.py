@@ -119,8 +119,7 @@ def _settle_cluster(
         outside(gap.left, gap.right, impulse, ledger)
         over, rate = value(solver.over[k], t), value(slope(solver.over[k]), t)
         deepest = max(-gap.room, over)
-        turn = first_fall(slope(solver.over[k]), t)
-        if turn is not None:
+        if -gap.rate > 0.0 > rate and (turn := first_fall(slope(solver.over[k]), t)) is not None:
             deepest = max(deepest, value(solver.over[k], turn))
         record.depth(gap, deepest)
         gap.memory = law.remember(deepest, gap.memory)
@@ -132,7 +131,8 @@ def _see_peaks(solver: Cluster, k: int, t: float, gap: Gap) -> None:
     touching = gap.touching
     assert touching is not None
     force = solver.force_of[k]
-    turn = first_fall(slope(force), t)
+    growth = slope(force)
+    turn = first_fall(growth, t) if value(growth, t) < 0.0 else None
     for when in (0.0, t) if turn is None else (0.0, turn, t):
         after = (value(solver.speed[k], when), value(solver.speed[k + 1], when))
         impulse = touching.impulse + value(integral(force), when)

@@ -60,12 +60,12 @@ def _add(total: list[float], term: float) -> None:
 
 def kinetic(scene: Scene, v: Sequence[float]) -> float:
     """J."""
-    return math.fsum(0.5 * c.mass * s * s for c, s in zip(scene.carts, v, strict=True))
+    return 0.5 * math.fsum([c.mass * s * s for c, s in zip(scene.carts, v, strict=True)])
 
 
 def momentum(scene: Scene, v: Sequence[float]) -> float:
     """N s, + to the right."""
-    return math.fsum(c.mass * s for c, s in zip(scene.carts, v, strict=True))
+    return math.fsum([c.mass * s for c, s in zip(scene.carts, v, strict=True)])
 
 
 def close(ledger: Ledger, scene: Scene, v: Sequence[float]) -> None:

@@ -131,6 +131,15 @@ def value(p: Poly, t: float) -> float:
     return total
 
 
+def size(p: Poly, h: float) -> float:
+    """Bound on |p| over [0, h]."""
+    total, power = 0.0, 1.0
+    for c in p:
+        total += abs(c) * power
+        power *= h
+    return total
+
+
 def slope(p: Poly) -> Poly:
     """dp/dt."""
     return [n * c for n, c in enumerate(p)][1:] or [0.0]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
 from sim.dynamics.laws.base import FiniteLaw
 from sim.dynamics.laws.bumper import Bumper
@@ -17,6 +18,7 @@ FINITE: dict[str, Callable[[float, float], FiniteLaw]] = {
 }
 
 
+@lru_cache(maxsize=1024)
 def finite_law(contact: Contact) -> FiniteLaw | None:
     """The law of finite duration, or None for `instant` and `velcro`."""
     make = FINITE.get(contact.law)
