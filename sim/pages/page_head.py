@@ -89,6 +89,9 @@ def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
     return any(pattern.fullmatch(script) for pattern in trusted)
 
 
+_THEME_SCRIPTS = '<script id="__config"'  # where the theme's scripts begin, below the page's text
+
+
 def finish(
     page: str,
     *,
@@ -119,9 +122,12 @@ def finish(
             f'<script src="{assets}katex/katex.min.js" defer blocking="render"></script>',
             f'<script src="{assets}formulas.js" defer blocking="render"></script>',
         ]
-    if needs.scenes:
-        last.append(f'<script src="{assets}carts.js" defer></script>')
     page = _NEIGHBOURS.sub("", page).replace("<head>", first, 1)
+    if needs.scenes:
+        # Before the theme's own script: a scene answers to Play while that is still being read.
+        ours = f'<script src="{assets}carts.js"></script>\n'
+        place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
+        page = page.replace(place, ours + place, 1)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
     # The theme's search dialog has no name for screen readers.
     return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)

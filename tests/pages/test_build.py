@@ -72,7 +72,7 @@ def test_a_lesson_becomes_a_page_with_a_scene(make_site: MakeSite) -> None:
     assert site == root / "site"
     page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
     assert "<carts-scene" in page
-    assert '<script src="../assets/carts/carts.js" defer></script>' in page
+    assert '<script src="../assets/carts/carts.js"></script>' in page
     assert '<meta name="carts-site" content="a-site">' in page
     home = (site / "index.html").read_text(encoding="utf-8")
     assert "carts.js" not in home
