@@ -14,6 +14,9 @@ class YamlError(ValueError):
         self.hint = hint
 
 
+# What PyYAML notices only on a later line; the line where it began is the one to mend.
+FOUND_TOO_LATE = ("could not find expected ':'", "expected ',' or '}'", "expected ',' or ']'")
+
 # Part of what PyYAML says; the message and the hint that we give instead.
 EXPLAINED = (
     (

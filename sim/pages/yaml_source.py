@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import yaml
 
-from sim.pages.yaml_errors import EXPLAINED, YamlError
+from sim.pages.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError
 
 __all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
 
@@ -142,6 +142,10 @@ class _Reader:
 
     def _explained(self, error: yaml.MarkedYAMLError, text: str) -> YamlError:
         mark = error.problem_mark or error.context_mark
+        began = error.context_mark
+        late = began and mark and began.line < mark.line
+        if late and str(error.problem).startswith(FOUND_TOO_LATE):
+            mark = began  # the line that lacks something, not the one after it
         line, col = (mark.line, mark.column) if mark else (0, 0)
         lines = text.split("\n")
         here = lines[line] if line < len(lines) else ""

@@ -60,11 +60,14 @@ def _control(
     target = table.get("set")
     found = _target(str(target), scene)
     if found is None:
+        names = [cart.name for cart in scene.carts]
+        owner = str(target).partition(".")[0]
+        unknown = owner not in (*names, "contact", "track", "until", "gravity")
         problems.append(
             Problem(
                 (*path, "set"),
                 "unknown-path",
-                f"no control can set “{target}”",
+                f"there is no cart {owner}" if unknown else f"no control can set “{target}”",
                 "for example A.mass, B.velocity, contact.restitution, contact.stiffness",
             )
         )
@@ -102,6 +105,16 @@ def _control(
         if isinstance(bound, Problem):
             problems.append(bound)
             return None
+    if not float(numbers["from"]) <= value <= float(numbers["to"]):
+        problems.append(
+            Problem(
+                path,
+                "out-of-range",
+                f"the scene's own {target} is {value:g}, outside of this control",
+                "widen from and to, or change the scene",
+            )
+        )
+        return None
     unit, per = _shown_unit(field, table)
     return Control(
         set=str(target),

@@ -106,17 +106,23 @@ def _choices(
     problems: list[Problem],
 ) -> tuple[str, ...]:
     value = table.get(key, default)
-    if not isinstance(value, (list, tuple)) or any(item not in allowed for item in value):
+    strange = [item for item in value if item not in allowed] if _is_list(value) else []
+    if strange or not _is_list(value):
+        found = f" (got {', '.join(map(str, strange))})" if strange else ""
         problems.append(
             Problem(
                 (key,),
                 "not-a-choice",
-                f"{key} is a list of {', '.join(allowed)}",
+                f"{key} is a list of {', '.join(allowed)}{found}",
                 f"{key}: [{', '.join(allowed[:2])}]",
             )
         )
         return default
     return tuple(dict.fromkeys(value))
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, (list, tuple))
 
 
 def _view(value: object, problems: list[Problem]) -> float:

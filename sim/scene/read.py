@@ -10,7 +10,7 @@ from typing import Any
 
 from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
 from sim.scene.model import Cart, Scene, Track
-from sim.scene.problem import Path, Problem, SceneError
+from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import read_effects
 from sim.scene.tables import mapping, number, unknown_keys
@@ -109,9 +109,13 @@ def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fracti
 
 
 def _cart(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> dict[str, Fraction]:
-    unknown_keys(table, tuple(field.key for field in CART), path, problems)
+    keys = tuple(field.key for field in CART)
+    unknown_keys(table, keys, path, problems)
+    meant = {nearest(str(key), keys) for key in table if key not in keys}
     exact = {}
     for field in CART:
+        if field.key not in table and field.key in meant and field.default is None:
+            continue  # misspelt, and already told so
         value = number(field, table, path, problems)
         if value is not None:
             exact[field.key] = value
@@ -213,14 +217,15 @@ def _overlap(
         return
     cart = right if k < len(names) else left
     what = f"{left} and {right} overlap"
+    hint = "move them apart: a position is that of the cart's centre"
     if k in (0, len(names)):
         what = f"{cart} reaches into the {'left' if k == 0 else 'right'} wall"
+        hint = "move it away from the wall: a position is that of the cart's centre"
     problems.append(
         Problem(
             ("carts", cart, "position"),
             "overlap",
             f"{what} by {float(-gap):.3g} m at the start",
-            "move them apart (a position is that of the cart's centre), or allow it with "
-            "start: {overlap: true}",
+            f"{hint}; start: {{overlap: true}} allows it",
         )
     )

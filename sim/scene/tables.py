@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
 from sim.scene.fields import Field
 from sim.scene.problem import Path, Problem, nearest
+
+_AFTER_COMMA = re.compile(r"\d+(\s?[^\s\d].*)?")
+"""What {mass: 0,5 kg} leaves behind: a key “5 kg” without a value."""
 
 
 def mapping(
@@ -26,7 +30,16 @@ def unknown_keys(
 ) -> None:
     """One problem for each key of `table` that is not in `known`."""
     for key in table:
-        if key not in known:
+        if key not in known and table[key] is None and _AFTER_COMMA.fullmatch(str(key)):
+            problems.append(
+                Problem(
+                    (*path, key),
+                    "decimal-comma",
+                    f"“,{key}”: a comma begins the next key here",
+                    "write decimals with a point: 0.5 kg",
+                )
+            )
+        elif key not in known:
             close = nearest(str(key), known)
             hint = f"did you mean “{close}”?" if close else f"known keys: {', '.join(known)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))

@@ -87,7 +87,7 @@ def test_a_number_keeps_its_exact_text(written: str, read: object) -> None:
         ("carts: {A: {mass: 1}", 1, 21, "the closing } is missing"),
         ("show: [x, v", 1, 12, "the closing ] is missing"),
         ("title: 'A cart", 1, 15, "the closing quote is missing"),
-        ("mass: 1\nvelocity 2\nlength: 3", 3, 1, "a colon is missing"),
+        ("mass: 1\nvelocity 2\nlength: 3", 2, 1, "a colon is missing"),
         ("- mass: 1", 1, 1, "expected lines of “key: value”"),
         ("mass: @1", 1, 7, "cannot begin a value"),
         ("mass: \x07", 1, 7, "cannot be read"),

@@ -118,7 +118,7 @@ def test_every_mistake_has_a_path_and_a_code(plain, where, code):
 def test_all_mistakes_are_reported_at_once():
     plain = {"carts": {"A": {"mass": -1, "positon": 0}}, "until": "soon", "contact": {"law": "x"}}
     found = {where for where, _ in problems(plain)}
-    assert {"carts.A.mass", "carts.A.positon", "carts.A", "until", "contact.law"} <= found
+    assert {"carts.A.mass", "carts.A.positon", "until", "contact.law"} <= found
 
 
 def test_an_overlap_is_allowed_where_the_scene_says_so():
@@ -184,6 +184,7 @@ def test_a_fence_knows_how_it_is_shown():
         ({"view": "moving"}, "view"),
         ({"slow": "maybe"}, "slow"),
         ({"controls": [{"set": "A.colour", "from": 1, "to": 2, "step": 1}]}, "controls.0.set"),
+        ({"controls": [{"set": "A.mass", "from": 2, "to": 5, "step": 1}]}, "controls.0"),
         ({"controls": [{"set": "A.mass", "from": 5, "to": 2, "step": 1}]}, "controls.0"),
         ({"controls": [{"set": "A.mass", "from": 0, "to": 2, "step": 1}]}, "controls.0.from"),
         ({"predict": {"arrows": ["A-Z"]}}, "predict.arrows"),
@@ -198,9 +199,19 @@ def test_a_fence_has_its_own_mistakes(extra, where):
 
 def test_a_control_counts_in_the_unit_that_its_limits_are_written_in():
     controls = [
-        {"set": "A.velocity", "from": "-0.5 mm/s", "to": "0.5 mm/s", "step": "0.1 mm/s"},
-        {"set": "A.mass", "from": "0.5 kg", "to": "900 g", "step": "0.1 kg"},
+        {"set": "A.velocity", "from": "0 mm/s", "to": "1500 mm/s", "step": "0.1 mm/s"},
+        {"set": "A.mass", "from": "0.5 kg", "to": "2000 g", "step": "0.1 kg"},
     ]
     slow, mixed = read_fence({**FENCE, "controls": controls}).controls
-    assert (slow.unit, slow.shown(slow.high), slow.high) == ("mm/s", 0.5, 0.0005)
+    assert (slow.unit, slow.shown(slow.high), slow.high) == ("mm/s", 1500.0, 1.5)
     assert (mixed.unit, mixed.per) == ("kg", 1.0)
+
+
+def test_a_misspelt_key_is_told_once():
+    plain = {"carts": {"A": {"mas": 1, "position": 0}}}
+    assert problems(plain) == {("carts.A.mas", "unknown-key")}
+
+
+def test_a_decimal_comma_is_called_by_its_name():
+    plain = {"carts": {"A": {"mass": 0, "5 kg": None, "position": 0}}}
+    assert ("carts.A.5 kg", "decimal-comma") in problems(plain)
