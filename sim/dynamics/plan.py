@@ -18,7 +18,7 @@ MOST_PHASES = 60
 """Phases told one by one. A longer plan ends in one entry for the rest: nobody reads a thousand."""
 
 SOLVERS = ("free-flight", "pair-contact", "coupled-contacts")
-FLIGHT = "nothing touches and no effect acts: every cart keeps its velocity, x = x0 + v t is exact"
+FLIGHT = "nothing touches and no effect acts: every cart keeps its velocity, x = x₀ + v t is exact"
 REST = "further flights and contacts of the same kinds"
 
 

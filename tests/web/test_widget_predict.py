@@ -47,6 +47,32 @@ def test_nothing_is_told_before_the_lock(open_page: OpenPage, widget_site: Path)
     expect(page.locator("#arrows .carts-results")).to_be_hidden()
 
 
+def test_before_the_lock_cards_and_tables_hold_the_start_state_only(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "guessed.html"), "guessed")
+    page.wait_for_timeout(500)  # tables are filled when the page has come to rest
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    values = page.locator('#guessed [data-body="A"] .carts-value')
+    assert values.all_inner_texts() == ["5", "0.500", "1.00", "–", "–"]
+    assert page.locator("#guessed .carts-graph td").count() == 0
+    assert page.locator("#guessed .carts-curve[d^='M46']").count() == 0
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+
+
+def test_after_the_lock_a_graph_says_what_it_cannot_draw(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "guessed.html"), "guessed")
+    page.get_by_label("It stops").check()
+    page.locator("#guessed .carts-lock").click()
+    force = page.locator('#guessed [data-quantity="F"] .carts-key')
+    expect(force).to_contain_text("too large and too short to draw: see the impulses")
+    acceleration = page.locator('#guessed [data-quantity="a"] .carts-key')
+    expect(acceleration).to_contain_text("the acceleration is too large and too short to draw")
+    expect(page.locator('#guessed [data-body="A"] [data-quantity="F"]')).to_have_text("0.00")
+
+
 def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "arrows.html"), "arrows")
     page.locator("#arrows .carts-lock").click()

@@ -77,7 +77,11 @@ def test_a_scene_that_asks_first_tells_nothing_of_its_run(name: str) -> None:
     assert data["events"] == []
     assert data["plan"] == []
     assert data["rows"] == 1
-    assert all(len(c) == 1 for part in "xvaF" for c in data["numbers"][part].values())
+    assert all(len(c) == 1 for part in "xv" for c in data["numbers"][part].values())
+    assert [data["numbers"][part] for part in ("a", "F", "dF")] == [{}, {}, {}]
+    for quantity in "Fa":
+        shown = re.findall(rf'class="carts-value" data-quantity="{quantity}">(.*?)<', text)
+        assert shown == ["–", "–"]
     for key in ("final", "energy", "momentum", "work", "outcome", "evaluations"):
         assert key not in data
     assert "<td>" not in text
@@ -134,7 +138,46 @@ def test_forces_without_duration_say_so() -> None:
     text = render(*baked(STRUCK))
     assert "too large and too short to draw" in text
     assert "2.5\u00a0N\u00a0s" in text
+    assert "where v jumps, the acceleration is too large and too short to draw" in text
+    assert "A and B hit each other and part at once." in text
     assert "B leaves the picture on the right, still 1.50\u00a0m/s." in text
+
+
+def story(fence: dict[str, Any]) -> list[str]:
+    return re.findall(
+        r"<button[^>]*carts-jump.*?</button> <span>(.*?)</span>", render(*baked(fence))
+    )
+
+
+STICKY: dict[str, Any] = {
+    **STRUCK,
+    "id": "sticky",
+    "carts": {"A": {"mass": 1, "position": "0.4", "velocity": "0.6"},
+              "B": {"mass": 2, "position": 1}},
+    "until": 2,
+}  # fmt: skip
+
+
+def test_carts_with_velcro_stay_together_in_words() -> None:
+    told = story({**STICKY, "contact": {"law": "velcro"}})
+    assert told[0].startswith("A and B hit and stay together. Impulse on each: 0.4\u00a0N\u00a0s.")
+    wall = {**STICKY, "track": {"length": 2, "right": "wall"}, "until": 8}
+    told = story({**wall, "contact": {"law": "velcro"}})
+    assert told[1].startswith("B and the right wall hit and stay together.")
+    told = story({**STICKY, "contact": {"law": "instant", "restitution": 0}})
+    assert told[0].startswith("A and B hit and go on together at 0.200\u00a0m/s to the right.")
+
+
+@pytest.mark.parametrize("forces", ["shown", "hidden"])
+def test_carts_that_go_on_with_one_velocity_do_not_separate_in_words(forces: str) -> None:
+    soft = {**STICKY, "contact": {"law": "bumper", "restitution": 0}, "forces": forces}
+    ended = (
+        "The push between A and B has ended; they go on together at 0.200\u00a0m/s to the right."
+    )
+    assert any(sentence.startswith(ended) for sentence in story(soft))
+    moving = story({**soft, "view": "moving 0.2 m/s", "show": ["v"]})
+    assert any("has ended; they stay together, at rest." in sentence for sentence in moving)
+    assert not any("separate" in sentence for sentence in (*story(soft), *moving))
 
 
 def test_a_warning_is_there_before_anybody_plays() -> None:

@@ -16,7 +16,13 @@ from sim.pages.widget.numbers import decimals_for, fixed, px, short
 from sim.pages.widget.run import from_wire, value_at
 from sim.pages.widget.scales import axis, span
 from sim.pages.widget.series import series_of
-from sim.pages.widget.words import event_sentence, exit_sentence, model_sentences
+from sim.pages.widget.words import (
+    event_sentence,
+    exit_sentence,
+    graph_note,
+    laws_of,
+    model_sentences,
+)
 from tests import registry
 from tests.web.widget_site import MEETING, STRUCK, baked, in_node
 
@@ -85,11 +91,19 @@ def test_curves_events_and_words_are_the_same(name: str) -> None:
                 [[c.label, c.style, c.over, g.path(c, run.t, plane)] for c in curves]
             )
     here["words"] = [
-        event_sentence(e, decimals=decimals, scale=1.0, camera=0.1, forces=forces)
+        event_sentence(
+            e,
+            decimals=decimals,
+            scale=1.0,
+            camera=0.1,
+            forces=forces,
+            laws=laws_of(header["contacts"]),
+        )
         for forces in (False, True)
         for e in header["events"]
     ]
     here["words"] += model_sentences(header, told=True)
+    here["words"] += [graph_note(q, header["events"], n) for q in ("x", "a", "F") for n in (0, 2)]
     here["touches"] = [[w.start, w.end] for w in touches(header["events"], header["until"])]
     gone = exits(header, run, 0.2, 1.5, 0.1)
     here["exits"] = [exit_sentence(e.name, e.side, e.velocity, 2) for e in gone]
@@ -108,9 +122,12 @@ def test_curves_events_and_words_are_the_same(name: str) -> None:
         }
         for (const forces of [false, true]) {
           const telling = { decimals: { v: 2, F: 1 }, scale: 1, camera: 0.1, forces };
-          out.words.push(...header.events.map((event) => w.eventSentence(event, telling)));
+          const laws = w.lawsOf(header.contacts);
+          out.words.push(...header.events.map((event) => w.eventSentence(event, telling, laws)));
         }
         out.words.push(...w.modelSentences(header));
+        out.words.push(...["x", "a", "F"].flatMap((q) =>
+          [0, 2].map((n) => w.graphNote(q, header.events, n))));
         out.touches = k.touches(header.events, header.until).map(({ start, end }) => [start, end]);
         out.exits = x.exits({ header, trajectory: run }, { low: 0.2, high: 1.5 }, 0.1)
           .map((exit) => w.exitSentence(exit, 2));

@@ -67,7 +67,8 @@ STRUCK: dict[str, Any] = {
     "until": 3,
     "show": ["x", "v", "a", "F", "p", "energy"],
 }
-FENCES = {fence["id"]: fence for fence in (MEETING, *QUESTIONS.values(), COASTING, STRUCK)}
+GUESSED = {**STRUCK, "id": "guessed", "predict": {"choice": ["It stops", "It turns back"]}}
+FENCES = {f["id"]: f for f in (MEETING, *QUESTIONS.values(), COASTING, STRUCK, GUESSED)}
 
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8">

@@ -10,6 +10,8 @@ from sim.pages.widget.numbers import fixed, short
 from sim.pages.widget.run import Run
 from sim.pages.widget.scale_of import Scales
 
+UNTOLD = "–"  # stands for a number until the prediction is locked
+
 
 def cards(
     header: Mapping[str, Any],
@@ -19,8 +21,12 @@ def cards(
     *,
     camera: float,
     forces: bool,
+    told: bool,
 ) -> list[dict[str, Any]]:
-    """One card per cart with its readouts at t = 0, then the contact, then the scene."""
+    """One card per cart with its readouts at t = 0, then the contact, then the scene.
+
+    `told` False: a prediction comes first, so force and acceleration are left open.
+    """
     names = [body["name"] for body in header["bodies"]]
     made = []
     for i, body in enumerate(header["bodies"]):
@@ -31,7 +37,7 @@ def cards(
                 "body": body["name"],
                 "style": f"b{i % 8}",
                 "marker": MARKERS[f"b{i % 8}"],
-                "readouts": _readouts(body, scales, start, camera, forces),
+                "readouts": _readouts(body, scales, start, camera, forces=forces, told=told),
                 "controls": [_control(c, f" of {body['name']}") for c in own],
             }
         )
@@ -52,7 +58,13 @@ def cards(
 
 
 def _readouts(
-    body: Mapping[str, Any], scales: Scales, start: Run, camera: float, forces: bool
+    body: Mapping[str, Any],
+    scales: Scales,
+    start: Run,
+    camera: float,
+    *,
+    forces: bool,
+    told: bool,
 ) -> list[dict[str, str]]:
     name, decimals = body["name"], scales.decimals
     rows = [
@@ -61,10 +73,12 @@ def _readouts(
         ("velocity", "v", "v", fixed(body["velocity"] - camera, decimals["v"]), "m/s"),
     ]
     if forces:
-        acceleration = start.a[name][0]
-        force = body["mass"] * acceleration
-        rows.append(("resultant force", "F", "F", fixed(force, decimals["F"]), "N"))
-        rows.append(("acceleration", "a", "a", fixed(acceleration, decimals["a"]), "m/s²"))
+        force = acceleration = UNTOLD
+        if told:
+            force = fixed(body["mass"] * start.a[name][0], decimals["F"])
+            acceleration = fixed(start.a[name][0], decimals["a"])
+        rows.append(("resultant force", "F", "F", force, "N"))
+        rows.append(("acceleration", "a", "a", acceleration, "m/s²"))
     keys = ("name", "symbol", "quantity", "text", "unit")
     return [dict(zip(keys, row, strict=True)) for row in rows]
 

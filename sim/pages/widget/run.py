@@ -39,12 +39,9 @@ class Run:
         return table
 
     def start(self) -> Run:
-        """Only the first row: what a page may know before the prediction is locked."""
-        parts = (
-            {key: column[:1] for key, column in part.items()}
-            for part in (self.x, self.v, self.a, self.F, self.rate)
-        )
-        return Run(self.t[:1], *parts)
+        """Places and velocities of the first row: what a page may know before the lock."""
+        x, v = ({key: column[:1] for key, column in part.items()} for part in (self.x, self.v))
+        return Run(self.t[:1], x, v, {}, {}, {})
 
 
 def from_wire(header: Mapping[str, Any], numbers: Sequence[float]) -> Run:

@@ -24,9 +24,10 @@ from sim.pages.widget.words import (
     brief,
     event_sentence,
     exit_sentence,
+    graph_note,
+    laws_of,
     model_sentences,
     motion,
-    no_force,
 )
 
 FORCE_QUANTITIES = ("F", "a")  # left out where the lesson lets students find the force
@@ -60,7 +61,9 @@ def scene_view(
         "time": _timeline(header, contacts, until),
         "slow": fence.slow == "auto" and any(c["stiffness"] for c in header["contacts"]),
         "predict_view": _predict_view(fence, header, scales),
-        "cards": cards(header, fence.controls, scales, run, camera=camera, forces=forces),
+        "cards": cards(
+            header, fence.controls, scales, run, camera=camera, forces=forces, told=told
+        ),
         "has_controls": bool(fence.controls),
         "windows": [
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
@@ -112,7 +115,7 @@ def graph_view(
             }
             for curve in curves
         ],
-        "empty": no_force(header["events"]) if quantity == "F" else "",
+        "note": graph_note(quantity, header["events"], len(curves)) if told else "",
         "rows": table_rows(curves, run.t, times, scales.decimals, quantity, scale),
     }
 
@@ -145,11 +148,13 @@ def _story(
     forces: bool,
 ) -> list[dict[str, str]]:
     """What happens, in order: the events of the run, and carts that leave the picture."""
-    decimals, scale = scales.decimals, scales.velocity
+    decimals, scale, laws = scales.decimals, scales.velocity, laws_of(header["contacts"])
     told = [
         (
             float(event["t"]),
-            event_sentence(event, decimals=decimals, scale=scale, camera=camera, forces=forces),
+            event_sentence(
+                event, decimals=decimals, scale=scale, camera=camera, forces=forces, laws=laws
+            ),
         )
         for event in header["events"]
     ]

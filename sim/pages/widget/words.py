@@ -30,6 +30,7 @@ BOTH_FORCES = (
 )
 NO_FORCE = "no contact force in this run"
 IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”"
+JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw"
 
 
 def body(name: str) -> str:
@@ -57,8 +58,12 @@ def event_sentence(
     scale: float,
     camera: float,
     forces: bool,
+    laws: Mapping[str, str],
 ) -> str:
-    """What happens at an event. Speeds are as the camera sees them; `scale` in m/s."""
+    """What happens at an event. Speeds are as the camera sees them; `scale` in m/s.
+
+    `laws`: the law of each pair, by its name such as A-B.
+    """
     names = list(event["bodies"])
     kind = event["kind"]
     carts = [name for name in names if name not in ("left", "right")]
@@ -73,6 +78,10 @@ def event_sentence(
     after = f" {after}." if after else ""
     shown_impulse = f" Impulse on each: {short(impulse)} N s." if forces and impulse else ""
     if kind == "contact":
+        if impulse and laws.get("-".join(names)) == "velcro":
+            return f"{pair} hit and stay together.{shown_impulse}{after}"
+        if impulse and _joined(event, scale):
+            return f"{pair} hit and {_go_on(event, decimals, scale, camera)}.{shown_impulse}"
         if impulse:
             return f"{pair} hit each other and part at once.{shown_impulse}{after}"
         mover, other = (names[1], names[0]) if names[0] == "left" else (names[0], names[1])
@@ -82,6 +91,12 @@ def event_sentence(
             size = fixed(event["force"], decimals["F"])
             return f"{pair}: bumpers squeezed the most, {size} N on each."
         return f"{pair}: bumpers squeezed the most."
+    if kind == "separate" and _joined(event, scale):
+        who = " and ".join(body(name) for name in names)
+        if len(carts) < len(names):
+            return f"The push between {who} has ended; they stay together.{shown_impulse}{after}"
+        together = _go_on(event, decimals, scale, camera)
+        return f"The push between {who} has ended; they {together}.{shown_impulse}"
     if kind == "separate":
         return f"{pair} separate.{shown_impulse}{after}"
     if kind == "stick":
@@ -95,16 +110,40 @@ def event_sentence(
     return "End of the run." if kind == "end" else f"{kind}: {pair}."
 
 
+def laws_of(contacts: Sequence[Mapping[str, Any]]) -> dict[str, str]:
+    """The law of each pair, by its name such as A-B."""
+    return {contact["pair"]: contact["law"] for contact in contacts}
+
+
+def _joined(event: Mapping[str, Any], scale: float) -> bool:
+    """Whether both bodies have one velocity after the event; a wall has none."""
+    left, right = (
+        0.0 if name in ("left", "right") else event["after"][name] for name in event["bodies"]
+    )
+    return bool(abs(left - right) < 1e-9 * scale)  # rounding, not motion
+
+
+def _go_on(
+    event: Mapping[str, Any], decimals: Mapping[str, int], scale: float, camera: float
+) -> str:
+    """How two bodies with one velocity move after the event."""
+    cart = next(name for name in event["bodies"] if name not in ("left", "right"))
+    seen = motion(event["after"][cart] - camera, decimals["v"], scale)
+    return "stay together, at rest" if seen == "at rest" else f"go on together at {seen}"
+
+
 def exit_sentence(name: str, side: str, velocity: float, decimals: int) -> str:
     """What a reader sees when a cart leaves the picture."""
     speed = fixed(abs(velocity), decimals)
     return f"{name} leaves the picture on the {side}, still {speed}\u00a0m/s."
 
 
-def no_force(events: Sequence[Mapping[str, Any]]) -> str:
-    """Why a force graph is empty."""
+def graph_note(quantity: str, events: Sequence[Mapping[str, Any]], curves: int) -> str:
+    """What a graph with so many curves cannot show of a run, or why it is empty; else ""."""
     struck = any(event["kind"] == "contact" and event.get("impulse") for event in events)
-    return IMPULSE_ONLY if struck else NO_FORCE
+    if struck and quantity in ("F", "a"):
+        return IMPULSE_ONLY if quantity == "F" else JUMP_ONLY
+    return NO_FORCE if quantity == "F" and not curves else ""
 
 
 def model_sentences(header: Mapping[str, Any], *, told: bool) -> list[str]:

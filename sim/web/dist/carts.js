@@ -165,6 +165,9 @@
     }
     return parts;
   }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
   function rowAt(times, t) {
     let low = 0;
     let high = times.length;
@@ -493,6 +496,8 @@
     release: "a release between the carts"
   };
   var BOTH_FORCES = "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.";
+  var IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”";
+  var JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw";
   function isWall(name2) {
     return name2 === "left" || name2 === "right";
   }
@@ -506,7 +511,10 @@
     if (Math.abs(velocity) < 1e-9 * scale) return "at rest";
     return `${fixed(Math.abs(velocity), decimals)} m/s to the ${velocity > 0 ? "right" : "left"}`;
   }
-  function eventSentence(event, telling) {
+  function lawsOf(contacts) {
+    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  }
+  function eventSentence(event, telling, laws) {
     const { decimals, scale, camera, forces: forces2 } = telling;
     const names = event.bodies;
     const pair = capital(names.map(body).join(" and "));
@@ -516,6 +524,12 @@
     const shown = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
     switch (event.kind) {
       case "contact": {
+        if (impulse && laws[names.join("-")] === "velcro") {
+          return `${pair} hit and stay together.${shown}${after}`;
+        }
+        if (impulse && joined(event, scale)) {
+          return `${pair} hit and ${goOn(event, telling)}.${shown}`;
+        }
         if (impulse) return `${pair} hit each other and part at once.${shown}${after}`;
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return `${mover} reaches ${body(String(other))}.`;
@@ -527,6 +541,12 @@
         }
         return `${pair}: bumpers squeezed the most.`;
       case "separate":
+        if (joined(event, scale)) {
+          const who = names.map(body).join(" and ");
+          const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+          const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
+          return `The push between ${who} has ended; ${left}.${shown}${rest ? after : ""}`;
+        }
         return `${pair} separate.${shown}${after}`;
       case "stick":
         return `${pair} stay together.${after}`;
@@ -542,14 +562,24 @@
         return `${event.kind}: ${pair}.`;
     }
   }
+  function joined({ bodies, after }, scale) {
+    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
+    return Math.abs(Number(left) - Number(right)) < 1e-9 * scale;
+  }
+  function goOn({ bodies, after }, { decimals, scale, camera }) {
+    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
+    const seen = motion(Number(after[cart]) - camera, decimals.v ?? 2, scale);
+    return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
+  }
   function exitSentence({ name: name2, side, velocity }, decimals) {
     const speed = fixed(Math.abs(velocity), decimals);
     return `${name2} leaves the picture on the ${side}, still ${speed} m/s.`;
   }
-  function noForce(events) {
+  function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
-    if (struck) return "too large and too short to draw: see the impulses under “What happens”";
-    return "no contact force in this run";
+    if (struck && quantity === "F") return IMPULSE_ONLY;
+    if (struck && quantity === "a") return JUMP_ONLY;
+    return quantity === "F" && !curves ? "no contact force in this run" : "";
   }
   function modelSentences(header) {
     const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
@@ -1435,6 +1465,7 @@
     }
     /** @param {Run} run @param {number} t the instant shown */
     show(run, t) {
+      if (!isTold(run)) return;
       this.#run = run;
       this.#draw(t);
       this.table.show(run, this.#curves);
@@ -1540,13 +1571,14 @@
     }
     #key() {
       const key = need(this.root, ".carts-key");
-      const wanted = this.#curves.map((c) => `${c.style}${c.over}${c.label}`).join("|");
+      const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
+      const wanted = [...this.#curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
       if (key.dataset.curves === wanted) return;
       const first = key.dataset.curves === void 0;
       key.dataset.curves = wanted;
-      if (first && key.children.length === Math.max(1, this.#curves.length)) return;
-      const empty = this.quantity === "F" ? noForce(this.#run?.header.events ?? []) : "";
-      key.replaceChildren(...this.#curves.length ? this.#curves.map(keyEntry) : [span2(empty)]);
+      const entries = this.#curves.length + (note ? 1 : 0);
+      if (first && key.children.length === entries) return;
+      key.replaceChildren(...this.#curves.map(keyEntry), ...note ? [span2(note)] : []);
     }
   };
   function span2(text) {
@@ -1753,20 +1785,24 @@
       const run = this.#run;
       if (!run) return;
       const { t: times, x, v, a } = run.trajectory;
+      const told = isTold(run);
       for (const { name: name2, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
-        const acceleration = valueAt(times, a[name2] ?? [], null, t);
+        const acceleration = told ? valueAt(times, a[name2] ?? [], null, t) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt(times, x[name2] ?? [], v[name2] ?? [], t) - this.camera * t],
           ["v", valueAt(times, v[name2] ?? [], a[name2] ?? [], t) - this.camera],
-          ["F", mass * acceleration],
+          ["F", acceleration === null ? null : mass * acceleration],
           ["a", acceleration]
         ]);
         for (const [quantity, output] of outputs) {
-          const value = values.get(quantity);
+          if (quantity === "mass") {
+            say(output, short(mass));
+            continue;
+          }
+          const value = values.get(quantity) ?? null;
           const decimals = this.decimals[quantity] ?? 3;
-          const text = value === void 0 ? short(mass) : fixed(value, decimals);
-          say(output, text);
+          say(output, value === null ? "–" : fixed(value, decimals));
         }
       }
     }
@@ -2105,10 +2141,11 @@
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
+      const laws = lawsOf(header.contacts);
       this.told = [
         ...header.events.map((event) => ({
           t: event.t,
-          sentence: eventSentence(event, this.telling)
+          sentence: eventSentence(event, this.telling, laws)
         })),
         ...exits(run, this.layout, this.telling.camera).map((exit) => ({
           t: exit.t,

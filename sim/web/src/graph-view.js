@@ -6,8 +6,8 @@ import { MARKERS } from "./markers.js";
 import { px } from "./numbers.js";
 import { seriesOf } from "./series.js";
 import { Table } from "./table.js";
-import { valueAt } from "./trajectory.js";
-import { noForce } from "./words.js";
+import { isTold, valueAt } from "./trajectory.js";
+import { graphNote } from "./words.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./series.js").Series} Series */
@@ -56,6 +56,7 @@ export class GraphView {
 
   /** @param {Run} run @param {number} t the instant shown */
   show(run, t) {
+    if (!isTold(run)) return; // the axes stay as empty as they were baked
     this.#run = run;
     this.#draw(t);
     this.table.show(run, this.#curves);
@@ -156,13 +157,14 @@ export class GraphView {
 
   #key() {
     const key = need(this.root, ".carts-key");
-    const wanted = this.#curves.map((c) => `${c.style}${c.over}${c.label}`).join("|");
+    const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
+    const wanted = [...this.#curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
     if (key.dataset.curves === wanted) return;
     const first = key.dataset.curves === undefined;
     key.dataset.curves = wanted;
-    if (first && key.children.length === Math.max(1, this.#curves.length)) return; // as baked
-    const empty = this.quantity === "F" ? noForce(this.#run?.header.events ?? []) : "";
-    key.replaceChildren(...(this.#curves.length ? this.#curves.map(keyEntry) : [span(empty)]));
+    const entries = this.#curves.length + (note ? 1 : 0);
+    if (first && key.children.length === entries) return; // as baked
+    key.replaceChildren(...this.#curves.map(keyEntry), ...(note ? [span(note)] : []));
   }
 }
 

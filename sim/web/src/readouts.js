@@ -2,7 +2,7 @@
 
 import { need, say } from "./dom.js";
 import { fixed, short } from "./numbers.js";
-import { valueAt } from "./trajectory.js";
+import { isTold, valueAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").Run} Run */
 
@@ -34,20 +34,25 @@ export class Readouts {
     const run = this.#run;
     if (!run) return;
     const { t: times, x, v, a } = run.trajectory;
+    const told = isTold(run);
     for (const { name, outputs } of this.cards) {
       const mass = run.header.bodies.find((body) => body.name === name)?.mass ?? 0;
-      const acceleration = valueAt(times, a[name] ?? [], null, t);
+      const acceleration = told ? valueAt(times, a[name] ?? [], null, t) : null;
+      /** @type {Map<string, number | null>} null: not told before the lock */
       const values = new Map([
         ["x", valueAt(times, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
         ["v", valueAt(times, v[name] ?? [], a[name] ?? [], t) - this.camera],
-        ["F", mass * acceleration],
+        ["F", acceleration === null ? null : mass * acceleration],
         ["a", acceleration],
       ]);
       for (const [quantity, output] of outputs) {
-        const value = values.get(quantity);
+        if (quantity === "mass") {
+          say(output, short(mass));
+          continue;
+        }
+        const value = values.get(quantity) ?? null;
         const decimals = this.decimals[quantity] ?? 3;
-        const text = value === undefined ? short(mass) : fixed(value, decimals);
-        say(output, text);
+        say(output, value === null ? "–" : fixed(value, decimals));
       }
     }
   }

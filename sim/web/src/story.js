@@ -3,7 +3,7 @@
 import { html, need } from "./dom.js";
 import { exits } from "./exits.js";
 import { fixed } from "./numbers.js";
-import { eventSentence, exitSentence, modelSentences } from "./words.js";
+import { eventSentence, exitSentence, lawsOf, modelSentences } from "./words.js";
 
 const MOST_EVENTS = 60;
 
@@ -34,10 +34,11 @@ export class Story {
   show(run) {
     const { header } = run;
     const decimals = this.view.decimals.v ?? 2;
+    const laws = lawsOf(header.contacts);
     this.told = [
       ...header.events.map((event) => ({
         t: event.t,
-        sentence: eventSentence(event, this.telling),
+        sentence: eventSentence(event, this.telling, laws),
       })),
       ...exits(run, this.layout, this.telling.camera).map((exit) => ({
         t: exit.t,

@@ -36,6 +36,11 @@ export function fromBaked(numbers, events) {
   return parts;
 }
 
+/** Whether this is a run; before a prediction is locked the page has its first row only. @param {import("./types.js").Run} run */
+export function isTold({ trajectory }) {
+  return trajectory.t.length > 1;
+}
+
 /** @param {Column} times @param {number} t @returns {number} last row at or before t; at a jump the one after it */
 export function rowAt(times, t) {
   let low = 0;

@@ -5,6 +5,7 @@ import { fixed, short } from "./numbers.js";
 /** @typedef {import("./types.js").RunEvent} RunEvent */
 /** @typedef {import("./types.js").Header} Header */
 /** @typedef {{decimals: Record<string, number>, scale: number, camera: number, forces: boolean}} Telling */
+/** @typedef {Record<string, string>} Laws the law of each pair, by its name such as A-B */
 
 /** @type {Record<string, [string, string, string]>} title, symbol, unit */
 export const QUANTITIES = {
@@ -28,6 +29,10 @@ const EFFECTS = {
 const BOTH_FORCES =
   "Each contact has one force in the program: it pushes both bodies, equally hard, " +
   "away from each other. So the program assumes Newton’s third law; it cannot prove it.";
+const IMPULSE_ONLY =
+  "too large and too short to draw: see the impulses under “What happens”";
+const JUMP_ONLY =
+  "where v jumps, the acceleration is too large and too short to draw";
 
 /** @param {string} name */
 export function isWall(name) {
@@ -50,8 +55,13 @@ export function motion(velocity, decimals, scale) {
   return `${fixed(Math.abs(velocity), decimals)}\u00a0m/s to the ${velocity > 0 ? "right" : "left"}`;
 }
 
-/** @param {RunEvent} event @param {Telling} telling @returns {string} what happens at an event */
-export function eventSentence(event, telling) {
+/** @param {Header["contacts"]} contacts @returns {Laws} */
+export function lawsOf(contacts) {
+  return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+}
+
+/** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @returns {string} what happens at an event */
+export function eventSentence(event, telling, laws) {
   const { decimals, scale, camera, forces } = telling;
   const names = event.bodies;
   const pair = capital(names.map(body).join(" and "));
@@ -63,6 +73,12 @@ export function eventSentence(event, telling) {
   const shown = forces && impulse ? ` Impulse on each: ${short(impulse)}\u00a0N\u00a0s.` : "";
   switch (event.kind) {
     case "contact": {
+      if (impulse && laws[names.join("-")] === "velcro") {
+        return `${pair} hit and stay together.${shown}${after}`;
+      }
+      if (impulse && joined(event, scale)) {
+        return `${pair} hit and ${goOn(event, telling)}.${shown}`;
+      }
       if (impulse) return `${pair} hit each other and part at once.${shown}${after}`;
       const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
       return `${mover} reaches ${body(String(other))}.`;
@@ -74,6 +90,12 @@ export function eventSentence(event, telling) {
       }
       return `${pair}: bumpers squeezed the most.`;
     case "separate":
+      if (joined(event, scale)) {
+        const who = names.map(body).join(" and ");
+        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+        const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
+        return `The push between ${who} has ended; ${left}.${shown}${rest ? after : ""}`;
+      }
       return `${pair} separate.${shown}${after}`;
     case "stick":
       return `${pair} stay together.${after}`;
@@ -90,17 +112,34 @@ export function eventSentence(event, telling) {
   }
 }
 
+/** Whether both bodies have one velocity after the event; a wall has none. @param {RunEvent} event @param {number} scale */
+function joined({ bodies, after }, scale) {
+  const [left, right] = bodies.map((name) => (isWall(name) ? 0 : Number(after[name])));
+  return Math.abs(Number(left) - Number(right)) < 1e-9 * scale; // rounding, not motion
+}
+
+/** @param {RunEvent} event of two bodies with one velocity @param {Telling} telling */
+function goOn({ bodies, after }, { decimals, scale, camera }) {
+  const cart = bodies.find((name) => !isWall(name)) ?? "";
+  const seen = motion(Number(after[cart]) - camera, decimals.v ?? 2, scale);
+  return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
+}
+
 /** @param {import("./exits.js").Exit} exit @param {number} decimals @returns {string} */
 export function exitSentence({ name, side, velocity }, decimals) {
   const speed = fixed(Math.abs(velocity), decimals);
   return `${name} leaves the picture on the ${side}, still ${speed}\u00a0m/s.`;
 }
 
-/** @param {RunEvent[]} events @returns {string} why a force graph is empty */
-export function noForce(events) {
+/**
+ * What a graph cannot show of a run, or why it is empty; "" where there is nothing to say.
+ * @param {string} quantity @param {RunEvent[]} events @param {number} curves that are drawn
+ */
+export function graphNote(quantity, events, curves) {
   const struck = events.some((event) => event.kind === "contact" && event.impulse);
-  if (struck) return "too large and too short to draw: see the impulses under “What happens”";
-  return "no contact force in this run";
+  if (struck && quantity === "F") return IMPULSE_ONLY;
+  if (struck && quantity === "a") return JUMP_ONLY;
+  return quantity === "F" && !curves ? "no contact force in this run" : "";
 }
 
 /** @param {Header} header @returns {string[]} what is in this model, and what is left out */
