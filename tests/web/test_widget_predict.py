@@ -92,6 +92,77 @@ def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_s
     expect(page.locator("#arrows .carts-play")).to_be_enabled()
 
 
+def test_a_long_arrow_is_typed_and_drawn_cut(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "arrows.html"), "arrows")
+    lock, error = page.locator("#arrows .carts-lock"), page.locator("#arrows .carts-predict-error")
+    force = page.locator('.carts-guess[data-on="A"]')
+    full = float(force.locator("[type=range]").get_attribute("max") or 0)
+    guess(page, "B", 2)
+    guess(page, "A", 11 * full)
+    expect(force.locator(".carts-error")).to_contain_text(f"0 to {10 * full:g} N, please.")
+    lock.click()
+    expect(error).to_contain_text("does not work yet: force on A by B")
+    guess(page, "A", 9 * full)
+    expect(force.locator(".carts-error")).to_be_hidden()
+    guess(page, "A", 110 * full)  # its first figures would do, but nobody meant them
+    expect(force.locator(".carts-error")).to_contain_text(f"{9 * full:.1f} N is kept.")
+    drawn = page.locator('#arrows .carts-stage-wide .carts-guessed[data-on="A"]')
+    assert (drawn.get_attribute("d") or "").count("Z") == 2  # a gap
+    lock.click()
+    compared = page.locator("#arrows .carts-compared")
+    expect(compared).to_contain_text(f"{9 * full:.1f} N, arrow cut")
+
+
+def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "arrows.html"), "arrows")
+    guess(page, "A", 2)
+    guess(page, "B", 6)
+    page.locator("#arrows .carts-lock").focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("#arrows .carts-play")).to_be_focused()
+    expect(page.locator("#arrows .carts-announcer")).to_contain_text(
+        "force on A by B: you 2.0 N, the run 6.9 N."
+    )
+
+
+def test_the_next_student_can_start_again(open_page: OpenPage, widget_site: Path) -> None:
+    page = live(open_page(widget_site / "choice.html"), "choice")
+    again, asked = page.locator("#choice .carts-again"), page.locator("#choice .carts-forget")
+    expect(again).to_be_hidden()
+    page.get_by_label("It turns back").check()
+    page.locator("#choice .carts-lock").click()
+    expect(page.locator("#choice .carts-results")).to_be_visible()
+    on_scene(page, "el.time = 3", name="choice")
+    again.click()
+    expect(asked).to_contain_text("Forget this prediction?")
+    page.get_by_role("button", name="Keep it").click()
+    expect(asked).to_be_hidden()
+    expect(again).to_be_focused()
+    again.click()
+    page.get_by_role("button", name="Forget it").click()
+    for _ in range(2):  # in the page, and after a reload
+        expect(page.locator("#choice .carts-results")).to_be_hidden()
+        expect(page.locator("#choice .carts-play")).to_be_disabled()
+        expect(page.get_by_label("It turns back")).not_to_be_checked()
+        expect(page.get_by_label("It turns back")).to_be_enabled()
+        expect(again).to_be_hidden()
+        told = on_scene(page, "return [el.trajectory, el.plan, el.time]", name="choice")
+        assert told == [None, [], 0]
+        page.reload()
+    live(page, "choice")
+    page.get_by_label("It stops").check()
+    page.locator("#choice .carts-lock").click()
+    expect(page.locator("#choice .carts-results")).to_be_visible()
+    again.click()
+    page.get_by_role("button", name="Forget it").click()
+    page.get_by_label("It turns back").check()  # a second time in the same page
+    page.locator("#choice .carts-lock").click()
+    expect(page.locator("#choice .carts-results")).to_be_visible()
+    expect(page.locator("#choice .carts-play")).to_be_enabled()
+
+
 def test_a_prediction_comes_back_after_a_reload(open_page: OpenPage, widget_site: Path) -> None:
     page = open_page(widget_site / "arrows.html")
     page.locator(".carts-guess [type=text]:enabled").first.wait_for()

@@ -12,7 +12,7 @@ import pytest
 from sim.pages.widget import graph as g
 from sim.pages.widget.contacts import touches
 from sim.pages.widget.exits import exits
-from sim.pages.widget.numbers import decimals_for, fixed, px, short
+from sim.pages.widget.numbers import decimals_for, decimals_of, fixed, px, short
 from sim.pages.widget.run import from_wire, value_at
 from sim.pages.widget.scales import axis, span
 from sim.pages.widget.series import series_of
@@ -39,10 +39,12 @@ def test_numbers_read_the_same() -> None:
         for v in NUMBERS
     ]
     here.append([decimals_for(abs(v)) for v in NUMBERS])  # type: ignore[arg-type]
+    here.append([decimals_of(v) for v in NUMBERS])  # type: ignore[arg-type]
     there = in_node(
         """const n = await import(source + "/numbers.js");
         give([...data.map((v) => [n.fixed(v, 0), n.fixed(v, 2), n.fixed(v, 5), n.short(v),
-          n.short(v, 5), n.px(v), n.px(v, 3)]), data.map((v) => n.decimalsFor(Math.abs(v)))]);""",
+          n.short(v, 5), n.px(v), n.px(v, 3)]), data.map((v) => n.decimalsFor(Math.abs(v))),
+          data.map((v) => n.decimalsOf(v))]);""",
         NUMBERS,
     )
     assert there == here

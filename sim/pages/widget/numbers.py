@@ -40,6 +40,11 @@ def short(value: float, figures: int = 3) -> str:
     return _trim(fixed(value, max(0, figures - 1 - power)))
 
 
+def decimals_of(value: float, figures: int = 6) -> int:
+    """Decimals that show up to so many figures, without trailing zeros: 2 for 0.25, 0 for 10."""
+    return len(_trim(fixed(abs(value), decimals_for(value, figures))).partition(".")[2])
+
+
 def _trim(text: str) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 

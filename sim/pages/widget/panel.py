@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.pages.widget.markers import MARKERS
-from sim.pages.widget.numbers import fixed, short
+from sim.pages.widget.numbers import decimals_of, fixed, short
 from sim.pages.widget.run import Run
 from sim.pages.widget.scale_of import Scales
 
@@ -87,7 +87,7 @@ def _control(control: Any, suffix: str) -> dict[str, Any]:
     low, high, step, value = map(
         control.shown, (control.low, control.high, control.step, control.value)
     )
-    decimals = max(_decimals(step), _decimals(low), _decimals(value))
+    decimals = max(decimals_of(step), decimals_of(low), decimals_of(value))
     label = str(control.label)
     return {
         "set": control.set,
@@ -101,11 +101,6 @@ def _control(control: Any, suffix: str) -> dict[str, Any]:
         "value": plain(value),
         "text": fixed(value, decimals).replace("−", "-"),
     }
-
-
-def _decimals(value: float) -> int:
-    """Decimals that a round number such as 0.25 is written with, at most four figures."""
-    return len(short(value, 4).partition(".")[2]) if abs(value) < 1e5 else 0
 
 
 def plain(value: float) -> str:

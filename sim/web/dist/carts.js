@@ -206,12 +206,16 @@
 
   // src/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var MAX_DECIMALS = 12;
   function exponent(value) {
     return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
   }
   function fixed(value, decimals) {
     const text = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+  function decimalsFor(scale, figures = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
   }
   function short(value, figures = 3) {
     const power = exponent(value);
@@ -221,6 +225,10 @@
       return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
     }
     return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function decimalsOf(value, figures = 6) {
+    const text = Math.abs(value).toFixed(decimalsFor(value, figures));
+    return trim(text).split(".")[1]?.length ?? 0;
   }
   function trim(text) {
     return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
@@ -287,6 +295,8 @@
     }
   };
   var ControlView = class {
+    #sent = "";
+    // the text in the box that a run was asked for with
     /** @param {HTMLElement} root @param {Control} control @param {Change} change */
     constructor(root, control, change) {
       this.root = root;
@@ -296,7 +306,9 @@
       this.box = /** @type {HTMLInputElement} */
       need(root, ".carts-number-box");
       this.error = need(root, ".carts-error");
-      this.decimals = Math.max(...[control.step, control.low, control.value].map(decimalsOf));
+      this.decimals = Math.max(
+        ...[control.step, control.low, control.value].map((v) => decimalsOf(v))
+      );
       this.slider.addEventListener("input", (event) => {
         const value = this.slider.valueAsNumber;
         this.#accept(value);
@@ -320,15 +332,17 @@
     #asked(value) {
       return this.control.per === 1 ? value : `${value} ${this.control.unit}`;
     }
-    /** @param {number} value in the control's unit; leaves alone what the reader is typing */
+    /** @param {number} value in the control's unit; leaves alone what the reader has typed since */
     show(value) {
       this.slider.valueAsNumber = value;
       put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
-      if (document.activeElement !== this.box) this.#write(value);
+      const typing = document.activeElement === this.box && this.box.value !== this.#sent;
+      if (!typing) this.#write(value);
       this.clear();
     }
     /** @param {string} message */
     complain(message) {
+      this.#sent = "";
       say(this.error, message);
       this.error.hidden = false;
       this.root.classList.add("carts-wrong");
@@ -344,7 +358,10 @@
       const read = readTyped(this.box.value);
       const { low, high, unit, label } = this.control;
       if ("problem" in read) return this.complain(read.problem);
-      if ("text" in read) return change(this.control.set, read.text, at);
+      if ("text" in read) {
+        this.#sent = this.box.value;
+        return change(this.control.set, read.text, at);
+      }
       if (read.value < low || read.value > high) {
         const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
         return this.complain(`${label}: ${range}, please.`);
@@ -362,6 +379,7 @@
     /** @param {number} value */
     #write(value) {
       const text = this.#text(value).replace("−", "-");
+      this.#sent = text;
       if (this.box.value !== text) this.box.value = text;
     }
     /** @param {number} value */
@@ -369,9 +387,6 @@
       return fixed(value, Math.max(this.decimals, decimalsOf(value)));
     }
   };
-  function decimalsOf(value) {
-    return Math.abs(value) < 1e5 ? short(value, 4).split(".")[1]?.length ?? 0 : 0;
-  }
   function valueIn(header, target) {
     const [owner, key] = target.split(".");
     const body2 = header.bodies.find(({ name: name2 }) => name2 === owner);
@@ -386,6 +401,35 @@
     }
     return null;
   }
+
+  // src/predict-again.js
+  var Again = class {
+    /** @param {HTMLElement} root of the prediction @param {() => void} forget */
+    constructor(root, forget) {
+      this.row = need(root, ".carts-again-row");
+      this.button = need(root, ".carts-again");
+      this.question = need(root, ".carts-forget");
+      const keep = need(root, ".carts-forget-no");
+      this.button.addEventListener("click", () => {
+        this.#ask(true);
+        keep.focus();
+      });
+      keep.addEventListener("click", () => {
+        this.#ask(false);
+        this.button.focus();
+      });
+      need(root, ".carts-forget-yes").addEventListener("click", forget);
+    }
+    /** Shows the button: a prediction is locked. */
+    offer() {
+      this.row.hidden = false;
+    }
+    /** @param {boolean} on */
+    #ask(on) {
+      this.question.hidden = !on;
+      this.button.hidden = on;
+    }
+  };
 
   // src/shapes.js
   var REFERENCE_HEIGHT = 38;
@@ -603,6 +647,7 @@
 
   // src/predict-arrows.js
   var LONG = 120;
+  var MOST = 10;
   var ArrowsForm = class {
     /** @type {Row[]} */
     #rows;
@@ -635,6 +680,8 @@
           ),
           style: element.className.split(" ").find((name2) => /^carts-(b\d|wall)$/.test(name2)) ?? "",
           size: null,
+          good: null,
+          // the last size that was not taken back: half-typed numbers do not count
           slider: (
             /** @type {HTMLInputElement} */
             need(element, 'input[type="range"]')
@@ -674,6 +721,10 @@
     problem() {
       const missing2 = this.#rows.filter((row) => row.size === null);
       if (!missing2.length) return null;
+      const refused = missing2.filter((row) => row.box.value.trim());
+      if (refused.length) {
+        return `This number does not work yet: ${refused.map(name).join(", ")}. ${this.#range()}`;
+      }
       return `Set every arrow first: ${missing2.map(name).join(", ")}. Zero counts too: type 0.`;
     }
     /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("./types.js").Run} run */
@@ -684,6 +735,12 @@
         const rows = this.#rows.filter((row) => row.pair === pair);
         const actual = greatest(run, pair);
         const grid = html("div", "carts-compare");
+        const newtons = (size) => `${fixed(size, this.decimals)} N`;
+        const spoken = rows.map(
+          (row) => `${name(row)}: you ${newtons(row.size ?? 0)}, the run ${newtons(actual)}.`
+        );
+        grid.setAttribute("role", "img");
+        grid.setAttribute("aria-label", spoken.join(" "));
         grid.append(
           html("span"),
           ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row)))
@@ -700,7 +757,10 @@
           for (const row of rows) {
             const size = who === "you" ? row.size ?? 0 : actual;
             const cell = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
-            cell.append(arrow(size, this.full, style, row.side), ` ${fixed(size, this.decimals)} N`);
+            cell.append(
+              arrow(size, this.full, style, row.side),
+              ` ${newtons(size)}${isCut(size, this.full) ? ", arrow cut" : ""}`
+            );
             grid.append(cell);
           }
         }
@@ -715,15 +775,28 @@
       let problem = "";
       if ("problem" in read) problem = read.problem;
       else if ("text" in read) problem = "Type a number; the unit is N.";
-      else if (read.value < 0 || read.value > this.full)
-        problem = `0 to ${short(this.full)} N, please.`;
-      if (done) {
-        say(row.error, problem);
-        row.error.hidden = !problem;
+      else if (read.value < 0 || read.value > MOST * this.full) problem = this.#range();
+      if (done && problem) {
+        const kept = row.good === null ? "" : ` ${fixed(row.good, this.decimals)} N is kept.`;
+        say(row.error, problem + kept);
+        row.error.hidden = false;
+        this.#restore(row, changed);
       }
       if (!("value" in read) || problem) return;
       if (done) this.#show(row, read.value);
       else this.#set(row, read.value);
+      this.#picture();
+      changed();
+    }
+    #range() {
+      return `0 to ${short(MOST * this.full)} N, please.`;
+    }
+    /** Goes back to the last good size; what was typed stays in the box to be mended. */
+    /** @param {Row} row @param {() => void} changed */
+    #restore(row, changed) {
+      if (row.size === row.good) return;
+      if (row.good === null) row.size = null;
+      else this.#set(row, row.good);
       this.#picture();
       changed();
     }
@@ -742,6 +815,7 @@
     /** @param {Row} row @param {number} size */
     #show(row, size) {
       this.#set(row, size);
+      row.good = size;
       row.box.value = fixed(size, this.decimals);
       row.error.hidden = true;
     }
@@ -773,7 +847,8 @@
       height: 20,
       "aria-hidden": "true"
     });
-    const d = side === "left" ? blockArrow(width, 10, -length) : blockArrow(0, 10, length);
+    const draw = isCut(size, full) ? cutArrow : blockArrow;
+    const d = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
     picture.append(svg("path", { class: className, d }));
     return picture;
   }
@@ -993,14 +1068,18 @@
         request.onsuccess = () => resolve(request.result);
         request.onerror = () => reject(request.error);
       }),
-      put: (key, value) => new Promise((resolve, reject) => {
-        const work = base.transaction(STORE, "readwrite", { durability: "strict" });
-        work.objectStore(STORE).put(value, key);
-        work.oncomplete = () => resolve();
-        work.onerror = () => reject(work.error);
-        work.onabort = () => reject(work.error);
-      })
+      put: (key, value) => write(base, (answers) => answers.put(value, key)),
+      remove: (key) => write(base, (answers) => answers.delete(key))
     };
+  }
+  function write(base, act) {
+    return new Promise((resolve, reject) => {
+      const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
   }
   function textStore(site) {
     try {
@@ -1013,7 +1092,8 @@
     return {
       kind: "kept",
       get: async (key) => JSON.parse(localStorage.getItem(`carts:${site}:${key}`) ?? "null"),
-      put: async (key, value) => localStorage.setItem(`carts:${site}:${key}`, JSON.stringify(value))
+      put: async (key, value) => localStorage.setItem(`carts:${site}:${key}`, JSON.stringify(value)),
+      remove: async (key) => localStorage.removeItem(`carts:${site}:${key}`)
     };
   }
   function memory() {
@@ -1021,7 +1101,8 @@
     return {
       kind: "memory",
       get: async (key) => kept.get(key),
-      put: async (key, value) => void kept.set(key, value)
+      put: async (key, value) => void kept.set(key, value),
+      remove: async (key) => void kept.delete(key)
     };
   }
   function place() {
@@ -1043,9 +1124,10 @@
     /**
      * @param {HTMLElement} root of the prediction @param {Baked} baked
      * @param {(arrows: import("./predict-arrows.js").Guess[]) => void} draw arrows on the picture
-     * @param {() => void} locked what to do once the prediction is locked
+     * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
+     * @param {() => void} forgotten what to do once the prediction is forgotten
      */
-    constructor(root, baked, draw, locked) {
+    constructor(root, baked, draw, locked, forgotten) {
       const spec = (
         /** @type {import("./types.js").PredictSpec} */
         baked.fence.predict
@@ -1074,6 +1156,9 @@
       };
       this.form = forms[spec.kind]();
       this.button.addEventListener("click", () => void this.#lock());
+      this.again = new Again(root, async () => {
+        if (await this.#forget()) forgotten();
+      });
     }
     /** @returns {boolean} */
     get isLocked() {
@@ -1098,15 +1183,26 @@
       }
       this.form.enable(!this.isLocked);
       this.button.disabled = this.isLocked;
-      if (this.isLocked) this.locked();
+      if (!this.isLocked) return;
+      this.again.offer();
+      this.locked(false);
     }
     /** Shows the prediction beside the run. @param {Run} run */
     compare(run) {
       const place2 = need(this.root, ".carts-compared");
       place2.replaceChildren(...this.form.compare(run));
       place2.hidden = false;
+      this.again.offer();
       say(need(this.root, ".carts-heading"), "Your prediction");
       this.root.classList.add("carts-locked");
+    }
+    /** @returns {string} the comparison as it is read out */
+    get spoken() {
+      const parts = this.root.querySelectorAll(
+        ".carts-compared > [aria-label], .carts-compared p, .carts-compared li"
+      );
+      const texts = [...parts].map((part) => part.getAttribute("aria-label") ?? part.textContent);
+      return `Your prediction. ${texts.join(" ")}`;
     }
     /** @param {string} message for the reader; empty: none */
     complain(message) {
@@ -1131,7 +1227,18 @@
       this.button.disabled = true;
       this.complain("");
       await this.#keep();
-      this.locked();
+      this.again.offer();
+      this.locked(true);
+    }
+    /** @returns {Promise<boolean>} whether the prediction is gone */
+    async #forget() {
+      try {
+        if (this.key) await this.#store?.remove(this.key);
+        return true;
+      } catch {
+        this.complain("This browser refuses to forget it.");
+        return false;
+      }
     }
     async #keep() {
       if (!this.#store || !this.key) return;
@@ -1146,7 +1253,7 @@
   };
 
   // src/announcer.js
-  var MOST = 3;
+  var MOST2 = 3;
   var Announcer = class {
     /** @param {HTMLElement} root */
     constructor(root) {
@@ -1154,7 +1261,7 @@
     }
     /** @param {string[]} sentences */
     tell(sentences) {
-      if (sentences.length) this.region.textContent = sentences.slice(-MOST).join(" ");
+      if (sentences.length) this.region.textContent = sentences.slice(-MOST2).join(" ");
     }
   };
 
@@ -2009,9 +2116,10 @@
         const way = side === "left" ? -1 : 1;
         const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
         const from = this.layout.origin + x * this.layout.scale;
+        const draw = isCut(size, this.view.force || 10) ? cutArrow : blockArrow;
         return svg("path", {
           class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
-          d: blockArrow(from, this.layout.track - PUSH, length),
+          d: draw(from, this.layout.track - PUSH, length),
           "data-pair": pair,
           "data-on": on
         });
@@ -2112,6 +2220,7 @@
 
   // src/story.js
   var MOST_EVENTS2 = 60;
+  var IN_FULL = 10;
   var Story = class {
     /** @type {{t: number, sentence: string}[]} */
     told = [];
@@ -2164,6 +2273,10 @@
       const more = this.told.length - items.length;
       if (more > 0) items.push(html("li", "carts-more-events", `… and ${more} more events.`));
       this.list.replaceChildren(...items);
+      const scrolled = items.length > IN_FULL;
+      this.list.classList.toggle("carts-events-scrolled", scrolled);
+      if (scrolled) this.list.setAttribute("tabindex", "0");
+      else this.list.removeAttribute("tabindex");
       this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
     }
     /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
@@ -2436,9 +2549,27 @@
       /** @type {Settings} */
       #wanted = {};
       #generation = 0;
+      #asBaked = "";
+      // the inside of the element as the generator wrote it, for “Start again”
       #waiting = deferred();
+      /** @type {Promise<void>} when the reader's earlier prediction is back */
+      #restored = Promise.resolve();
       connectedCallback() {
         if (this.#view) return;
+        if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
+        this.#waiting.promise.catch(() => {
+        });
+        this.#adopt();
+        client.addEventListener("state", () => this.#follow());
+        for (const kind of ["pointerdown", "keydown", "focusin"]) {
+          this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
+        }
+        addEventListener("beforeprint", () => this.#view?.print(true));
+        addEventListener("afterprint", () => this.#view?.print(false));
+        requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+      }
+      /** Takes over the picture and the controls that the generator wrote. */
+      #adopt() {
         const baked = readBaked(this);
         const view = new SceneView(this, baked);
         this.#baked = baked;
@@ -2447,27 +2578,34 @@
           this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
         });
         this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
-        this.#waiting.promise.catch(() => {
-        });
         const ask = this.querySelector(".carts-predict");
         if (ask instanceof HTMLElement) {
           const draw = (guesses) => {
             for (const stage of view.stages) stage.guess(guesses);
           };
-          this.#predict = new Predict(ask, baked, draw, () => void this.#reveal());
+          this.#predict = new Predict(
+            ask,
+            baked,
+            draw,
+            (now) => void this.#reveal(now),
+            () => void this.#startAgain()
+          );
         } else this.#lesson = baked.run;
         view.show(baked.run);
         view.enable(!this.#predict);
         this.#controls.enable(!this.#predict);
-        void this.#predict?.restore();
-        client.addEventListener("state", () => this.#follow());
-        for (const kind of ["pointerdown", "keydown", "focusin"]) {
-          this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
-        }
-        addEventListener("beforeprint", () => view.print(true));
-        addEventListener("afterprint", () => view.print(false));
-        requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+        this.#restored = this.#predict?.restore() ?? Promise.resolve();
         this.#follow();
+      }
+      /** The start state and an empty prediction, as on the first visit. */
+      async #startAgain() {
+        this.#reset();
+        this.#lesson = null;
+        this.innerHTML = this.#asBaked;
+        this.classList.add("carts-asks");
+        this.#adopt();
+        await this.#restored;
+        this.querySelector(".carts-predict :is(input, textarea):enabled")?.focus();
       }
       /** Resolves when Python has answered for this scene; rejects when it cannot start. */
       get ready() {
@@ -2543,6 +2681,11 @@
           this.dataset.state = client.state === "idle" ? "still" : "starting";
         } else if (client.state === "failed") this.#fail();
         else if (this.dataset.state !== "live") void this.#goLive();
+        else this.#mark();
+      }
+      #mark() {
+        const mark = need(this, ".carts-mark");
+        mark.setAttribute("aria-label", "live: Python computes in this page");
       }
       async #goLive() {
         try {
@@ -2554,8 +2697,7 @@
           await frame();
           if (client.state !== "ready") return;
           this.dataset.state = "live";
-          const mark = need(this, ".carts-mark");
-          mark.setAttribute("aria-label", "live: Python computes in this page");
+          this.#mark();
           performance.mark("carts:live");
           this.#waiting.resolve(void 0);
         } catch (error) {
@@ -2577,11 +2719,13 @@
         this.#waiting.reject(error);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
       }
-      /** After the lock: the run, and the prediction beside it. */
-      async #reveal() {
+      /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now */
+      async #reveal(now) {
         this.#predict?.complain("");
+        const generation = this.#generation;
         try {
           const { header, numbers } = await this.#ask();
+          if (generation !== this.#generation) return;
           if (!header.ok) throw refusal(header.problems ?? []);
           const run = { header, trajectory: fromWire(header, numbers) };
           this.#lesson = run;
@@ -2591,10 +2735,18 @@
           this.#view?.enable(true);
           this.#controls?.enable(true);
           this.#predict?.compare(run);
+          if (now) this.#tell();
         } catch (error) {
           this.#predict?.complain(`${/** @type {Error} */
           error.message} Your prediction is kept.`);
         }
+      }
+      /** The lock's button is gone: the next thing to do is Play. */
+      #tell() {
+        const focused = document.activeElement;
+        const lost = !focused || focused === document.body || focused.matches(".carts-lock");
+        if (lost) need(this, ".carts-play").focus();
+        this.#view?.announcer.tell([this.#predict?.spoken ?? ""]);
       }
       /** @param {string} target @param {Error} error */
       #complain(target, error) {
@@ -2771,11 +2923,11 @@
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write(zip.writable.getWriter(), parts);
+    const written = write2(zip.writable.getWriter(), parts);
     const [module] = await Promise.all([compiled, written]);
     return module;
   }
-  async function write(writer, parts) {
+  async function write2(writer, parts) {
     for (const part of parts) await writer.write(await part);
     await writer.close();
   }

@@ -1,7 +1,7 @@
 /** Sliders and their number boxes. A wrong value is explained beside the box; the picture stays. */
 
 import { need, put, say } from "./dom.js";
-import { fixed, short } from "./numbers.js";
+import { decimalsOf, fixed } from "./numbers.js";
 import { readTyped } from "./typed.js";
 
 /** @typedef {import("./types.js").Control} Control */
@@ -43,6 +43,8 @@ export class Controls {
 }
 
 class ControlView {
+  #sent = ""; // the text in the box that a run was asked for with
+
   /** @param {HTMLElement} root @param {Control} control @param {Change} change */
   constructor(root, control, change) {
     this.root = root;
@@ -50,7 +52,9 @@ class ControlView {
     this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-slider"));
     this.box = /** @type {HTMLInputElement} */ (need(root, ".carts-number-box"));
     this.error = need(root, ".carts-error");
-    this.decimals = Math.max(...[control.step, control.low, control.value].map(decimalsOf));
+    this.decimals = Math.max(
+      ...[control.step, control.low, control.value].map((v) => decimalsOf(v)),
+    );
     this.slider.addEventListener("input", (event) => {
       const value = this.slider.valueAsNumber;
       this.#accept(value);
@@ -78,16 +82,18 @@ class ControlView {
     return this.control.per === 1 ? value : `${value} ${this.control.unit}`;
   }
 
-  /** @param {number} value in the control's unit; leaves alone what the reader is typing */
+  /** @param {number} value in the control's unit; leaves alone what the reader has typed since */
   show(value) {
     this.slider.valueAsNumber = value;
     put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
-    if (document.activeElement !== this.box) this.#write(value);
+    const typing = document.activeElement === this.box && this.box.value !== this.#sent;
+    if (!typing) this.#write(value);
     this.clear();
   }
 
   /** @param {string} message */
   complain(message) {
+    this.#sent = ""; // what was refused stays in the box to be mended
     say(this.error, message);
     this.error.hidden = false;
     this.root.classList.add("carts-wrong");
@@ -105,7 +111,10 @@ class ControlView {
     const read = readTyped(this.box.value);
     const { low, high, unit, label } = this.control;
     if ("problem" in read) return this.complain(read.problem);
-    if ("text" in read) return change(this.control.set, read.text, at);
+    if ("text" in read) {
+      this.#sent = this.box.value;
+      return change(this.control.set, read.text, at);
+    }
     if (read.value < low || read.value > high) {
       const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
       return this.complain(`${label}: ${range}, please.`);
@@ -125,6 +134,7 @@ class ControlView {
   /** @param {number} value */
   #write(value) {
     const text = this.#text(value).replace("−", "-");
+    this.#sent = text;
     if (this.box.value !== text) this.box.value = text;
   }
 
@@ -132,11 +142,6 @@ class ControlView {
   #text(value) {
     return fixed(value, Math.max(this.decimals, decimalsOf(value)));
   }
-}
-
-/** @param {number} value @returns {number} decimals that a round number such as 0.25 is written with */
-function decimalsOf(value) {
-  return Math.abs(value) < 1e5 ? (short(value, 4).split(".")[1]?.length ?? 0) : 0;
 }
 
 /** What a run says about a control's target; null where the header has no such number. */

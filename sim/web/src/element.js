@@ -30,10 +30,27 @@ export function sceneElement(client) {
     /** @type {Settings} */
     #wanted = {};
     #generation = 0;
+    #asBaked = ""; // the inside of the element as the generator wrote it, for “Start again”
     #waiting = deferred();
+    /** @type {Promise<void>} when the reader's earlier prediction is back */
+    #restored = Promise.resolve();
 
     connectedCallback() {
       if (this.#view) return;
+      if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
+      this.#waiting.promise.catch(() => {}); // readers see the state; nobody has to listen
+      this.#adopt();
+      client.addEventListener("state", () => this.#follow());
+      for (const kind of ["pointerdown", "keydown", "focusin"]) {
+        this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
+      }
+      addEventListener("beforeprint", () => this.#view?.print(true));
+      addEventListener("afterprint", () => this.#view?.print(false));
+      requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+    }
+
+    /** Takes over the picture and the controls that the generator wrote. */
+    #adopt() {
       const baked = readBaked(this);
       const view = new SceneView(this, baked);
       this.#baked = baked;
@@ -42,26 +59,37 @@ export function sceneElement(client) {
         this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
       });
       this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
-      this.#waiting.promise.catch(() => {}); // readers see the state; nobody has to listen
       const ask = this.querySelector(".carts-predict");
       if (ask instanceof HTMLElement) {
         const draw = (/** @type {any} */ guesses) => {
           for (const stage of view.stages) stage.guess(guesses);
         };
-        this.#predict = new Predict(ask, baked, draw, () => void this.#reveal());
+        this.#predict = new Predict(
+          ask,
+          baked,
+          draw,
+          (now) => void this.#reveal(now),
+          () => void this.#startAgain(),
+        );
       } else this.#lesson = baked.run;
       view.show(baked.run);
       view.enable(!this.#predict);
       this.#controls.enable(!this.#predict);
-      void this.#predict?.restore();
-      client.addEventListener("state", () => this.#follow());
-      for (const kind of ["pointerdown", "keydown", "focusin"]) {
-        this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
-      }
-      addEventListener("beforeprint", () => view.print(true));
-      addEventListener("afterprint", () => view.print(false));
-      requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+      this.#restored = this.#predict?.restore() ?? Promise.resolve();
       this.#follow();
+    }
+
+    /** The start state and an empty prediction, as on the first visit. */
+    async #startAgain() {
+      this.#reset();
+      this.#lesson = null;
+      this.innerHTML = this.#asBaked;
+      this.classList.add("carts-asks");
+      this.#adopt();
+      await this.#restored;
+      /** @type {HTMLElement | null} */ (
+        this.querySelector(".carts-predict :is(input, textarea):enabled")
+      )?.focus();
     }
 
     /** Resolves when Python has answered for this scene; rejects when it cannot start. */
@@ -149,6 +177,12 @@ export function sceneElement(client) {
         this.dataset.state = client.state === "idle" ? "still" : "starting";
       } else if (client.state === "failed") this.#fail();
       else if (this.dataset.state !== "live") void this.#goLive();
+      else this.#mark();
+    }
+
+    #mark() {
+      const mark = need(this, ".carts-mark");
+      mark.setAttribute("aria-label", "live: Python computes in this page");
     }
 
     async #goLive() {
@@ -161,8 +195,7 @@ export function sceneElement(client) {
         await frame();
         if (client.state !== "ready") return;
         this.dataset.state = "live";
-        const mark = need(this, ".carts-mark");
-        mark.setAttribute("aria-label", "live: Python computes in this page");
+        this.#mark();
         performance.mark("carts:live");
         this.#waiting.resolve(undefined);
       } catch (error) {
@@ -185,11 +218,13 @@ export function sceneElement(client) {
       this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
 
-    /** After the lock: the run, and the prediction beside it. */
-    async #reveal() {
+    /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now */
+    async #reveal(now) {
       this.#predict?.complain("");
+      const generation = this.#generation;
       try {
         const { header, numbers } = await this.#ask();
+        if (generation !== this.#generation) return;
         if (!header.ok) throw refusal(header.problems ?? []);
         const run = { header, trajectory: fromWire(header, numbers) };
         this.#lesson = run;
@@ -199,9 +234,18 @@ export function sceneElement(client) {
         this.#view?.enable(true);
         this.#controls?.enable(true);
         this.#predict?.compare(run);
+        if (now) this.#tell();
       } catch (error) {
         this.#predict?.complain(`${/** @type {Error} */ (error).message} Your prediction is kept.`);
       }
+    }
+
+    /** The lock's button is gone: the next thing to do is Play. */
+    #tell() {
+      const focused = document.activeElement;
+      const lost = !focused || focused === document.body || focused.matches(".carts-lock");
+      if (lost) need(this, ".carts-play").focus();
+      this.#view?.announcer.tell([this.#predict?.spoken ?? ""]);
     }
 
     /** @param {string} target @param {Error} error */

@@ -30,6 +30,12 @@ export function short(value, figures = 3) {
   return trim(fixed(value, Math.max(0, figures - 1 - power)));
 }
 
+/** @param {number} value @returns {number} decimals that show up to so many figures, without trailing zeros */
+export function decimalsOf(value, figures = 6) {
+  const text = Math.abs(value).toFixed(decimalsFor(value, figures));
+  return trim(text).split(".")[1]?.length ?? 0;
+}
+
 /** @param {string} text */
 function trim(text) {
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;

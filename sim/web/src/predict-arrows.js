@@ -2,15 +2,16 @@
 
 import { html, need, say, svg } from "./dom.js";
 import { fixed, short } from "./numbers.js";
-import { arrowLength, blockArrow } from "./shapes.js";
+import { arrowLength, blockArrow, cutArrow, isCut } from "./shapes.js";
 import { readTyped } from "./typed.js";
 import { body } from "./words.js";
 
 /** @typedef {{pair: string, on: string, side: "left" | "right", size: number}} Guess size in N; side of the pair */
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, size: number | null,
- *   slider: HTMLInputElement, box: HTMLInputElement, error: HTMLElement}} Row */
+ *   good: number | null, slider: HTMLInputElement, box: HTMLInputElement, error: HTMLElement}} Row */
 
 const LONG = 120; // units of the comparison that stand for the full scale
+const MOST = 10; // full scales; a longer arrow than the slider's is typed, and drawn cut
 
 export class ArrowsForm {
   /** @type {Row[]} */
@@ -39,6 +40,7 @@ export class ArrowsForm {
         side: /** @type {"left" | "right"} */ (side),
         style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
         size: null,
+        good: null, // the last size that was not taken back: half-typed numbers do not count
         slider: /** @type {HTMLInputElement} */ (need(element, 'input[type="range"]')),
         box: /** @type {HTMLInputElement} */ (need(element, 'input[type="text"]')),
         error: need(element, ".carts-error"),
@@ -75,6 +77,10 @@ export class ArrowsForm {
   problem() {
     const missing = this.#rows.filter((row) => row.size === null);
     if (!missing.length) return null;
+    const refused = missing.filter((row) => row.box.value.trim());
+    if (refused.length) {
+      return `This number does not work yet: ${refused.map(name).join(", ")}. ${this.#range()}`;
+    }
     return `Set every arrow first: ${missing.map(name).join(", ")}. Zero counts too: type 0.`;
   }
 
@@ -86,6 +92,12 @@ export class ArrowsForm {
       const rows = this.#rows.filter((row) => row.pair === pair);
       const actual = greatest(run, pair);
       const grid = html("div", "carts-compare");
+      const newtons = (/** @type {number} */ size) => `${fixed(size, this.decimals)} N`;
+      const spoken = rows.map(
+        (row) => `${name(row)}: you ${newtons(row.size ?? 0)}, the run ${newtons(actual)}.`,
+      );
+      grid.setAttribute("role", "img");
+      grid.setAttribute("aria-label", spoken.join(" "));
       grid.append(
         html("span"),
         ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
@@ -98,7 +110,10 @@ export class ArrowsForm {
         for (const row of rows) {
           const size = who === "you" ? (row.size ?? 0) : actual;
           const cell = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
-          cell.append(arrow(size, this.full, style, row.side), ` ${fixed(size, this.decimals)} N`);
+          cell.append(
+            arrow(size, this.full, style, row.side),
+            ` ${newtons(size)}${isCut(size, this.full) ? ", arrow cut" : ""}`,
+          );
           grid.append(cell);
         }
       }
@@ -115,15 +130,30 @@ export class ArrowsForm {
     let problem = "";
     if ("problem" in read) problem = read.problem;
     else if ("text" in read) problem = "Type a number; the unit is N.";
-    else if (read.value < 0 || read.value > this.full)
-      problem = `0 to ${short(this.full)} N, please.`;
-    if (done) {
-      say(row.error, problem);
-      row.error.hidden = !problem;
+    else if (read.value < 0 || read.value > MOST * this.full) problem = this.#range();
+    if (done && problem) {
+      const kept = row.good === null ? "" : ` ${fixed(row.good, this.decimals)} N is kept.`;
+      say(row.error, problem + kept);
+      row.error.hidden = false;
+      this.#restore(row, changed);
     }
     if (!("value" in read) || problem) return;
     if (done) this.#show(row, read.value);
     else this.#set(row, read.value);
+    this.#picture();
+    changed();
+  }
+
+  #range() {
+    return `0 to ${short(MOST * this.full)} N, please.`;
+  }
+
+  /** Goes back to the last good size; what was typed stays in the box to be mended. */
+  /** @param {Row} row @param {() => void} changed */
+  #restore(row, changed) {
+    if (row.size === row.good) return;
+    if (row.good === null) row.size = null;
+    else this.#set(row, row.good);
     this.#picture();
     changed();
   }
@@ -145,6 +175,7 @@ export class ArrowsForm {
   /** @param {Row} row @param {number} size */
   #show(row, size) {
     this.#set(row, size);
+    row.good = size;
     row.box.value = fixed(size, this.decimals);
     row.error.hidden = true;
   }
@@ -183,7 +214,8 @@ function arrow(size, full, className, side) {
     height: 20,
     "aria-hidden": "true",
   });
-  const d = side === "left" ? blockArrow(width, 10, -length) : blockArrow(0, 10, length);
+  const draw = isCut(size, full) ? cutArrow : blockArrow;
+  const d = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
   picture.append(svg("path", { class: className, d }));
   return picture;
 }

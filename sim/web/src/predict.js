@@ -4,6 +4,7 @@
  */
 
 import { need, say } from "./dom.js";
+import { Again } from "./predict-again.js";
 import { ArrowsForm } from "./predict-arrows.js";
 import { CurveForm } from "./predict-curve.js";
 import { ChoiceForm, WordsForm } from "./predict-words.js";
@@ -27,9 +28,10 @@ export class Predict {
   /**
    * @param {HTMLElement} root of the prediction @param {Baked} baked
    * @param {(arrows: import("./predict-arrows.js").Guess[]) => void} draw arrows on the picture
-   * @param {() => void} locked what to do once the prediction is locked
+   * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
+   * @param {() => void} forgotten what to do once the prediction is forgotten
    */
-  constructor(root, baked, draw, locked) {
+  constructor(root, baked, draw, locked, forgotten) {
     const spec = /** @type {import("./types.js").PredictSpec} */ (baked.fence.predict);
     this.root = root;
     this.locked = locked;
@@ -55,6 +57,9 @@ export class Predict {
     /** @type {Form} */
     this.form = forms[spec.kind]();
     this.button.addEventListener("click", () => void this.#lock());
+    this.again = new Again(root, async () => {
+      if (await this.#forget()) forgotten();
+    });
   }
 
   /** @returns {boolean} */
@@ -81,7 +86,9 @@ export class Predict {
     }
     this.form.enable(!this.isLocked);
     this.button.disabled = this.isLocked;
-    if (this.isLocked) this.locked();
+    if (!this.isLocked) return;
+    this.again.offer();
+    this.locked(false);
   }
 
   /** Shows the prediction beside the run. @param {Run} run */
@@ -89,8 +96,18 @@ export class Predict {
     const place = need(this.root, ".carts-compared");
     place.replaceChildren(...this.form.compare(run));
     place.hidden = false;
+    this.again.offer();
     say(need(this.root, ".carts-heading"), "Your prediction");
     this.root.classList.add("carts-locked");
+  }
+
+  /** @returns {string} the comparison as it is read out */
+  get spoken() {
+    const parts = this.root.querySelectorAll(
+      ".carts-compared > [aria-label], .carts-compared p, .carts-compared li",
+    );
+    const texts = [...parts].map((part) => part.getAttribute("aria-label") ?? part.textContent);
+    return `Your prediction. ${texts.join(" ")}`;
   }
 
   /** @param {string} message for the reader; empty: none */
@@ -118,7 +135,19 @@ export class Predict {
     this.button.disabled = true;
     this.complain("");
     await this.#keep();
-    this.locked();
+    this.again.offer();
+    this.locked(true);
+  }
+
+  /** @returns {Promise<boolean>} whether the prediction is gone */
+  async #forget() {
+    try {
+      if (this.key) await this.#store?.remove(this.key);
+      return true;
+    } catch {
+      this.complain("This browser refuses to forget it.");
+      return false;
+    }
   }
 
   async #keep() {

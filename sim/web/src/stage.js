@@ -120,9 +120,10 @@ export class Stage {
       const way = side === "left" ? -1 : 1;
       const length = way * shapes.arrowLength(size, this.view.force || 10, this.layout.force);
       const from = this.layout.origin + x * this.layout.scale;
+      const draw = shapes.isCut(size, this.view.force || 10) ? shapes.cutArrow : shapes.blockArrow;
       return svg("path", {
         class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
-        d: shapes.blockArrow(from, this.layout.track - shapes.PUSH, length),
+        d: draw(from, this.layout.track - shapes.PUSH, length),
         "data-pair": pair,
         "data-on": on,
       });

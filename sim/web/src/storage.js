@@ -5,7 +5,8 @@
 
 const STORE = "answers";
 
-/** @typedef {{kind: "kept" | "memory", get: (key: string) => Promise<any>, put: (key: string, value: unknown) => Promise<void>}} Store */
+/** @typedef {{kind: "kept" | "memory", get: (key: string) => Promise<any>, put: (key: string, value: unknown) => Promise<void>,
+ *   remove: (key: string) => Promise<void>}} Store */
 
 /** @param {string} site id of the site, so that sites in one folder do not mix @returns {Promise<Store>} */
 export async function openStore(site) {
@@ -37,15 +38,20 @@ function indexed(base) {
         request.onsuccess = () => resolve(request.result);
         request.onerror = () => reject(request.error);
       }),
-    put: (key, value) =>
-      new Promise((resolve, reject) => {
-        const work = base.transaction(STORE, "readwrite", { durability: "strict" });
-        work.objectStore(STORE).put(value, key);
-        work.oncomplete = () => resolve();
-        work.onerror = () => reject(work.error);
-        work.onabort = () => reject(work.error);
-      }),
+    put: (key, value) => write(base, (answers) => answers.put(value, key)),
+    remove: (key) => write(base, (answers) => answers.delete(key)),
   };
+}
+
+/** @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act @returns {Promise<void>} */
+function write(base, act) {
+  return new Promise((resolve, reject) => {
+    const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+    act(work.objectStore(STORE));
+    work.oncomplete = () => resolve();
+    work.onerror = () => reject(work.error);
+    work.onabort = () => reject(work.error);
+  });
 }
 
 /** @param {string} site @returns {Store | null} */
@@ -61,6 +67,7 @@ function textStore(site) {
     kind: "kept",
     get: async (key) => JSON.parse(localStorage.getItem(`carts:${site}:${key}`) ?? "null"),
     put: async (key, value) => localStorage.setItem(`carts:${site}:${key}`, JSON.stringify(value)),
+    remove: async (key) => localStorage.removeItem(`carts:${site}:${key}`),
   };
 }
 
@@ -71,6 +78,7 @@ function memory() {
     kind: "memory",
     get: async (key) => kept.get(key),
     put: async (key, value) => void kept.set(key, value),
+    remove: async (key) => void kept.delete(key),
   };
 }
 

@@ -29,10 +29,8 @@ const EFFECTS = {
 const BOTH_FORCES =
   "Each contact has one force in the program: it pushes both bodies, equally hard, " +
   "away from each other. So the program assumes Newton’s third law; it cannot prove it.";
-const IMPULSE_ONLY =
-  "too large and too short to draw: see the impulses under “What happens”";
-const JUMP_ONLY =
-  "where v jumps, the acceleration is too large and too short to draw";
+const IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”";
+const JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw";
 
 /** @param {string} name */
 export function isWall(name) {
