@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 ROOT = Path(__file__).parents[1]
 
@@ -27,3 +28,25 @@ def hosted_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     built = build_site(ROOT, hosted=True, strict=True, site_dir=tmp_path_factory.mktemp("hosted"))
     assert built is not None, "the site cannot be built: see the messages above"
     return built
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--fuzz", action="store_true", help="random tests, long and random: make fuzz")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Property tests repeat the same cases in CI; `make fuzz` runs many more, and new ones."""
+    common = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
+    settings.register_profile("ci", derandomize=True, max_examples=150, **common)
+    settings.register_profile("fuzz", max_examples=2_500, print_blob=True, **common)
+    settings.load_profile("fuzz" if config.getoption("--fuzz") else "ci")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """`make fuzz` runs the random tests only."""
+    if config.getoption("--fuzz"):
+        items[:] = [
+            item
+            for item in items
+            if item.get_closest_marker("hypothesis") or "properties" in item.nodeid
+        ]

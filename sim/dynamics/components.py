@@ -151,7 +151,7 @@ def leave_branch(gap: Gap, cause: Cause, now: Time, record: Record, ledger: Ledg
         gap.rate, gap.memory = 0.0, -gap.room
         return
     ledger.warm(_stored(gap))
-    if isinstance(law, Paper) or (isinstance(law, Bumper) and law.e == 1.0):
+    if isinstance(law, Paper) or law.e == 1.0:
         gap.room = 0.0
     elif isinstance(law, Bumper):
         gap.room = -law.resting_overlap(gap.memory)

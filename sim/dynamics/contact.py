@@ -132,8 +132,8 @@ class PairContact:
         )
 
     def velocity(self, body: Body, now: Time) -> float:
-        """m/s."""
-        return self.velocity_of_centre + self.side(body) * self.at(elapsed(self.begun, now))[1]
+        """m/s. From the body's velocity at touch: unchanged to the last bit while d' is."""
+        return body.v + self.side(body) * (self.at(elapsed(self.begun, now))[1] - self.u)
 
     def excess(self, body: Body, start: Time, dt: float) -> float:
         """m. Displacement in dt s beyond that at the velocity of `start`."""

@@ -8,8 +8,9 @@ room is found by steps that cannot jump over it (`safe_step`).
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
-from sim.dynamics.chain import Gap, moved, velocity
+from sim.dynamics.chain import Gap, velocity
 from sim.dynamics.clock import Time, later
 from sim.dynamics.laws import PushOnly
 from sim.dynamics.safe_step import SAFE_STEPS, safe_step
@@ -44,39 +45,51 @@ def touch_during_contact(gap: Gap, now: Time) -> float | None:
     """
     left, right = gap.left.motion, gap.right.motion
     horizon = min(motion.time_left(now) for motion in (left, right) if motion is not None)
+    if gap.room < 0.0 and isinstance(gap.law, PushOnly):
+        return _pushed_again(gap, gap.law, now, horizon)
     fastest = gap.left.v if left is None else left.speeds(gap.left)[1]
     slowest = gap.right.v if right is None else right.speeds(gap.right)[0]
     rest = 0.0 if gap.law is None or gap.room >= 0.0 else gap.law.resting_overlap(gap.memory)
-    start = gap.room + rest
-    if gap.room < 0.0 and isinstance(gap.law, PushOnly):
-        return _pushed_again(gap, now, horizon)
-    if start > max(0.0, fastest - slowest) * horizon:
+    room = gap.room + rest
+    if room > max(0.0, fastest - slowest) * horizon:
         return None
-
-    def room(t: float) -> float:
-        pulled = 0.0 if left is None else left.excess(gap.left, now, t)
-        pushed = 0.0 if right is None else right.excess(gap.right, now, t)
-        return start + gap.rate * t + (pushed - pulled)
-
-    if start <= 0.0:
-        if gap.rate < 0.0 or (gap.rate == 0.0 and room(PROBE * min(horizon, 1.0)) < 0.0):
+    if room <= 0.0:
+        soon = PROBE * min(horizon, 1.0)
+        if gap.rate < 0.0 or (gap.rate == 0.0 and rest + room_at(gap, now, soon) < 0.0):
             return 0.0
         if gap.rate == 0.0:
             return None
-        start = 0.0
+    return _first_touch(gap, now, 0.0, horizon, rest)
+
+
+def room_at(gap: Gap, now: Time, t: float) -> float:
+    """m. The room of a gap t s after `now`: its present rate, and what the contacts add to it."""
+    left, right = gap.left.motion, gap.right.motion
+    pulled = 0.0 if left is None else left.excess(gap.left, now, t)
+    pushed = 0.0 if right is None else right.excess(gap.right, now, t)
+    return gap.room + gap.rate * t + (pushed - pulled)
+
+
+def rate_at(gap: Gap, now: Time, t: float) -> float:
+    """m/s. How fast the room grows t s after `now`."""
+    if t == 0.0:
+        return gap.rate
+    moment = later(now, t)
+    return velocity(gap.right, moment) - velocity(gap.left, moment)
+
+
+def _first_touch(gap: Gap, now: Time, t: float, horizon: float, rest: float) -> float | None:
+    """The first t in which room + rest is zero, from a t at which it is positive or opening."""
     bound = sum(
-        motion.acceleration(body)
-        for motion, body in ((left, gap.left), (right, gap.right))
-        if motion is not None
+        body.motion.acceleration(body) for body in (gap.left, gap.right) if body.motion is not None
     )
-    t = 0.0
+    begin = t
     for _ in range(SAFE_STEPS):
-        here = start if t == 0.0 else room(t)
-        moment = later(now, t)
-        rate = gap.rate if t == 0.0 else velocity(gap.right, moment) - velocity(gap.left, moment)
-        if here <= 0.0 and t > 0.0:
+        here = room_at(gap, now, t) + rest
+        if here <= 0.0 and t > begin:
             return t
-        step = safe_step(here, rate, bound)
+        rate = rate_at(gap, now, t)
+        step = safe_step(max(here, 0.0), rate, bound)
         if step <= TOUCH_ROUNDING * t:
             return t if rate < 0.0 else None
         t += step
@@ -85,36 +98,44 @@ def touch_during_contact(gap: Gap, now: Time) -> float | None:
     return t
 
 
-def _pushed_again(gap: Gap, now: Time, horizon: float) -> float | None:
-    """When the force of a push-only pair that still overlaps turns positive again.
+def _pushed_again(gap: Gap, law: PushOnly, now: Time, horizon: float) -> float | None:
+    """When a push-only pair that still overlaps pushes again.
 
     Its neighbours' forces change the rate d' in N = k d + c d', so N may rise through zero while d
-    falls. N is smooth over the horizon, a small part of a swing: it is scanned and the first rise
-    is bisected. A rise from zero itself is one only if N is positive at the first point.
+    falls. N is smooth: it is scanned while the overlap lasts, and the first rise is bisected.
+    Once the overlap is clear, the next touch is an ordinary one.
     """
-    law, mu = gap.law, gap.mu
-    assert isinstance(law, PushOnly)
+    mu = gap.mu
 
     def force(t: float) -> float:
-        moment = later(now, t)
-        rate = velocity(gap.right, moment) - velocity(gap.left, moment)
-        room = gap.room + moved(gap.right, now, moment) - moved(gap.left, now, moment)
-        return law.force(mu, -room, -rate) if room < 0.0 else -math.inf
+        return law.force(mu, -room_at(gap, now, t), -rate_at(gap, now, t))
 
-    span = min(horizon, SCAN_LIMIT / math.sqrt(law.stiffness / mu))
+    swing = math.sqrt(mu / law.stiffness)
+    span = max(swing, 2.0 * -gap.room / gap.rate) if gap.rate > 0.0 else swing
     before = 0.0
-    for k in range(1, SCAN + 1):
-        t = span * k / SCAN
-        if force(t) > 0.0:
-            low, high = before, t
-            while high - low > TOUCH_ROUNDING * span:
-                middle = 0.5 * (low + high)
-                low, high = (low, middle) if force(middle) > 0.0 else (middle, high)
-            return high
-        before = t
+    while before < horizon:
+        span = min(span, horizon - before)
+        begin = before
+        for k in range(1, SCAN + 1):
+            t = begin + span * k / SCAN
+            if room_at(gap, now, t) >= 0.0:
+                return _first_touch(gap, now, t, horizon, 0.0)
+            if force(t) > PUSH_ROUNDING * law.stiffness * -gap.room:
+                return _bisected(force, before, t)
+            before = t
     return None
 
 
+def _bisected(force: Callable[[float], float], low: float, high: float) -> float:
+    """The t between low and high at which a force turns positive, to rounding."""
+    span = high - low
+    while high - low > TOUCH_ROUNDING * span:
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        low, high = (low, middle) if force(middle) > 0.0 else (middle, high)
+    return high
+
+
 SCAN = 64
-SCAN_LIMIT = 20.0
-"""Time constants of the pair: by then the overlap left at separation is clear."""
+"""Points in one swing of the pair."""

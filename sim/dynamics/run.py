@@ -140,7 +140,10 @@ class _Run:
         self.schedule(gap, now, contact.duration)
         for other in self.chain.neighbours(gap):
             if other is not None and other.touching is None:
-                self.predict(other, now)  # velocities do not jump at a touch
+                # Velocities do not jump at a touch, but a neighbour in a contact has moved on.
+                if other.left.motion is not None and other.right.motion is not None:
+                    other.rate = velocity(other.right, now) - velocity(other.left, now)
+                self.predict(other, now)
 
     def at_once(self, gap: Gap, now: Time) -> None:
         """A contact without duration between two bodies that are free, or settled."""
@@ -186,6 +189,8 @@ class _Run:
         outer = self.outside(touching, now)
         components.settle(touching, now, self.record, self.ledger)
         for k, cause in cluster.ends:
+            if touching[k].touching is None:
+                continue  # it came apart at the very end of its branch
             components.leave_branch(touching[k], cause, now, self.record, self.ledger)
             self.happened += touching[k].touching is None
         self.form_again(touching, outer, now)

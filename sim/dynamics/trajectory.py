@@ -85,7 +85,8 @@ def _marks(run: Run) -> list[float]:
         marks.update(t for mark in part.solver.marks() if (t := part.begin + mark) < part.end)
     for pieces in run.record.pieces:
         marks.update(piece.start[0] for piece in pieces)
-    return sorted(t for t in marks if t <= run.t)
+    kept = sorted(t for t in marks if t <= run.t)
+    return kept if len(kept) > 1 else [0.0, 0.0]  # stopped at the very start: one sample
 
 
 def _density(contacts: int, columns: int) -> int:

@@ -36,6 +36,10 @@ class FiniteLaw(Protocol):
     def stiffness(self) -> float:
         """N/m."""
 
+    @property
+    def e(self) -> float:
+        """Restitution asked for."""
+
     def figures(self, mu: float) -> Figures:
         """The isolated contact from first touch."""
 
