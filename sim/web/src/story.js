@@ -6,6 +6,7 @@ import { fixed } from "./numbers.js";
 import { eventSentence, exitSentence, lawsOf, modelSentences } from "./words.js";
 
 const MOST_EVENTS = 60;
+const IN_FULL = 10; // events that stand there without scrolling
 
 export class Story {
   /** @type {{t: number, sentence: string}[]} */
@@ -57,6 +58,10 @@ export class Story {
     const more = this.told.length - items.length;
     if (more > 0) items.push(html("li", "carts-more-events", `… and ${more} more events.`));
     this.list.replaceChildren(...items);
+    const scrolled = items.length > IN_FULL;
+    this.list.classList.toggle("carts-events-scrolled", scrolled);
+    if (scrolled) this.list.setAttribute("tabindex", "0");
+    else this.list.removeAttribute("tabindex");
     this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
   }
 
