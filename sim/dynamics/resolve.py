@@ -45,12 +45,23 @@ def outside(left: Body, right: Body, impulse: float, ledger: Ledger) -> None:
         ledger.push_from_outside(-impulse)
 
 
-def instant(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
-    """An impulse without duration."""
+STILL = 1e-30
+"""Of the fastest cart at the start. Impacts that follow each other at one instant, ever slower by a
+constant factor, never end; once their approach speed is this small, the two go on together. It is
+far below the last bit of any velocity, so no cart that moves is stopped by it."""
+
+
+def instant(gap: Gap, now: Time, record: Record, ledger: Ledger, fastest: float) -> None:
+    """An impulse without duration. `fastest` [m/s]: the greatest speed at the start."""
     left, right = gap.left, gap.right
     e, u, mu = gap.contact.restitution or 0.0, -gap.rate, gap.mu
+    if u < STILL * fastest:
+        e = 0.0
     before = (left.v, right.v)
     left.v, right.v = velocities_after(left, right, e)
+    if e == 0.0 and u < STILL * fastest:
+        together = common_velocity(left, right)
+        left.v = right.v = together if abs(together) > STILL * fastest else 0.0
     impulse = mu * (1.0 + e) * u
     gap.room, gap.rate, gap.time = 0.0, e * u, now
     ledger.warm(0.5 * mu * u * u * (1.0 - e) * (1.0 + e))

@@ -52,6 +52,7 @@ class _Run:
         self.ledger = Ledger()
         self.solvers: Counter[str] = Counter()
         self.calendar: list[tuple[float, float, int, int]] = []
+        self.fastest = max(abs(cart.velocity) for cart in scene.carts)
         self.happened = 0
         self.steps = 0
         record.pieces = [[] for _ in scene.carts]
@@ -149,7 +150,7 @@ class _Run:
         """A contact without duration between two bodies that are free, or settled."""
         self.solvers[gap.contact.law] += 1
         if gap.contact.law == "instant":
-            resolve.instant(gap, now, self.record, self.ledger)
+            resolve.instant(gap, now, self.record, self.ledger, self.fastest)
             self.predict(gap, now)
             return
         resolve.join(self.chain, gap, now, self.record, self.ledger)

@@ -165,3 +165,14 @@ def test_nothing_happens_to_carts_at_equal_velocity_that_touch():
     finished = run(read_scene(row([0.3, 0.3, 0.3])))
     assert finished.v == (0.3, 0.3, 0.3)
     assert [event.kind for event in finished.record.events] == ["end"]
+
+
+@pytest.mark.parametrize("e", [0, "0.02", "0.05"])
+def test_impacts_that_never_end_at_one_instant_come_to_an_end(e):
+    """Two carts and a wall: ever slower impacts at one time, until nothing of a float is left."""
+    plain = registry.two_carts(velocities=(1, "-0.3"), gap="0.2", law="instant", restitution=e)
+    plain |= {"track": {"right": "wall", "length": "0.8"}, "until": 5}
+    finished = run(read_scene(plain))
+    assert finished.outcome.kind == "came-to-rest"
+    assert finished.v == (0.0, 0.0)
+    assert finished.record.counts["contact"] < 200
