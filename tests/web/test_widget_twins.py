@@ -108,7 +108,7 @@ def test_curves_events_and_words_are_the_same(name: str) -> None:
     here["words"] += [graph_note(q, header["events"], n) for q in ("x", "a", "F") for n in (0, 2)]
     here["touches"] = [[w.start, w.end] for w in touches(header["events"], header["until"])]
     gone = exits(header, run, 0.2, 1.5, 0.1)
-    here["exits"] = [exit_sentence(e.name, e.side, e.velocity, 2) for e in gone]
+    here["exits"] = [exit_sentence(e.name, e.side, e.velocity, 2, 1.0) for e in gone]
     there = in_node(
         """const [t, s, g, w, k, x] = await Promise.all(["trajectory", "series", "graph", "words",
           "windows", "exits"].map((name) => import(`${source}/${name}.js`)));
@@ -132,7 +132,7 @@ def test_curves_events_and_words_are_the_same(name: str) -> None:
           [0, 2].map((n) => w.graphNote(q, header.events, n))));
         out.touches = k.touches(header.events, header.until).map(({ start, end }) => [start, end]);
         out.exits = x.exits({ header, trajectory: run }, { low: 0.2, high: 1.5 }, 0.1)
-          .map((exit) => w.exitSentence(exit, 2));
+          .map((exit) => w.exitSentence(exit, 2, 1));
         give(out);""",
         {"header": header, "numbers": numbers.tolist()},
     )
@@ -166,7 +166,7 @@ def test_the_area_under_the_drawn_force_is_the_impulse() -> None:
     for curve, event in zip(curves[::2], separate, strict=True):
         points = drawn_points(g.path(curve, run.t, plane))
         area = sum(
-            (x1 - x0) * (2 * g.BOTTOM - y0 - y1) / 2 for (x0, y0), (x1, y1) in pairwise(points)
+            (x1 - x0) * (2 * plane.y(0) - y0 - y1) / 2 for (x0, y0), (x1, y1) in pairwise(points)
         )
         per_unit = (plane.x(1) - plane.x(0)) * (plane.y(0) - plane.y(1))
         # One tenth of a unit is the finest the picture draws; the contact is five units wide.

@@ -11,12 +11,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.pages.widget.numbers import fixed, px
+from sim.pages.widget.reach import Reach
 from sim.pages.widget.scales import Axis, axis, span
 from sim.pages.widget.series import Series
 
 WIDTH, HEIGHT = 360.0, 172.0
 LEFT, RIGHT, TOP, BOTTOM = 46.0, 350.0, 8.0, 142.0
 BELOW_LINE = 4.0  # units, from a grid line to the foot of its number
+ONLY_THE_RUN = Reach(0.0, 0.0, 1.0)
 NEAR = 0.7  # units; rows nearer than this to the last drawn one are left out
 STRAIGHT = 0.05  # units; a curve that bends less is drawn as a line
 
@@ -39,11 +41,11 @@ class Plane:
         )
 
 
-def plane_for(curves: Sequence[Series], until: float) -> Plane:
-    """Axes that cover every curve and zero."""
-    low = min((min(c.values) for c in curves), default=0.0)
-    high = max((max(c.values) for c in curves), default=0.0)
-    return Plane(span(0.0, until, 6), axis(low, high, 4))
+def plane_for(curves: Sequence[Series], until: float, reach: Reach = ONLY_THE_RUN) -> Plane:
+    """Axes that cover zero, every curve and what the sliders may make of it."""
+    low = min((min(c.values) for c in curves), default=0.0) * reach.factor
+    high = max((max(c.values) for c in curves), default=0.0) * reach.factor
+    return Plane(span(0.0, until, 6), axis(min(low, reach.low), max(high, reach.high), 5))
 
 
 def path(curve: Series, times: Sequence[float], plane: Plane) -> str:

@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from sim.pages.widget.reach import picture_window
 from sim.pages.widget.scale_of import Scales
 
 LANE = 20.0
@@ -57,7 +58,7 @@ def lay_out(
     width = 720.0 if wide else 350.0
     force, velocity = (100.0, 72.0) if wide else (58.0, 44.0)
     count = len(header["bodies"])
-    low, high = _window(header, camera)
+    low, high = picture_window(header, camera)
     track = header["track"]
     margin = 12.0
     wall = force + 16.0 if forces and scales.force else 36.0
@@ -68,7 +69,9 @@ def lay_out(
     stagger = 0.0 if wide or count == 1 else 13.0
     top = 14.0 + (lanes - 1) * LANE + ABOVE + stagger + scales.tallest
     contacts = header["contacts"]
-    row_count = (2 if len(contacts) > 1 and count > 2 else 1) if forces and scales.force else 0
+    walled = wall_contacts(header)
+    crowded = (len(contacts) > 1 and count > 2) or any(walled)
+    row_count = (2 if crowded else 1) if forces and scales.force else 0
     beam = BEAM_ROW * row_count if row_count else 8.0
     return Layout(
         kind=kind,
@@ -81,29 +84,16 @@ def lay_out(
         lanes=lanes,
         stagger=stagger,
         track=top,
-        rows=tuple(top + BEAM_ROW * (k % max(row_count, 1)) + 13.5 for k in range(len(contacts))),
+        rows=tuple(
+            top + BEAM_ROW * (0 if wall else k % max(row_count, 1)) + 13.5
+            for k, wall in enumerate(walled)
+        ),
         beam=beam,
         force=force,
         velocity=velocity,
     )
 
 
-def _window(header: Mapping[str, Any], camera: float) -> tuple[float, float]:
-    """What the picture shows, in m: the track, or without ends where the carts may get to.
-
-    Only the start state is used: the size of the picture must not tell the run.
-    """
-    bodies = header["bodies"]
-    left = min(b["position"] - b["length"] / 2 for b in bodies)
-    right = max(b["position"] + b["length"] / 2 for b in bodies)
-    length = header["track"]["length"]
-    if length:
-        return min(0.0, left), max(length, right)
-    extent = max(right - left, 6 * max(b["length"] for b in bodies))
-    speeds = [b["velocity"] - camera for b in bodies]
-    reach = header["until"]
-    low = left + max(min(0.0, *speeds) * reach, -extent)
-    high = right + min(max(0.0, *speeds) * reach, 1.5 * extent)
-    rest = extent - (high - low)
-    room = max(0.0, rest / 2)
-    return min(low - room, low - 0.05), high + room + 0.05
+def wall_contacts(header: Mapping[str, Any]) -> list[bool]:
+    """For each contact whether it is with a wall: its two names stand in two rows on the track."""
+    return [c["bodies"][0] == "left" or c["bodies"][1] == "right" for c in header["contacts"]]

@@ -12,6 +12,7 @@ from decimal import ROUND_HALF_UP, Decimal
 MINUS = "−"
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 MAX_DECIMALS = 12
+SLOW = 0.01  # m/s; scenes with no greater speed speak of mm/s
 
 
 def exponent(value: float) -> int:
@@ -43,6 +44,11 @@ def short(value: float, figures: int = 3) -> str:
 def decimals_of(value: float, figures: int = 6) -> int:
     """Decimals that show up to so many figures, without trailing zeros: 2 for 0.25, 0 for 10."""
     return len(_trim(fixed(abs(value), decimals_for(value, figures))).partition(".")[2])
+
+
+def speed_unit(scale: float) -> tuple[float, str]:
+    """The unit of all velocities of a scene with that greatest speed: m/s in it, and its name."""
+    return (0.001, "mm/s") if scale <= SLOW else (1.0, "m/s")
 
 
 def _trim(text: str) -> str:

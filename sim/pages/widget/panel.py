@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.pages.widget.markers import MARKERS
-from sim.pages.widget.numbers import decimals_of, fixed, short
+from sim.pages.widget.numbers import decimals_of, fixed, short, speed_unit
 from sim.pages.widget.run import Run
 from sim.pages.widget.scale_of import Scales
 
@@ -67,10 +67,18 @@ def _readouts(
     told: bool,
 ) -> list[dict[str, str]]:
     name, decimals = body["name"], scales.decimals
+    per, unit = speed_unit(scales.velocity)
+    seen = " seen from the camera" if camera else ""
     rows = [
         ("mass", "m", "mass", short(body["mass"]), "kg"),
-        ("position", "x", "x", fixed(body["position"], decimals["x"]), "m"),
-        ("velocity", "v", "v", fixed(body["velocity"] - camera, decimals["v"]), "m/s"),
+        (f"position{seen}", "x", "x", fixed(body["position"], decimals["x"]), "m"),
+        (
+            f"velocity{seen}",
+            "v",
+            "v",
+            fixed((body["velocity"] - camera) / per, decimals["v"]),
+            unit,
+        ),
     ]
     if forces:
         force = acceleration = UNTOLD

@@ -53,6 +53,7 @@ def render(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> s
                 "force": scales.force,
                 "velocity": scales.velocity,
                 "decimals": scales.decimals,
+                "reach": {q: reach.as_list() for q, reach in scales.reach.items()},
                 "layouts": [layout.as_dict() for layout in layouts],
             },
         }

@@ -11,7 +11,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.widget.numbers import decimals_for, exponent
+from sim.pages.widget.numbers import decimals_for, exponent, speed_unit
+from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
 
 REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
@@ -27,7 +28,8 @@ class Scales:
     tallest: float  # px, of the tallest cart that the sliders reach
     force: float  # N, of the longest force arrow; 0: no force can be drawn
     velocity: float  # m/s, of the longest velocity arrow
-    decimals: Mapping[str, int]
+    decimals: Mapping[str, int]  # of printed values, velocities in the unit of the scene
+    reach: Mapping[str, Reach]  # of the axis of each graph
 
 
 def read_scales(
@@ -46,17 +48,24 @@ def read_scales(
         speed = speed or max(abs(v) for column in run.v.values() for v in column)
     velocity = full_scale(speed) if speed > 0 else 1.0
     force = full_scale(force) if force > 0 else 0.0
+    per = speed_unit(velocity)[0]
     lightest = min(b["mass"] for b in header["bodies"])
     decimals = {
         "t": 3,
         "x": min(6, max(3, decimals_for(velocity))),
-        "v": decimals_for(velocity),
+        "v": decimals_for(velocity / per, 3 if per == 1 else 2),
         "a": decimals_for((force or lightest) / lightest),
         "F": decimals_for(force or 1.0),
         "p": decimals_for(velocity * max(b["mass"] for b in header["bodies"])),
         "energy": decimals_for(velocity**2 * max(b["mass"] for b in header["bodies"]) / 2),
     }
-    return Scales(per_height, tallest, force, velocity, decimals)
+    seen = [
+        {"bodies": [{**b, "velocity": b["velocity"] - camera} for b in variant["bodies"]]}
+        for variant in variants
+    ]
+    axis_force = force if run is not None else force / ROOM_TO_GUESS
+    reach = reaches(seen, picture_window(header, camera), axis_force, per)
+    return Scales(per_height, tallest, force, velocity, decimals, reach)
 
 
 def body_width(body: Mapping[str, Any]) -> float:

@@ -9,6 +9,7 @@ from sim.pages.widget.numbers import exponent
 
 # An axis end within this part of a step of a round number counts as that number: rounding noise.
 STEP_SLACK = 1e-9
+HEADROOM = 0.05  # of the values, above and below: no curve lies on the frame
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,14 +42,12 @@ def nice_above(value: float) -> float:
 
 
 def axis(low: float, high: float, count: int) -> Axis:
-    """An axis with round ends that covers low to high and 0, in about `count` steps."""
+    """An axis that covers low to high and 0 with some room, in about `count` round steps."""
     low, high = min(0.0, low), max(0.0, high)
     if high == low:
         high = 1.0
-    step = nice_above((high - low) / count)
-    return Axis(
-        math.floor(low / step + STEP_SLACK) * step, math.ceil(high / step - STEP_SLACK) * step, step
-    )
+    room = HEADROOM * (high - low)
+    return Axis(low - room, high + room, nice_above((high - low) / count))
 
 
 def span(low: float, high: float, count: int) -> Axis:

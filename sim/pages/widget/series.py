@@ -26,9 +26,18 @@ class Series:
 
 
 def series_of(
-    quantity: str, header: Mapping[str, Any], run: Run, camera: float, *, signed: bool = False
+    quantity: str,
+    header: Mapping[str, Any],
+    run: Run,
+    camera: float,
+    *,
+    signed: bool = False,
+    per: float = 1.0,
 ) -> list[Series]:
-    """The curves of `quantity` (x, v, a, F, p, energy), as a camera at `camera` m/s sees them."""
+    """The curves of `quantity` (x, v, a, F, p, energy), as a camera at `camera` m/s sees them.
+
+    `per`: m/s in the unit of the velocity graph.
+    """
     if quantity == "F":
         return _forces(header, run, signed)
     curves = []
@@ -42,7 +51,7 @@ def series_of(
             values = [place - camera * t for place, t in zip(x, run.t, strict=True)]
             slopes = seen
         elif quantity == "v":
-            values, slopes = seen, a
+            values, slopes = [s / per for s in seen], [rate / per for rate in a]
         elif quantity == "a":
             values, slopes = a, None
         elif quantity == "p":

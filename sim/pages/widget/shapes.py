@@ -18,6 +18,7 @@ DOT = 2.5  # radius of a zero force
 RING = 1.0  # radius of a zero velocity, drawn as a line
 SHORTEST = 0.5  # units; a shorter arrow is zero to the eye and is drawn as a dot
 FASTEST = 2.2  # full lengths; a longer velocity arrow is cut here, and its text says so
+EDGE = 5.0  # units that a velocity arrow keeps from the edges of the picture
 LINE = 12.0  # between two lines of text above a box
 NAMED = 34.0  # units; a box at least this tall carries its name
 SPRING = (2.0, 10.0)  # heights of the spring above the track
@@ -113,6 +114,16 @@ def arrow_length(value: float, full: float, length: float) -> float:
     """Length of an arrow for `value` on a scale; cut where it would leave the picture."""
     exact = value / full * length if full else 0.0
     return max(-FASTEST * length, min(FASTEST * length, exact))
+
+
+def kept_inside(x: float, length: float, width: float) -> float:
+    """Length of an arrow from x whose head stays in the picture; from outside it is as it was."""
+    if EDGE < x < width - EDGE:
+        if x + length > width - EDGE:
+            return width - EDGE - x
+        if x + length < EDGE:
+            return EDGE - x
+    return length
 
 
 def label_top(box: Box) -> float:

@@ -10,7 +10,7 @@ from typing import Any
 
 from sim.pages.widget import shapes
 from sim.pages.widget.layout import Layout
-from sim.pages.widget.numbers import fixed, px, short
+from sim.pages.widget.numbers import fixed, px, short, speed_unit
 from sim.pages.widget.scale_of import Scales
 from sim.pages.widget.scales import Axis, nice_above
 from sim.pages.widget.words import brief
@@ -48,7 +48,7 @@ def stage_view(
             for i, (body, box) in enumerate(zip(header["bodies"], boxes, strict=True))
         ],
         "pushes": _pushes(header, layout) if forces else [],
-        "legend": _legend(scales, layout, forces),
+        "legend": _legend(scales, layout, camera, forces),
     }
 
 
@@ -65,7 +65,10 @@ def _cart(
     half = body["length"] * layout.scale / 2
     edge = -box.x
     seen = body["velocity"] - camera
-    length = shapes.arrow_length(seen, scales.velocity, layout.velocity)
+    exact = shapes.arrow_length(seen, scales.velocity, layout.velocity)
+    length = shapes.kept_inside(x, exact, layout.width)
+    cut = "" if length == exact else ", arrow cut"
+    per, unit = speed_unit(scales.velocity)
     text_x, anchor = velocity_text(x, length, layout.width)
     return {
         "name": body["name"],
@@ -88,7 +91,7 @@ def _cart(
         "velocity": {
             "path": shapes.line_arrow(x, y, length),
             "leader": f"M{px(x)} {px(y)}V{px(layout.track + shapes.label_top(box))}",
-            "text": f"{fixed(seen, scales.decimals['v'])} m/s",
+            "text": f"{fixed(seen / per, scales.decimals['v'])} {unit}{cut}",
             "x": px(text_x),
             "y": px(y + 4),
             "anchor": anchor,
@@ -171,7 +174,7 @@ def _ground(header: Mapping[str, Any], layout: Layout, camera: float) -> dict[st
     }
 
 
-def _legend(scales: Scales, layout: Layout, forces: bool) -> dict[str, Any]:
+def _legend(scales: Scales, layout: Layout, camera: float, forces: bool) -> dict[str, Any]:
     """The length of a force and of a velocity arrow, written out."""
     y = layout.height - 10
     x = 12.0
@@ -181,11 +184,15 @@ def _legend(scales: Scales, layout: Layout, forces: bool) -> dict[str, Any]:
         legend["force_x"] = px(x + layout.force + 6)
         legend["force_text"] = f"{short(scales.force)} N"
         x += layout.force + 6 + 44
+    per, unit = speed_unit(scales.velocity)
     legend["velocity"] = shapes.line_arrow(x, y, layout.velocity)
     legend["velocity_x"] = px(x + layout.velocity + 6)
-    legend["velocity_text"] = f"{short(scales.velocity)} m/s"
+    legend["velocity_text"] = f"{short(scales.velocity / per)} {unit}"
     legend["right_x"] = px(layout.width - 12)
-    legend["right_text"] = (
-        "position x in m, + is to the right" if layout.kind == "wide" else "x in m, + is right"
-    )
+    if camera:
+        legend["right_text"] = "position on the track in m"
+    else:
+        legend["right_text"] = (
+            "position x in m, + is to the right" if layout.kind == "wide" else "x in m, + is right"
+        )
     return legend

@@ -10,7 +10,7 @@ from sim.pages.widget.contacts import touches
 from sim.pages.widget.exits import exits
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.markers import MARKERS
-from sim.pages.widget.numbers import fixed, px, short
+from sim.pages.widget.numbers import fixed, px, short, speed_unit
 from sim.pages.widget.panel import cards, plain
 from sim.pages.widget.run import Run
 from sim.pages.widget.scale_of import Scales
@@ -31,6 +31,7 @@ from sim.pages.widget.words import (
 )
 
 FORCE_QUANTITIES = ("F", "a")  # left out where the lesson lets students find the force
+LONG = 60.0  # s; a longer run opens faster
 MOST_EVENTS = 60  # in the list; a run with more says how many more
 
 
@@ -59,6 +60,7 @@ def scene_view(
         "camera_text": _camera_text(camera),
         "description": _description(header, scales, camera),
         "time": _timeline(header, contacts, until),
+        "speed": _opening_speed(until),
         "slow": fence.slow == "auto" and any(c["stiffness"] for c in header["contacts"]),
         "predict_view": _predict_view(fence, header, scales),
         "cards": cards(
@@ -86,13 +88,17 @@ def graph_view(
     """One graph with its cursor at t = 0 and its table; empty axes before a prediction."""
     title, symbol, unit = QUANTITIES[quantity]
     until = float(header["until"])
-    curves = series_of(quantity, header, run, camera) if told else []
-    plane = g.plane_for(curves, until)
+    per, speed = speed_unit(scales.velocity)
+    unit = speed if quantity == "v" else unit
+    seen = "seen from the camera" if camera and quantity in ("x", "v") else ""
+    curves = series_of(quantity, header, run, camera, per=per) if told else []
+    plane = g.plane_for(curves, until, scales.reach[quantity])
     scale = max((abs(v) for curve in curves for v in curve.values), default=1.0)
     times = table_times(until, header["events"]) if told else []
     return {
         "quantity": quantity,
         "title": title if quantity != "F" else "Size of the contact force",
+        "seen": seen,
         "symbol": symbol if quantity != "F" else "|F|",
         "unit": unit,
         "width": int(g.WIDTH),
@@ -139,6 +145,13 @@ def _timeline(header: Mapping[str, Any], contacts: Sequence[Any], until: float) 
     }
 
 
+def _opening_speed(until: float) -> int:
+    """The speed at which a long run is seen in 6 to 60 s; at most a hundredfold."""
+    if until <= LONG:
+        return 1
+    return 100 if until >= 10 * LONG else 10
+
+
 def _story(
     header: Mapping[str, Any],
     run: Run,
@@ -159,7 +172,7 @@ def _story(
         for event in header["events"]
     ]
     told += [
-        (gone.t, exit_sentence(gone.name, gone.side, gone.velocity, decimals["v"]))
+        (gone.t, exit_sentence(gone.name, gone.side, gone.velocity, decimals["v"], scale))
         for gone in exits(header, run, layout.low, layout.high, camera)
     ]
     told.sort(key=lambda entry: entry[0])

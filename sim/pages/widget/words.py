@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sim.pages.widget.numbers import fixed, short
+from sim.pages.widget.numbers import fixed, short, speed_unit
 
 QUANTITIES = {
     "x": ("Position", "x", "m"),
@@ -40,7 +40,7 @@ def body(name: str) -> str:
 
 def brief(name: str) -> str:
     """A body as a label names it."""
-    return "wall" if name in ("left", "right") else name
+    return f"{name} wall" if name in ("left", "right") else name
 
 
 def motion(velocity: float, decimals: int, scale: float) -> str:
@@ -48,7 +48,8 @@ def motion(velocity: float, decimals: int, scale: float) -> str:
     if abs(velocity) < 1e-9 * scale:
         return "at rest"
     way = "right" if velocity > 0 else "left"
-    return f"{fixed(abs(velocity), decimals)} m/s to the {way}"
+    per, unit = speed_unit(scale)
+    return f"{fixed(abs(velocity) / per, decimals)} {unit} to the {way}"
 
 
 def event_sentence(
@@ -132,10 +133,11 @@ def _go_on(
     return "stay together, at rest" if seen == "at rest" else f"go on together at {seen}"
 
 
-def exit_sentence(name: str, side: str, velocity: float, decimals: int) -> str:
+def exit_sentence(name: str, side: str, velocity: float, decimals: int, scale: float) -> str:
     """What a reader sees when a cart leaves the picture."""
-    speed = fixed(abs(velocity), decimals)
-    return f"{name} leaves the picture on the {side}, still {speed}\u00a0m/s."
+    per, unit = speed_unit(scale)
+    speed = f"{fixed(abs(velocity) / per, decimals)}\u00a0{unit}"
+    return f"{name} leaves the picture on the {side}, still {speed}."
 
 
 def graph_note(quantity: str, events: Sequence[Mapping[str, Any]], curves: int) -> str:

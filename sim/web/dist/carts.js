@@ -207,6 +207,7 @@
   // src/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   var MAX_DECIMALS = 12;
+  var SLOW = 0.01;
   function exponent(value) {
     return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
   }
@@ -229,6 +230,9 @@
   function decimalsOf(value, figures = 6) {
     const text = Math.abs(value).toFixed(decimalsFor(value, figures));
     return trim(text).split(".")[1]?.length ?? 0;
+  }
+  function speedUnit(scale) {
+    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
   }
   function trim(text) {
     return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
@@ -441,6 +445,7 @@
   var SHORTEST = 0.5;
   var LONGEST2 = 1.15;
   var FASTEST = 2.2;
+  var EDGE = 5;
   var TORN = 6;
   var LINE = 12;
   var NAMED = 34;
@@ -517,6 +522,13 @@
     if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
     return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
   }
+  function keptInside(x, length, width) {
+    if (x > EDGE && x < width - EDGE) {
+      if (x + length > width - EDGE) return width - EDGE - x;
+      if (x + length < EDGE) return EDGE - x;
+    }
+    return length;
+  }
   function labelTop(box2) {
     return box2.labelY - LINE - (box2.cut ? LINE : 0);
   }
@@ -549,11 +561,13 @@
     return isWall(name2) ? `the ${name2} wall` : name2;
   }
   function brief(name2) {
-    return isWall(name2) ? "wall" : name2;
+    return isWall(name2) ? `${name2} wall` : name2;
   }
   function motion(velocity, decimals, scale) {
     if (Math.abs(velocity) < 1e-9 * scale) return "at rest";
-    return `${fixed(Math.abs(velocity), decimals)} m/s to the ${velocity > 0 ? "right" : "left"}`;
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity) / per, decimals)} ${unit}`;
+    return `${speed} to the ${velocity > 0 ? "right" : "left"}`;
   }
   function lawsOf(contacts) {
     return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
@@ -615,9 +629,10 @@
     const seen = motion(Number(after[cart]) - camera, decimals.v ?? 2, scale);
     return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
   }
-  function exitSentence({ name: name2, side, velocity }, decimals) {
-    const speed = fixed(Math.abs(velocity), decimals);
-    return `${name2} leaves the picture on the ${side}, still ${speed} m/s.`;
+  function exitSentence({ name: name2, side, velocity }, decimals, scale) {
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity) / per, decimals)} ${unit}`;
+    return `${name2} leaves the picture on the ${side}, still ${speed}.`;
   }
   function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
@@ -1267,6 +1282,7 @@
 
   // src/scales.js
   var STEP_SLACK = 1e-9;
+  var HEADROOM = 0.05;
   function axisDecimals(axis2) {
     return Math.max(0, -exponent(axis2.step));
   }
@@ -1287,12 +1303,8 @@
   function axis(low, high, count) {
     const bottom = Math.min(0, low);
     const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
-    const step = niceAbove((top - bottom) / count);
-    return {
-      low: Math.floor(bottom / step + STEP_SLACK) * step,
-      high: Math.ceil(top / step - STEP_SLACK) * step,
-      step
-    };
+    const room = HEADROOM * (top - bottom);
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
   }
   function span(low, high, count) {
     return { low, high, step: niceAbove((high - low) / count) };
@@ -1329,7 +1341,7 @@
     return [low, high];
   }
   function planeFor(values, window) {
-    return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 4) };
+    return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
   }
   function path(curve, times, plane) {
     const { values, slopes } = curve;
@@ -1392,7 +1404,7 @@
   }
 
   // src/series.js
-  function seriesOf(quantity, header, run, camera, signed = false) {
+  function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
     const times = Float64Array.from(run.t);
     const curves = header.bodies.map((body2, i) => {
@@ -1406,7 +1418,11 @@
           return { ...curve, values, slopes: seen };
         }
         case "v":
-          return { ...curve, values: seen, slopes: a };
+          return {
+            ...curve,
+            values: seen.map((speed) => speed / per),
+            slopes: Float64Array.from(a, (rate) => rate / per)
+          };
         case "a":
           return { ...curve, values: a, slopes: null };
         case "p":
@@ -1491,7 +1507,8 @@
       if (!this.#waiting) return;
       const { run, curves } = this.#waiting;
       this.#waiting = null;
-      const unit = QUANTITIES[this.quantity]?.[2] ?? "";
+      const speed = speedUnit(this.view.velocity)[1];
+      const unit = this.quantity === "v" ? speed : QUANTITIES[this.quantity]?.[2] ?? "";
       const head = html("tr");
       head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
       need(this.details, "thead").replaceChildren(head);
@@ -1533,6 +1550,8 @@
     #curves = [];
     /** @type {Run | null} */
     #run = null;
+    /** @type {Run | null} the first one, as the lesson has it: the axes keep to it */
+    #first = null;
     /** @type {g.Plane} */
     #plane = planeFor([0, 1], [0, 1]);
     /** @type {Element[]} */
@@ -1548,7 +1567,8 @@
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
       this.camera = baked.fence.camera;
-      this.reference = baked;
+      this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1];
+      this.per = speedUnit(baked.view.velocity)[0];
       this.plot = /** @type {SVGSVGElement} */
       /** @type {unknown} */
       need(root, ".carts-plot");
@@ -1574,6 +1594,7 @@
     show(run, t) {
       if (!isTold(run)) return;
       this.#run = run;
+      if (run.trajectory.t.length > 1) this.#first ??= run;
       this.#draw(t);
       this.table.show(run, this.#curves);
     }
@@ -1612,16 +1633,13 @@
         this.#run
       );
       const { header, trajectory } = run;
-      this.#curves = seriesOf(this.quantity, header, trajectory, this.camera, this.#signed);
+      this.#curves = this.#curvesOf(run);
       const values = extent(this.#curves);
-      const reference = this.reference.run;
-      if (reference.trajectory.t.length > 1 && reference !== run) {
-        const before = extent(
-          seriesOf(this.quantity, reference.header, reference.trajectory, this.camera, this.#signed)
-        );
-        values[0] = Math.min(values[0], before[0]);
-        values[1] = Math.max(values[1], before[1]);
-      }
+      const [low, high, factor] = this.reach;
+      const first = extent(this.#first ? this.#curvesOf(this.#first) : []);
+      const down = this.#signed ? -high : low;
+      values[0] = Math.min(values[0], first[0] * factor, down);
+      values[1] = Math.max(values[1], first[1] * factor, high);
       this.#plane = planeFor(values, this.#window ?? [0, header.until]);
       this.#axes();
       const group = need(this.root, '[data-part="curves"]');
@@ -1637,6 +1655,10 @@
       this.#cursor();
       this.#key();
       this.at(t);
+    }
+    /** @param {Run} run */
+    #curvesOf({ header, trajectory }) {
+      return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
     }
     #axes() {
       const times = timeMarks(this.#plane);
@@ -1874,6 +1896,7 @@
     constructor(root, baked) {
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
+      this.per = speedUnit(baked.view.velocity)[0];
       this.cards = baked.run.header.bodies.map(({ name: name2 }) => {
         const card = need(root, `.carts-card[data-body="${name2}"]`);
         const outputs = (
@@ -1898,7 +1921,7 @@
         const acceleration = told ? valueAt(times, a[name2] ?? [], null, t) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt(times, x[name2] ?? [], v[name2] ?? [], t) - this.camera * t],
-          ["v", valueAt(times, v[name2] ?? [], a[name2] ?? [], t) - this.camera],
+          ["v", (valueAt(times, v[name2] ?? [], a[name2] ?? [], t) - this.camera) / this.per],
           ["F", acceleration === null ? null : mass * acceleration],
           ["a", acceleration]
         ]);
@@ -1917,6 +1940,7 @@
 
   // src/pushes.js
   var PER_CHARACTER = 6.6;
+  var ROW = 19;
   var GAP = 8;
   var Pushes = class {
     /** @type {Push[]} */
@@ -1985,8 +2009,10 @@
       const value = `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
       const labels = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief2(on)} by ${brief2(by)}: ${value}`;
+        return `on ${brief(on)} by ${brief(by)}: ${value}`;
       });
+      const wall = push.bodies.findIndex(isWall);
+      if (wall >= 0) return this.#beside(texts, labels, push.row, x, wall === 0 ? 1 : -1);
       const widths = labels.map((label) => label.length * PER_CHARACTER);
       const [first, second] = [Number(widths[0]), Number(widths[1])];
       const room = this.layout.width - 6;
@@ -1999,10 +2025,21 @@
         say(text, labels[side] ?? "");
       });
     }
+    /**
+     * The names of a contact with a wall stand one above the other on the track, clear of the wall.
+     * @param {Element[]} texts @param {string[]} labels @param {number} row @param {number} x @param {1 | -1} way
+     */
+    #beside(texts, labels, row, x, way) {
+      const longest = Math.max(...labels.map((label) => label.length)) * PER_CHARACTER;
+      const at = Math.min(Math.max(x + way * GAP, way < 0 ? longest : 6), this.layout.width - 6);
+      texts.forEach((text, side) => {
+        put(text, "x", px(at));
+        put(text, "y", px(row + side * ROW));
+        put(text, "text-anchor", way > 0 ? "start" : "end");
+        say(text, labels[side] ?? "");
+      });
+    }
   };
-  function brief2(name2) {
-    return name2 === "left" || name2 === "right" ? "wall" : name2;
-  }
 
   // src/stage.js
   var Stage = class {
@@ -2158,7 +2195,8 @@
       const { layout, view } = this;
       const v = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t) - this.camera;
       const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
-      const length = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
+      const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
+      const length = keptInside(x, exact, layout.width);
       const [at, anchor] = velocityText(x, length, layout.width);
       put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x, cart.lane, length));
       put(
@@ -2166,8 +2204,10 @@
         "d",
         `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`
       );
-      const cut = isCut(seen, view.velocity, FASTEST) ? ", arrow cut" : "";
-      const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s${cut}`;
+      const shortened = length !== exact || isCut(seen, view.velocity, FASTEST);
+      const cut = shortened ? ", arrow cut" : "";
+      const [per, unit] = speedUnit(view.velocity);
+      const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
       const outside = x < 0 || x > layout.width;
       put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at));
@@ -2258,7 +2298,7 @@
         })),
         ...exits(run, this.layout, this.telling.camera).map((exit) => ({
           t: exit.t,
-          sentence: exitSentence(exit, decimals)
+          sentence: exitSentence(exit, decimals, this.view.velocity)
         }))
       ].sort((a, b) => a.t - b.t);
       const items = this.told.slice(0, MOST_EVENTS2).map(({ t, sentence: sentence2 }) => {
@@ -2371,6 +2411,7 @@
         /** @type {HTMLSelectElement} */
         need(root, ".carts-speed")
       );
+      player.speed = Number(speed.value);
       speed.addEventListener("change", () => {
         player.speed = Number(speed.value);
         player.changed(player.time, false);

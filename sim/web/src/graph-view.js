@@ -3,7 +3,7 @@
 import { need, put, say, svg } from "./dom.js";
 import * as g from "./graph.js";
 import { MARKERS } from "./markers.js";
-import { px } from "./numbers.js";
+import { px, speedUnit } from "./numbers.js";
 import { seriesOf } from "./series.js";
 import { Table } from "./table.js";
 import { isTold, valueAt } from "./trajectory.js";
@@ -17,6 +17,8 @@ export class GraphView {
   #curves = [];
   /** @type {Run | null} */
   #run = null;
+  /** @type {Run | null} the first one, as the lesson has it: the axes keep to it */
+  #first = null;
   /** @type {g.Plane} */
   #plane = g.planeFor([0, 1], [0, 1]);
   /** @type {Element[]} */
@@ -33,7 +35,8 @@ export class GraphView {
     this.root = root;
     this.quantity = root.dataset.quantity ?? "x";
     this.camera = baked.fence.camera;
-    this.reference = baked;
+    this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1];
+    this.per = speedUnit(baked.view.velocity)[0];
     this.plot = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-plot")));
     this.table = new Table(need(root, "details"), this.quantity, baked.view);
     this.sign = /** @type {HTMLButtonElement | null} */ (root.querySelector(".carts-sign"));
@@ -58,6 +61,7 @@ export class GraphView {
   show(run, t) {
     if (!isTold(run)) return; // the axes stay as empty as they were baked
     this.#run = run;
+    if (run.trajectory.t.length > 1) this.#first ??= run;
     this.#draw(t);
     this.table.show(run, this.#curves);
   }
@@ -97,16 +101,13 @@ export class GraphView {
   #draw(t) {
     const run = /** @type {Run} */ (this.#run);
     const { header, trajectory } = run;
-    this.#curves = seriesOf(this.quantity, header, trajectory, this.camera, this.#signed);
+    this.#curves = this.#curvesOf(run);
     const values = g.extent(this.#curves);
-    const reference = this.reference.run;
-    if (reference.trajectory.t.length > 1 && reference !== run) {
-      const before = g.extent(
-        seriesOf(this.quantity, reference.header, reference.trajectory, this.camera, this.#signed),
-      );
-      values[0] = Math.min(values[0], before[0]);
-      values[1] = Math.max(values[1], before[1]);
-    }
+    const [low, high, factor] = this.reach;
+    const first = g.extent(this.#first ? this.#curvesOf(this.#first) : []);
+    const down = this.#signed ? -high : low;
+    values[0] = Math.min(values[0], first[0] * factor, down);
+    values[1] = Math.max(values[1], first[1] * factor, high);
     this.#plane = g.planeFor(values, this.#window ?? [0, header.until]);
     this.#axes();
     const group = need(this.root, '[data-part="curves"]');
@@ -119,6 +120,11 @@ export class GraphView {
     this.#cursor();
     this.#key();
     this.at(t);
+  }
+
+  /** @param {Run} run */
+  #curvesOf({ header, trajectory }) {
+    return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
   }
 
   #axes() {

@@ -47,7 +47,7 @@ export function extent(curves) {
  * @param {[number, number]} values @param {[number, number]} window in s @returns {Plane}
  */
 export function planeFor(values, window) {
-  return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 4) };
+  return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
 }
 
 /** @param {Series} curve @param {ArrayLike<number>} times @param {Plane} plane @returns {string} the SVG path */

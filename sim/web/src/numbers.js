@@ -2,6 +2,7 @@
 
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const MAX_DECIMALS = 12;
+const SLOW = 0.01; // m/s; scenes with no greater speed speak of mm/s
 
 /** @param {number} value @returns {number} the power of ten of the first digit; 0 for 0 */
 export function exponent(value) {
@@ -34,6 +35,11 @@ export function short(value, figures = 3) {
 export function decimalsOf(value, figures = 6) {
   const text = Math.abs(value).toFixed(decimalsFor(value, figures));
   return trim(text).split(".")[1]?.length ?? 0;
+}
+
+/** @param {number} scale greatest speed of a scene @returns {[number, string]} m/s in the unit of its velocities; its name */
+export function speedUnit(scale) {
+  return scale <= SLOW ? [0.001, "mm/s"] : [1, "m/s"];
 }
 
 /** @param {string} text */

@@ -8,12 +8,14 @@ import { need, put, say } from "./dom.js";
 import { fixed, px } from "./numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut, PUSH } from "./shapes.js";
 import { valueAt } from "./trajectory.js";
+import { brief, isWall } from "./words.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {(name: string, side: "left" | "right") => number} Face drawing coordinate of a bumper face */
 /** @typedef {{pair: string, bodies: [string, string], row: number, groups: [Element, Element]}} Push */
 
 const PER_CHARACTER = 6.6; // units, of the bold names on the beam
+const ROW = 19; // units between two rows of names
 const GAP = 8; // units between a name and the place of contact
 
 export class Pushes {
@@ -89,6 +91,8 @@ export class Pushes {
       const by = push.bodies[1 - side] ?? "";
       return `on ${brief(on)} by ${brief(by)}: ${value}`;
     });
+    const wall = push.bodies.findIndex(isWall);
+    if (wall >= 0) return this.#beside(texts, labels, push.row, x, wall === 0 ? 1 : -1);
     const widths = labels.map((label) => label.length * PER_CHARACTER);
     const [first, second] = [Number(widths[0]), Number(widths[1])];
     const room = this.layout.width - 6;
@@ -101,9 +105,19 @@ export class Pushes {
       say(text, labels[side] ?? "");
     });
   }
-}
 
-/** @param {string} name */
-function brief(name) {
-  return name === "left" || name === "right" ? "wall" : name;
+  /**
+   * The names of a contact with a wall stand one above the other on the track, clear of the wall.
+   * @param {Element[]} texts @param {string[]} labels @param {number} row @param {number} x @param {1 | -1} way
+   */
+  #beside(texts, labels, row, x, way) {
+    const longest = Math.max(...labels.map((label) => label.length)) * PER_CHARACTER;
+    const at = Math.min(Math.max(x + way * GAP, way < 0 ? longest : 6), this.layout.width - 6);
+    texts.forEach((text, side) => {
+      put(text, "x", px(at));
+      put(text, "y", px(row + side * ROW));
+      put(text, "text-anchor", way > 0 ? "start" : "end");
+      say(text, labels[side] ?? "");
+    });
+  }
 }

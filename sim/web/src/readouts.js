@@ -1,7 +1,7 @@
 /** Numbers of each cart at the instant shown. */
 
 import { need, say } from "./dom.js";
-import { fixed, short } from "./numbers.js";
+import { fixed, short, speedUnit } from "./numbers.js";
 import { isTold, valueAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").Run} Run */
@@ -14,6 +14,7 @@ export class Readouts {
   constructor(root, baked) {
     this.camera = baked.fence.camera;
     this.decimals = baked.view.decimals;
+    this.per = speedUnit(baked.view.velocity)[0];
     /** @type {{name: string, outputs: Map<string, Element>}[]} */
     this.cards = baked.run.header.bodies.map(({ name }) => {
       const card = need(root, `.carts-card[data-body="${name}"]`);
@@ -41,7 +42,7 @@ export class Readouts {
       /** @type {Map<string, number | null>} null: not told before the lock */
       const values = new Map([
         ["x", valueAt(times, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
-        ["v", valueAt(times, v[name] ?? [], a[name] ?? [], t) - this.camera],
+        ["v", (valueAt(times, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
         ["F", acceleration === null ? null : mass * acceleration],
         ["a", acceleration],
       ]);

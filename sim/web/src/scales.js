@@ -3,6 +3,7 @@
 import { exponent } from "./numbers.js";
 
 const STEP_SLACK = 1e-9; // of a step; nearer to a round number is rounding noise
+const HEADROOM = 0.05; // of the values, above and below: no curve lies on the frame
 
 /** @typedef {{low: number, high: number, step: number}} Axis */
 
@@ -29,16 +30,12 @@ export function niceAbove(value) {
   return 10 * power;
 }
 
-/** @param {number} low @param {number} high @param {number} count @returns {Axis} covers zero too */
+/** @param {number} low @param {number} high @param {number} count @returns {Axis} covers zero too, with some room */
 export function axis(low, high, count) {
   const bottom = Math.min(0, low);
   const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
-  const step = niceAbove((top - bottom) / count);
-  return {
-    low: Math.floor(bottom / step + STEP_SLACK) * step,
-    high: Math.ceil(top / step - STEP_SLACK) * step,
-    step,
-  };
+  const room = HEADROOM * (top - bottom);
+  return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
 }
 
 /** @param {number} low @param {number} high @param {number} count @returns {Axis} from low to high exactly */

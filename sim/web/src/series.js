@@ -12,9 +12,10 @@ import { brief } from "./words.js";
  * The curves of a quantity as a camera at `camera` m/s sees them. A force graph has two curves for
  * each contact, one per body; sizes by default, with a sign (+ to the right) when asked for.
  * @param {string} quantity @param {Header} header @param {Trajectory} run @param {number} camera @param {boolean} signed
+ * @param {number} per m/s in the unit of the velocity graph
  * @returns {Series[]}
  */
-export function seriesOf(quantity, header, run, camera, signed = false) {
+export function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
   if (quantity === "F") return forces(header, run, signed);
   const times = Float64Array.from(run.t);
   /** @type {Series[]} */
@@ -29,7 +30,11 @@ export function seriesOf(quantity, header, run, camera, signed = false) {
         return { ...curve, values, slopes: seen };
       }
       case "v":
-        return { ...curve, values: seen, slopes: a };
+        return {
+          ...curve,
+          values: seen.map((speed) => speed / per),
+          slopes: Float64Array.from(a, (rate) => rate / per),
+        };
       case "a":
         return { ...curve, values: a, slopes: null };
       case "p":

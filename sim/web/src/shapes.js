@@ -16,6 +16,7 @@ const RING = 1; // radius of a zero velocity, drawn as a line
 const SHORTEST = 0.5;
 const LONGEST = 1.15; // full lengths of a force arrow, so that it stays in the picture
 export const FASTEST = 2.2; // full lengths of a velocity arrow
+const EDGE = 5; // units that a velocity arrow keeps from the edges of the picture
 const TORN = 6; // units of the gap in an arrow that is cut
 export const LINE = 12;
 const NAMED = 34;
@@ -111,6 +112,15 @@ export function velocityText(x, length, width) {
   const room = 62;
   if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
   return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+}
+
+/** @param {number} x @param {number} length @param {number} width @returns {number} length with the head in the picture; from outside as it was */
+export function keptInside(x, length, width) {
+  if (x > EDGE && x < width - EDGE) {
+    if (x + length > width - EDGE) return width - EDGE - x;
+    if (x + length < EDGE) return EDGE - x;
+  }
+  return length;
 }
 
 /** @param {Box} box @returns {number} top of the text above a box, relative to the track */

@@ -2,7 +2,7 @@
 
 import { need, put, say, svg } from "./dom.js";
 import { styleOf } from "./markers.js";
-import { fixed, px } from "./numbers.js";
+import { fixed, px, speedUnit } from "./numbers.js";
 import { Pushes } from "./pushes.js";
 import * as shapes from "./shapes.js";
 import { valueAt } from "./trajectory.js";
@@ -162,7 +162,8 @@ export class Stage {
     const v =
       valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
     const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
-    const length = shapes.arrowLength(seen, view.velocity, layout.velocity, shapes.FASTEST);
+    const exact = shapes.arrowLength(seen, view.velocity, layout.velocity, shapes.FASTEST);
+    const length = shapes.keptInside(x, exact, layout.width);
     const [at, anchor] = shapes.velocityText(x, length, layout.width);
     put(need(cart.velocity, '[data-part="arrow"]'), "d", shapes.lineArrow(x, cart.lane, length));
     put(
@@ -170,8 +171,10 @@ export class Stage {
       "d",
       `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`,
     );
-    const cut = shapes.isCut(seen, view.velocity, shapes.FASTEST) ? ", arrow cut" : "";
-    const speed = `${fixed(seen, view.decimals.v ?? 2)} m/s${cut}`;
+    const shortened = length !== exact || shapes.isCut(seen, view.velocity, shapes.FASTEST);
+    const cut = shortened ? ", arrow cut" : "";
+    const [per, unit] = speedUnit(view.velocity);
+    const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
     const text = need(cart.velocity, '[data-part="text"]');
     const outside = x < 0 || x > layout.width;
     put(text, "x", px(outside ? (x < 0 ? 8 : layout.width - 8) : at));

@@ -43,7 +43,7 @@ export class Story {
       })),
       ...exits(run, this.layout, this.telling.camera).map((exit) => ({
         t: exit.t,
-        sentence: exitSentence(exit, decimals),
+        sentence: exitSentence(exit, decimals, this.view.velocity),
       })),
     ].sort((a, b) => a.t - b.t);
     const items = this.told.slice(0, MOST_EVENTS).map(({ t, sentence }) => {

@@ -4,7 +4,7 @@
  */
 
 import { html, need } from "./dom.js";
-import { fixed } from "./numbers.js";
+import { fixed, speedUnit } from "./numbers.js";
 import { span, ticks } from "./scales.js";
 import { valueAt } from "./trajectory.js";
 import { QUANTITIES } from "./words.js";
@@ -40,7 +40,8 @@ export class Table {
     if (!this.#waiting) return;
     const { run, curves } = this.#waiting;
     this.#waiting = null;
-    const unit = QUANTITIES[this.quantity]?.[2] ?? "";
+    const speed = speedUnit(this.view.velocity)[1];
+    const unit = this.quantity === "v" ? speed : (QUANTITIES[this.quantity]?.[2] ?? "");
     const head = html("tr");
     head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
     need(this.details, "thead").replaceChildren(head);

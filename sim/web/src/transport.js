@@ -29,6 +29,7 @@ export class Transport {
     click(".carts-play", () => player.toggle());
     click(".carts-forward", () => player.step(1));
     const speed = /** @type {HTMLSelectElement} */ (need(root, ".carts-speed"));
+    player.speed = Number(speed.value);
     speed.addEventListener("change", () => {
       player.speed = Number(speed.value);
       player.changed(player.time, false);

@@ -30,7 +30,7 @@
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,
  *   stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number}} Layout
  * @typedef {{perHeight: number, tallest: number, force: number, velocity: number,
- *   decimals: Record<string, number>, layouts: Layout[]}} View
+ *   decimals: Record<string, number>, reach: Record<string, [number, number, number]>, layouts: Layout[]}} View
  *
  * A page's facts about one scene:
  * @typedef {{fence: Fence, view: View, run: Run}} Baked

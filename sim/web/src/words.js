@@ -1,6 +1,6 @@
 /** Sentences for readers. Twin of `sim/pages/widget/words.py`. */
 
-import { fixed, short } from "./numbers.js";
+import { fixed, short, speedUnit } from "./numbers.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
 /** @typedef {import("./types.js").Header} Header */
@@ -44,13 +44,15 @@ export function body(name) {
 
 /** @param {string} name @returns {string} a body as a label names it */
 export function brief(name) {
-  return isWall(name) ? "wall" : name;
+  return isWall(name) ? `${name} wall` : name;
 }
 
 /** @param {number} velocity @param {number} decimals @param {number} scale of velocities in the scene */
 export function motion(velocity, decimals, scale) {
   if (Math.abs(velocity) < 1e-9 * scale) return "at rest";
-  return `${fixed(Math.abs(velocity), decimals)}\u00a0m/s to the ${velocity > 0 ? "right" : "left"}`;
+  const [per, unit] = speedUnit(scale);
+  const speed = `${fixed(Math.abs(velocity) / per, decimals)}\u00a0${unit}`;
+  return `${speed} to the ${velocity > 0 ? "right" : "left"}`;
 }
 
 /** @param {Header["contacts"]} contacts @returns {Laws} */
@@ -123,10 +125,11 @@ function goOn({ bodies, after }, { decimals, scale, camera }) {
   return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
 }
 
-/** @param {import("./exits.js").Exit} exit @param {number} decimals @returns {string} */
-export function exitSentence({ name, side, velocity }, decimals) {
-  const speed = fixed(Math.abs(velocity), decimals);
-  return `${name} leaves the picture on the ${side}, still ${speed}\u00a0m/s.`;
+/** @param {import("./exits.js").Exit} exit @param {number} decimals @param {number} scale @returns {string} */
+export function exitSentence({ name, side, velocity }, decimals, scale) {
+  const [per, unit] = speedUnit(scale);
+  const speed = `${fixed(Math.abs(velocity) / per, decimals)}\u00a0${unit}`;
+  return `${name} leaves the picture on the ${side}, still ${speed}.`;
 }
 
 /**
