@@ -78,3 +78,50 @@ def test_ten_events_stand_in_full_and_more_are_scrolled(
     assert many > 10
     assert scrolled
     assert stop == "0"
+
+
+def test_on_paper_there_are_lines_to_write_on_and_no_velocity_twice(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(write_page(widget_site, "paper", {**QUESTION, "id": "paper"})), "paper")
+    assert page.locator("#paper .carts-write hr:visible").count() == 0
+    page.emulate_media(media="print")
+    assert page.locator("#paper .carts-write hr:visible").count() == 4
+    assert page.locator('#paper .carts-control[data-set="B.mass"]:visible').count() == 0
+
+
+@pytest.mark.parametrize("width", [360, 1000])
+def test_signs_of_touching_heavy_carts_do_not_overlap(
+    open_page: OpenPage, widget_site: Path, width: int
+) -> None:
+    heavy = {
+        "id": "heavy",
+        "carts": {
+            "A": {"mass": "0.2", "position": "0.3", "velocity": "0.5"},
+            "B": {"mass": 1, "position": "0.5"},
+            "C": {"mass": 5, "position": "0.7"},
+        },
+        "track": {"length": "1.4"},
+        "until": 2,
+    }
+    page = live(
+        open_page(
+            write_page(widget_site, "heavy", heavy), viewport={"width": width, "height": 700}
+        ),
+        "heavy",
+    )
+    overlaps = on_scene(
+        page,
+        """const stage = [...el.querySelectorAll(".carts-stage")].find((s) => s.clientWidth);
+        const signs = [...stage.querySelectorAll(".carts-break text, .carts-mass")]
+          .filter((text) => text.getClientRects().length
+            && getComputedStyle(text).visibility === "visible");
+        const room = 2; // px of empty height above and below the letters of a line
+        return signs.flatMap((a, i) => signs.slice(i + 1).filter((b) => {
+          const [p, q] = [a.getBoundingClientRect(), b.getBoundingClientRect()];
+          return p.left < q.right && q.left < p.right
+            && p.top + room < q.bottom - room && q.top + room < p.bottom - room;
+        }).map((b) => `${a.textContent} | ${b.textContent}`));""",
+        name="heavy",
+    )
+    assert overlaps == []

@@ -95,8 +95,8 @@ export class Pushes {
     if (wall >= 0) return this.#beside(texts, labels, push.row, x, wall === 0 ? 1 : -1);
     const widths = labels.map((label) => label.length * PER_CHARACTER);
     const [first, second] = [Number(widths[0]), Number(widths[1])];
-    const room = this.layout.width - 6;
-    const right = Math.min(Math.max(x + GAP, 6 + first + 2 * GAP), room - second);
+    const [low, high] = this.#between(first + second + 2 * GAP);
+    const right = Math.min(Math.max(x + GAP, low + first + 2 * GAP), high - second);
     const left = Math.min(x - GAP, right - 2 * GAP);
     texts.forEach((text, side) => {
       put(text, "x", px(side === 0 ? left : right));
@@ -104,6 +104,19 @@ export class Pushes {
       put(text, "text-anchor", side === 0 ? "end" : "start");
       say(text, labels[side] ?? "");
     });
+  }
+
+  /**
+   * Where names may stand: between the walls where there is room, else in the picture.
+   * @param {number} needed in units @returns {[number, number]}
+   */
+  #between(needed) {
+    const { origin, scale, width } = this.layout;
+    const track = this.#run?.header.track;
+    const low = track?.left === "wall" ? Math.max(6, origin + 4) : 6;
+    const end = origin + (track?.length ?? 0) * scale - 4;
+    const high = track?.right === "wall" ? Math.min(width - 6, end) : width - 6;
+    return high - low >= needed ? [low, high] : [6, width - 6];
   }
 
   /**
