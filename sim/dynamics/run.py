@@ -92,7 +92,7 @@ class _Run:
     def schedule(self, gap: Gap, now: Time, dt: float) -> None:
         """Put the gap's next event into the calendar; an earlier entry becomes void."""
         gap.turn += 1
-        if dt != math.inf:
+        if dt != math.inf and not gap.joined:
             hi, lo = later(now, dt)
             heapq.heappush(self.calendar, (hi, lo, gap.index, gap.turn))
 
