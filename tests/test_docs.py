@@ -14,6 +14,7 @@ from sim.scene.predict import KINDS as PREDICTIONS
 from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS
 from sim.scene.read import SCENE_KEYS
 from sim.scene.read_contact import LAWS
+from tests import registry
 
 ROOT = Path(__file__).parents[1]
 REFERENCE = (ROOT / "docs" / "reference" / "scene.md").read_text(encoding="utf-8")
@@ -54,7 +55,10 @@ def scene_blocks() -> list[tuple[str, str]]:
 
 @pytest.mark.parametrize(("where", "block"), scene_blocks())
 def test_every_scene_in_the_texts_is_a_good_one(where: str, block: str) -> None:
-    read_fence(load(block).plain)
+    plain = dict(load(block).plain)
+    if name := plain.pop("file", None):
+        plain |= registry.plain(str(name).removesuffix(".yml"))
+    read_fence(plain)
 
 
 @pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.relative_to(ROOT).as_posix())

@@ -75,7 +75,7 @@ def batch_rows(bare: float) -> list[dict[str, Any]]:
     one = _seconds(lambda: run(scene, keep_events=False, keep_motion=False), 500)
     name = "batch of 4 000 pair outcomes"
     return [
-        row(f"{name}: each", 1e9 * each, "ns", 40, "one numpy call"),
+        row(f"{name}: each", 1e9 * each, "ns", 100, "one numpy call"),
         row(f"{name} / bare formula", each / bare, "of the cost", 0.2, "the formula in Python"),
         row("map of 200 × 200, judged: each point", 1e9 * point, "ns", 100, "one numpy call"),
         row("map of 200 × 200 / a run per point", point / one, "of the cost", 0.01, "the engine"),
