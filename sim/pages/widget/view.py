@@ -49,14 +49,17 @@ def scene_view(
     until = float(header["until"])
     contacts = touches(header["events"], until)
     shown = [q for q in fence.show if forces or q not in FORCE_QUANTITIES]
+    stages = [
+        stage_view(header, scales, layout, camera=camera, forces=forces) for layout in layouts
+    ]
     return {
         "id": fence.id,
         "title": header.get("title") or "Carts on an air track",
         "packages": " ".join(sorted(fence.packages)),
         "warnings": header["warnings"],
-        "stages": [
-            stage_view(header, scales, layout, camera=camera, forces=forces) for layout in layouts
-        ],
+        "stages": stages,
+        "torn": stages[0]["torn"],
+        "may_tear": scales.may_tear,
         "camera_text": _camera_text(camera),
         "description": _description(header, scales, camera),
         "time": _timeline(header, contacts, until),

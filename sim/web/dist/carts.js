@@ -470,7 +470,7 @@
     };
   }
   function lane(i, tallest, layout) {
-    const above = Math.max(tallest, FACE) + layout.stagger + ABOVE;
+    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
   }
   function spring(start, end) {
@@ -530,7 +530,7 @@
     return length;
   }
   function labelTop(box2) {
-    return box2.labelY - LINE - (box2.cut ? LINE : 0);
+    return box2.labelY - LINE;
   }
 
   // src/words.js
@@ -2066,6 +2066,7 @@
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
       if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
       this.root = root;
+      this.torn = false;
       this.layout = layout;
       this.view = baked.view;
       this.camera = baked.fence.camera;
@@ -2077,8 +2078,9 @@
       this.#run = run;
       const { layout, view } = this;
       const boxes = run.header.bodies.map(
-        (body2, i) => box(body2, view, layout, layout.stagger * (i % 2))
+        (body2, i) => box(body2, view, layout, layout.stagger * (i % layout.ranks))
       );
+      this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));
       this.#carts = run.header.bodies.map((body2, i) => {
         const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
@@ -2236,7 +2238,6 @@
     put(rect, "height", px(box2.height));
     const cut = need(group, '[data-part="break"]');
     put(cut, "visibility", box2.cut ? "visible" : "hidden");
-    put(need(cut, "text"), "y", px(box2.labelY - LINE));
     const title = need(group, '[data-part="name"]');
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
@@ -2506,6 +2507,7 @@
       this.story = new Story(root, baked, seek);
       this.transport = new Transport(root, this.player, baked.view.decimals);
       this.announcer = new Announcer(root);
+      this.torn = root.querySelectorAll(".carts-torn");
       this.warnings = need(root, ".carts-warnings");
       this.zoom = /** @type {HTMLSelectElement | null} */
       root.querySelector(".carts-window");
@@ -2524,6 +2526,7 @@
       this.player.stops = header.events.map((event) => event.t);
       this.#offerWindows();
       for (const stage of this.stages) stage.show(run, this.#windows);
+      this.#tellTorn();
       for (const graph of this.graphs) graph.show(run, this.player.time);
       this.readouts.show(run);
       this.timeline.show(run, this.#windows);
@@ -2555,6 +2558,13 @@
       this.timeline.at(t, `${fixed(t, 2)} seconds`);
       this.transport.show();
       if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+    }
+    #tellTorn() {
+      const torn = this.stages.some((stage) => stage.torn);
+      for (const sign of this.torn) {
+        if (torn) sign.removeAttribute("hidden");
+        put(sign, "data-now", torn ? "yes" : "no");
+      }
     }
     #warn() {
       const { warnings } = this.run.header;
@@ -2871,6 +2881,28 @@
     }
   };
 
+  // src/leaving.js
+  var STAYS = 3e3;
+  var leaving = false;
+  var waiting = [];
+  function stay() {
+    leaving = false;
+    for (const go of waiting) go();
+    waiting = [];
+  }
+  addEventListener("beforeunload", () => {
+    leaving = true;
+    setTimeout(stay, STAYS);
+  });
+  addEventListener("pagehide", () => {
+    leaving = true;
+  });
+  addEventListener("pageshow", stay);
+  var isLeaving = () => leaving;
+  function staying() {
+    return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
+  }
+
   // src/runtime-watch.js
   var SECOND = 1e3;
   var PATIENCE = 8;
@@ -2905,14 +2937,17 @@
         then();
       };
       script.onload = settle(resolve);
-      script.onerror = settle(() => reject(new RuntimeFailure("payload-missing", src, name2)));
+      script.onerror = settle(() => {
+        if (isLeaving()) staying().then(() => runScript(src, name2).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name2));
+      });
       document.head.append(script);
     });
   }
   function patiently(promise) {
     return new Promise((resolve, reject) => {
-      const waiting = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
-      promise.then(resolve, reject).finally(waiting.stop);
+      const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
+      promise.then(resolve, reject).finally(waiting2.stop);
     });
   }
   function loadIndex(base) {

@@ -1,7 +1,7 @@
 /** Everything that shows a run, as one: `show` a run, then `at` any instant. */
 
 import { Announcer } from "./announcer.js";
-import { html, need } from "./dom.js";
+import { html, need, put } from "./dom.js";
 import { GraphView } from "./graph-view.js";
 import { fixed } from "./numbers.js";
 import { Player } from "./player.js";
@@ -42,6 +42,7 @@ export class SceneView {
     this.story = new Story(root, baked, seek);
     this.transport = new Transport(root, this.player, baked.view.decimals);
     this.announcer = new Announcer(root);
+    this.torn = root.querySelectorAll(".carts-torn");
     this.warnings = need(root, ".carts-warnings");
     this.zoom = /** @type {HTMLSelectElement | null} */ (root.querySelector(".carts-window"));
     this.zoom?.addEventListener("change", () => this.#zoom());
@@ -60,6 +61,7 @@ export class SceneView {
     this.player.stops = header.events.map((event) => event.t);
     this.#offerWindows();
     for (const stage of this.stages) stage.show(run, this.#windows);
+    this.#tellTorn();
     for (const graph of this.graphs) graph.show(run, this.player.time);
     this.readouts.show(run);
     this.timeline.show(run, this.#windows);
@@ -95,6 +97,14 @@ export class SceneView {
     this.timeline.at(t, `${fixed(t, 2)} seconds`);
     this.transport.show();
     if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+  }
+
+  #tellTorn() {
+    const torn = this.stages.some((stage) => stage.torn);
+    for (const sign of this.torn) {
+      if (torn) sign.removeAttribute("hidden"); // else it keeps its place where a slider may call for it
+      put(sign, "data-now", torn ? "yes" : "no");
+    }
   }
 
   #warn() {

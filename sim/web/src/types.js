@@ -28,7 +28,7 @@
  *
  * The scales and layouts that the generator fixed:
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,
- *   stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number}} Layout
+ *   ranks: number, stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number}} Layout
  * @typedef {{perHeight: number, tallest: number, force: number, velocity: number,
  *   decimals: Record<string, number>, reach: Record<string, [number, number, number]>, layouts: Layout[]}} View
  *
