@@ -15,6 +15,8 @@
     #flying = null;
     #restarts = 0;
     #lastId = 0;
+    /** @type {Map<string, Promise<void>>} packages that were asked for after the start */
+    #more = /* @__PURE__ */ new Map();
     /** @param {Start} start */
     constructor(start) {
       super();
@@ -23,6 +25,37 @@
     /** Starts Python if nobody has yet. */
     wake() {
       if (this.state === "idle") void this.#boot();
+    }
+    /**
+     * Has a package that no scene of the page called for. A second Python starts with it and takes
+     * over; meanwhile the first goes on answering. Rejects where the site does not carry the package.
+     * @param {string} name
+     */
+    need(name2) {
+      const asked = this.#more.get(name2);
+      if (asked) return asked;
+      const needed = this.#grow([...this.#more.keys(), name2]);
+      this.#more.set(name2, needed);
+      needed.catch(() => this.#more.delete(name2));
+      return needed;
+    }
+    /** @param {string[]} names */
+    async #grow(names) {
+      await this.#settled();
+      if (this.state === "idle") await this.#boot();
+      else if (this.state === "ready") {
+        this.#use(await this.start(names));
+        this.#become("ready");
+        this.#next();
+      }
+      if (this.state === "failed") throw this.error;
+    }
+    /** Resolves when Python is not just starting. @returns {Promise<void>} */
+    #settled() {
+      if (this.state !== "starting") return Promise.resolve();
+      return new Promise((resolve) => {
+        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
+      });
     }
     /**
      * Asks for a run. A newer request of the same owner takes the place of one that still waits;
@@ -73,9 +106,7 @@
     async #boot() {
       this.#become("starting");
       try {
-        const runtime = await this.start();
-        runtime.onlost = (reason) => this.#lost(runtime, reason);
-        this.#runtime = runtime;
+        this.#use(await this.start([...this.#more.keys()]));
         this.#become("ready");
         this.#next();
       } catch (error) {
@@ -86,17 +117,28 @@
     #lost(runtime, reason) {
       if (runtime !== this.#runtime) return;
       this.#runtime = null;
-      const job = this.#flying;
-      this.#flying = null;
       runtime.stop();
-      if (job) {
-        const newer = this.#waiting.find(({ owner }) => owner === job.owner);
-        if (newer) newer.settle.unshift(...job.settle);
-        else this.#waiting.unshift(job);
-      }
+      this.#takeBack();
       this.#restarts += 1;
       if (this.#restarts > RESTARTS) this.#fail(reason);
       else void this.#boot();
+    }
+    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
+    #use(runtime) {
+      const older = this.#runtime;
+      runtime.onlost = (reason) => this.#lost(runtime, reason);
+      this.#runtime = runtime;
+      older?.stop();
+      this.#takeBack();
+    }
+    /** The request under way waits again, in front: whoever could answer it is gone. */
+    #takeBack() {
+      const job = this.#flying;
+      this.#flying = null;
+      if (!job) return;
+      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+      if (newer) newer.settle.unshift(...job.settle);
+      else this.#waiting.unshift(job);
     }
     /** @param {unknown} reason */
     #fail(reason) {
@@ -133,11 +175,11 @@
     if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
-    const found = root.querySelector(selector);
-    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    const found2 = root.querySelector(selector);
+    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
     return (
       /** @type {T} */
-      found
+      found2
     );
   }
 
@@ -404,6 +446,36 @@
       return values.size === 1 ? [...values][0] ?? null : null;
     }
     return null;
+  }
+
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
+    }
+    return found ?? null;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function isCurrent(entry) {
+    const item = itemOf(entry);
+    return !item || !entry.hash || entry.hash === item.hash;
+  }
+  function stamped(entry) {
+    const page2 = outline();
+    const item = itemOf(entry);
+    if (!page2 || !item) return entry;
+    return {
+      form: item.form,
+      lesson: page2.lesson,
+      lessonHash: page2.hash,
+      hash: item.hash,
+      ...entry
+    };
   }
 
   // src/predict-again.js
@@ -872,7 +944,7 @@
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
-    const found = [];
+    const found2 = [];
     for (const event of events) {
       const pair = event.bodies.join("-");
       const touch = open2.get(pair);
@@ -882,14 +954,14 @@
         peaks.set(pair, event.t);
       } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
         open2.delete(pair);
-        found.push({ ...touch, end: event.t });
+        found2.push({ ...touch, end: event.t });
       }
     }
     for (const touch of open2.values()) {
       const peak = peaks.get(touch.pair) ?? until;
-      found.push({ ...touch, end: peak > touch.start ? peak : until });
+      found2.push({ ...touch, end: peak > touch.start ? peak : until });
     }
-    return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+    return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
   }
 
   // src/predict-curve.js
@@ -980,10 +1052,10 @@
     }
     /** @param {PointerEvent} event */
     #point(event) {
-      const frame2 = this.pad.getBoundingClientRect();
-      const scale = 360 / frame2.width;
-      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT) / STEP);
-      const height = (BOTTOM - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
+      const frame3 = this.pad.getBoundingClientRect();
+      const scale = 360 / frame3.width;
+      const k = Math.round(((event.clientX - frame3.left) * scale - LEFT) / STEP);
+      const height = (BOTTOM - (event.clientY - frame3.top) * scale) / PER_HEIGHT;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
     /** @param {number} k @param {number} height */
@@ -1057,9 +1129,64 @@
     }
   };
 
+  // src/answers/entry.js
+  var MOST_EARLIER = 40;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
   // src/storage.js
   var STORE = "answers";
+  var PATIENCE = 4e3;
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
   async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value) => all.put(before + key, stamped(value)),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
     try {
       return indexed(await open(`carts:${site}`));
     } catch {
@@ -1073,18 +1200,31 @@
       request.onsuccess = () => resolve(request.result);
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
     });
   }
   function indexed(base) {
+    const read = (ask) => new Promise((resolve, reject) => {
+      const request = ask(base.transaction(STORE).objectStore(STORE));
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
     return {
       kind: "kept",
-      get: (key) => new Promise((resolve, reject) => {
-        const request = base.transaction(STORE).objectStore(STORE).get(key);
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: (key, value) => write(base, (answers) => {
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
-      put: (key, value) => write(base, (answers) => answers.put(value, key)),
-      remove: (key) => write(base, (answers) => answers.delete(key))
+      remove: (key) => write(base, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
     };
   }
   function write(base, act) {
@@ -1097,27 +1237,32 @@
     });
   }
   function textStore(site) {
+    const before = `carts:${site}:`;
     try {
-      const probe = `carts:${site}:probe`;
-      localStorage.setItem(probe, "1");
-      localStorage.removeItem(probe);
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
     } catch {
       return null;
     }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
     return {
       kind: "kept",
-      get: async (key) => JSON.parse(localStorage.getItem(`carts:${site}:${key}`) ?? "null"),
-      put: async (key, value) => localStorage.setItem(`carts:${site}:${key}`, JSON.stringify(value)),
-      remove: async (key) => localStorage.removeItem(`carts:${site}:${key}`)
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
     };
   }
   function memory() {
     const kept = /* @__PURE__ */ new Map();
     return {
       kind: "memory",
+      how: "memory",
       get: async (key) => kept.get(key),
-      put: async (key, value) => void kept.set(key, value),
-      remove: async (key) => void kept.delete(key)
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
     };
   }
   function place() {
@@ -1148,6 +1293,7 @@
         baked.fence.predict
       );
       this.root = root;
+      this.spec = spec;
       this.locked = locked;
       this.saved = need(root, ".carts-saved");
       this.error = need(root, ".carts-predict-error");
@@ -1190,10 +1336,10 @@
           "This browser keeps nothing: your prediction is lost when you close the page."
         );
       }
-      const found = await this.#store.get(this.key).catch(() => null);
-      if (found?.type === this.#entry.type) {
-        this.#entry = found;
-        this.form.value = found.value;
+      const found2 = await this.#store.get(this.key).catch(() => null);
+      if (found2?.type === this.#entry.type && isCurrent(found2)) {
+        this.#entry = found2;
+        this.form.value = found2.value;
         say(this.saved, "Saved.");
       }
       this.form.enable(!this.isLocked);
@@ -1227,6 +1373,8 @@
     async #changed() {
       const now = (/* @__PURE__ */ new Date()).toISOString();
       this.#entry.value = this.form.value;
+      this.#entry.asked = this.spec.ask;
+      this.#entry.said = this.spec.options[Number(this.form.value)] ?? "";
       this.#entry.first ??= now;
       this.#entry.last = now;
       this.#entry.tries += 1;
@@ -1260,6 +1408,7 @@
       if (this.#store.kind === "kept") say(this.saved, "Saving…");
       try {
         await this.#store.put(this.key, this.#entry);
+        document.dispatchEvent(new Event("carts-kept"));
         if (this.#store.kind === "kept") say(this.saved, "Saved.");
       } catch {
         say(this.saved, "Not saved: this browser refuses to keep it. Write it on paper too.");
@@ -1289,9 +1438,9 @@
   function ticks(axis2) {
     const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
     const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
-    const found = [];
-    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
-    return found;
+    const found2 = [];
+    for (let k = first; k <= last; k += 1) found2.push(k * axis2.step);
+    return found2;
   }
   function niceAbove(value) {
     const power = Number(`1e${exponent(value)}`);
@@ -1537,11 +1686,11 @@
     return cell;
   }
   function greatest2(curves) {
-    let found = 0;
+    let found2 = 0;
     for (const { values } of curves) {
-      for (let k = 0; k < values.length; k += 1) found = Math.max(found, Math.abs(Number(values[k])));
+      for (let k = 0; k < values.length; k += 1) found2 = Math.max(found2, Math.abs(Number(values[k])));
     }
-    return found || 1;
+    return found2 || 1;
   }
 
   // src/graph-view.js
@@ -1578,8 +1727,8 @@
       this.sign?.addEventListener("click", () => this.#toggleSign());
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
-        const frame2 = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame2.left) / frame2.width * WIDTH;
+        const frame3 = this.plot.getBoundingClientRect();
+        const x = (event.clientX - frame3.left) / frame3.width * WIDTH;
         const part = Math.min(1, Math.max(0, (x - LEFT2) / (RIGHT - LEFT2)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
@@ -2251,7 +2400,7 @@
   var HALVINGS = 40;
   function exits({ header, trajectory }, { low, high }, camera) {
     const { t: times, x: places, v, a } = trajectory;
-    const found = [];
+    const found2 = [];
     for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
       const place2 = (t) => valueAt(times, places[name2] ?? [], v[name2] ?? [], t) - camera * t;
@@ -2266,9 +2415,9 @@
         else before = middle;
       }
       const velocity = valueAt(times, v[name2] ?? [], a[name2] ?? [], after) - camera;
-      found.push({ t: after, name: name2, side: place2(after) > high ? "right" : "left", velocity });
+      found2.push({ t: after, name: name2, side: place2(after) > high ? "right" : "left", velocity });
     }
-    return found;
+    return found2;
   }
 
   // src/story.js
@@ -2851,6 +3000,502 @@
     note.textContent = `This browser is too old to play the run (missing: ${missing2.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.`;
   }
 
+  // src/map-axis.js
+  var AxisControl = class {
+    /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
+    constructor(root, axis2, chosen) {
+      this.root = root;
+      this.axis = axis2;
+      this.values = axis2.values;
+      this.slider = /** @type {HTMLInputElement} */
+      need(root, ".carts-slider");
+      this.box = /** @type {HTMLInputElement} */
+      need(root, ".carts-number-box");
+      this.error = need(root, ".carts-error");
+      this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
+      const typed = () => this.#typed(chosen);
+      this.box.addEventListener("change", typed);
+      this.box.addEventListener("keydown", (event) => {
+        if (event.key === "Enter") typed();
+      });
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      this.slider.disabled = !on;
+      this.box.disabled = !on;
+    }
+    /** @param {number[]} values of the grid, SI @param {number} place */
+    show(values, place2) {
+      this.values = values;
+      put(this.slider, "max", String(values.length - 1));
+      this.slider.valueAsNumber = place2;
+      this.box.value = this.text(place2).replace("−", "-");
+      this.#complain("");
+    }
+    /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
+    speak(place2, value) {
+      put(this.slider, "aria-valuetext", `${this.text(place2)} ${this.axis.unit}: ${value}`);
+    }
+    /** @param {number} place @returns {string} in the axis's unit */
+    text(place2) {
+      return fixed(this.#shown(Number(this.values[place2])), this.axis.decimals);
+    }
+    /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
+    nearest(value, per = 1) {
+      let best = 0;
+      for (const [k, at] of this.values.entries()) {
+        if (Math.abs(at / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
+      }
+      return best;
+    }
+    /** @param {number} value SI */
+    #shown(value) {
+      return Number((value / this.axis.per).toPrecision(12));
+    }
+    /** @param {(place: number) => void} chosen */
+    #typed(chosen) {
+      const { low, high, unit, label, per, decimals } = this.axis;
+      const read = readTyped(this.box.value);
+      if ("problem" in read) return this.#complain(read.problem);
+      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+      if (read.value < low || read.value > high) {
+        const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
+        return this.#complain(`${label}: ${range}, please.`);
+      }
+      return chosen(this.nearest(read.value, per));
+    }
+    /** @param {string} message */
+    #complain(message) {
+      say(this.error, message);
+      this.error.hidden = !message;
+      this.root.classList.toggle("carts-wrong", Boolean(message));
+      if (message) this.box.setAttribute("aria-invalid", "true");
+      else this.box.removeAttribute("aria-invalid");
+    }
+  };
+
+  // src/map-paint.js
+  var STEP_SLACK2 = 1e-9;
+  var EDGE2 = 0.72;
+  function band(value, { low, step, count }) {
+    if (Number.isNaN(value)) return count;
+    const place2 = Math.floor((value - low) / step + STEP_SLACK2);
+    return Math.min(count - 1, Math.max(0, place2));
+  }
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const bands = Uint8Array.from(values, (value) => band(value, scale));
+    const found2 = new Uint8Array(values.length);
+    let to = 0;
+    for (let row = rows - 1; row >= 0; row -= 1) {
+      for (let column = 0; column < columns; column += 1) {
+        const at = row * columns + column;
+        const own2 = Number(bands[at]);
+        const right = column + 1 < columns ? bands[at + 1] : own2;
+        const below = row > 0 ? bands[at - columns] : own2;
+        const plain = own2 === scale.count || own2 === right && own2 === below;
+        found2[to] = plain ? own2 : scale.count + 1 + own2;
+        to += 1;
+      }
+    }
+    return found2;
+  }
+  function paint(canvas, { values, columns, rows }, scale) {
+    if (canvas.width !== columns) canvas.width = columns;
+    if (canvas.height !== rows) canvas.height = rows;
+    const context = canvas.getContext("2d");
+    if (!context) return;
+    const image = context.createImageData(columns, rows);
+    const colours = palette(scale);
+    const words = new Uint32Array(image.data.buffer);
+    for (const [k, colour] of pixels(values, columns, scale).entries()) {
+      words[k] = Number(colours[colour]);
+    }
+    context.putImageData(image, 0, 0);
+  }
+  function palette({ colours, none }) {
+    const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE2 * part)));
+    const all = [...colours, none, ...edges];
+    return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => 255 << 24 | b << 16 | g << 8 | r);
+  }
+
+  // src/map-figure.js
+  var MapFigure = class {
+    /** @type {HTMLCanvasElement | null} */
+    #canvas = null;
+    /** @param {HTMLElement} root @param {MapFacts} facts @param {(places: number[]) => void} point */
+    constructor(root, facts, point) {
+      this.facts = facts;
+      this.holder = need(root, ".carts-map-figure");
+      this.over = need(root, ".carts-map-over");
+      this.axes = facts.axes.map(({ values }) => values);
+      const pointed = (event) => point(this.#placesAt(event));
+      this.over.addEventListener("pointerdown", (event) => {
+        if (!this.#canvas && facts.axes.length === 2) return;
+        this.over.setPointerCapture(event.pointerId);
+        pointed(event);
+      });
+      this.over.addEventListener("pointermove", (event) => {
+        if (event.buttons && this.over.hasPointerCapture(event.pointerId)) pointed(event);
+      });
+    }
+    /** @param {Grid} grid */
+    show(grid) {
+      this.axes = grid.axes;
+      if (grid.axes.length === 1) return this.#curve(grid);
+      this.#canvas ??= this.#laid();
+      paint(this.#canvas, grid, this.facts.scale);
+    }
+    /** @param {number[]} places @param {number} value */
+    mark(places, value) {
+      const [left, top, right, bottom] = this.facts.plot;
+      const x = this.#x(this.#fraction(0, places[0] ?? 0));
+      const flat = places.length === 1;
+      const y = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
+      const across = flat ? "" : `M${left} ${px(y)}H${right}`;
+      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x)} ${top}V${bottom}${across}`);
+      const point = need(this.over, '[data-part="point"]');
+      put(point, "cx", px(x));
+      put(point, "cy", px(Number.isNaN(y) ? bottom : y));
+      put(point, "visibility", Number.isNaN(y) ? "hidden" : "visible");
+    }
+    /** The canvas lies between the picture, which it hides, and the cross. */
+    #laid() {
+      const canvas = (
+        /** @type {HTMLCanvasElement} */
+        html("canvas", "carts-map-canvas")
+      );
+      const [left, top, right, bottom] = this.facts.plot;
+      const [width, height] = this.facts.size;
+      canvas.style.left = `${100 * left / width}%`;
+      canvas.style.top = `${100 * top / height}%`;
+      canvas.style.width = `${100 * (right - left) / width}%`;
+      canvas.style.height = `${100 * (bottom - top) / height}%`;
+      this.over.before(canvas);
+      return canvas;
+    }
+    /** @param {Grid} grid */
+    #curve({ axes, values }) {
+      let path2 = "";
+      let pen = "M";
+      for (const [k, value] of values.entries()) {
+        if (Number.isNaN(value)) pen = "M";
+        else {
+          path2 += `${pen}${px(this.#x(this.#fraction(0, k, axes[0])))} ${px(this.#y(value))}`;
+          pen = "L";
+        }
+      }
+      put(need(this.over, '[data-part="curve"]'), "d", path2);
+    }
+    /** @param {number} k axis @param {number} place @returns {number} 0 to 1 along the axis */
+    #fraction(k, place2, values = this.axes[k] ?? [0]) {
+      const { per, low, high } = (
+        /** @type {import("./map-types.js").Axis} */
+        this.facts.axes[k]
+      );
+      const axis2 = span(low, high, 1);
+      const shown = Number((Number(values[place2]) / per).toPrecision(12));
+      return (shown - axis2.low) / (axis2.high - axis2.low);
+    }
+    /** @param {number} fraction */
+    #x(fraction) {
+      const [left, , right] = this.facts.plot;
+      return left + fraction * (right - left);
+    }
+    /** @param {number} value */
+    #y(value) {
+      const [, top, , bottom] = this.facts.plot;
+      const { low, high } = this.facts.value;
+      return bottom - (value - low) * ((bottom - top) / (high - low));
+    }
+    /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
+    #placesAt(event) {
+      const box2 = this.over.getBoundingClientRect();
+      const [left, top, right, bottom] = this.facts.plot;
+      const [width, height] = this.facts.size;
+      const x = (event.clientX - box2.left) / box2.width * width;
+      const y = (event.clientY - box2.top) / box2.height * height;
+      const fractions = [(x - left) / (right - left), (bottom - y) / (bottom - top)];
+      return this.axes.map(({ length }, k) => {
+        const place2 = Math.round(Number(fractions[k]) * (length - 1));
+        return Math.min(length - 1, Math.max(0, place2));
+      });
+    }
+  };
+
+  // src/map-table.js
+  var COLUMNS = 6;
+  var ROWS2 = 11;
+  function spread(count, most) {
+    const wanted = Math.min(most, count);
+    return Array.from(
+      { length: wanted },
+      (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
+    );
+  }
+  function fillTable(table, grid, axisText, valueText) {
+    const flat = grid.axes.length === 1;
+    const columns = flat ? [0] : spread(grid.columns, COLUMNS);
+    const rows = flat ? spread(grid.columns, 2 * ROWS2 - 1) : spread(grid.rows, ROWS2);
+    if (!flat) {
+      const head = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
+      for (const [k, cell] of head.entries()) cell.textContent = axisText(0, Number(columns[k]));
+    }
+    const body2 = rows.map((row) => {
+      const line = html("tr");
+      const head = html("th", "", axisText(flat ? 0 : 1, row));
+      head.setAttribute("scope", "row");
+      const at = (column) => flat ? row : row * grid.columns + column;
+      line.append(
+        head,
+        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at(column)]))))
+      );
+      return line;
+    });
+    table.querySelector("tbody")?.replaceChildren(...body2);
+  }
+
+  // src/map-element.js
+  function mapElement(client) {
+    return class CartsMap extends HTMLElement {
+      /** @type {MapFacts | null} */
+      #facts = null;
+      /** @type {MapFigure | null} */
+      #figure = null;
+      /** @type {AxisControl[]} */
+      #axes = [];
+      /** @type {Controls | null} */
+      #controls = null;
+      /** @type {Grid | null} */
+      #grid = null;
+      /** @type {number[]} the chosen point, one place per axis */
+      #places = [];
+      /** @type {Record<string, number | string>} what the further sliders set */
+      #settings = {};
+      #generation = 0;
+      /** @type {Promise<void> | null} */
+      #opening = null;
+      connectedCallback() {
+        if (this.#facts) return;
+        const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
+        this.#facts = facts;
+        this.#places = facts.here;
+        this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
+        const roots = (
+          /** @type {NodeListOf<HTMLElement>} */
+          this.querySelectorAll(".carts-map-axis")
+        );
+        this.#axes = [...roots].map((root, k) => {
+          const axis2 = (
+            /** @type {import("./map-types.js").Axis} */
+            facts.axes[k]
+          );
+          return new AxisControl(root, axis2, (place2) => this.#chooseOn(k, place2));
+        });
+        this.#controls = new Controls(this, facts.controls, (target, value, at) => {
+          this.set({ [target]: value }, at).catch((error) => {
+            this.#controls?.complain(target, error.message);
+          });
+        });
+        this.#figure.mark(facts.here, facts.at ?? Number.NaN);
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
+        need(this, ".carts-map-open").addEventListener("click", () => void this.open());
+        this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
+        addEventListener("beforeprint", () => this.#fillTable());
+        need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
+      }
+      /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
+      get grid() {
+        return this.#grid;
+      }
+      /** The chosen point: SI values by path. @returns {Record<string, number>} */
+      get point() {
+        const chosen = this.#axes.map(({ axis: axis2, values }, k) => [
+          axis2.set,
+          Number(values[Number(this.#places[k])])
+        ]);
+        return Object.fromEntries(chosen);
+      }
+      /** The value at the chosen point, in SI; NaN where there is none. */
+      get value() {
+        return this.#valueAt(this.#places);
+      }
+      /** Resolves when the map is live; never rejects: a failure is told in the map. */
+      open() {
+        this.#opening ??= this.#open();
+        return this.#opening;
+      }
+      /**
+       * Changes what all points have in common and resolves when the new map is drawn.
+       * @param {Record<string, number | string>} changes @param {number} at time of the input
+       */
+      async set(changes, at = performance.now()) {
+        const settings = { ...this.#settings, ...changes };
+        await this.#compute(settings, at);
+      }
+      async #open() {
+        this.dataset.state = "starting";
+        const button = (
+          /** @type {HTMLButtonElement} */
+          need(this, ".carts-map-open")
+        );
+        button.disabled = true;
+        say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
+        try {
+          await client.need("numpy");
+          await this.#compute({}, performance.now());
+          this.dataset.state = "live";
+          need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+          const focused = button === document.activeElement;
+          for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+          for (const control of this.#axes) control.enable(true);
+          this.#controls?.enable(true);
+          const run = this.querySelector(".carts-map-run");
+          if (run instanceof HTMLButtonElement) run.disabled = false;
+          if (focused) this.#axes[0]?.slider.focus();
+        } catch (error) {
+          this.#fail(
+            /** @type {Error & {reason?: string}} */
+            error
+          );
+        }
+      }
+      /** @param {Error & {reason?: string}} error */
+      #fail(error) {
+        this.dataset.state = "failed";
+        this.dataset.reason = error.reason ?? "failed";
+        this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+      }
+      /** @param {string} message */
+      #tell(message) {
+        const note = need(this, ".carts-note");
+        say(note, message);
+        note.hidden = !message;
+      }
+      /**
+       * Asks for the whole map; where points have to be run one by one, slice after slice.
+       * @param {Record<string, number | string>} settings @param {number} at
+       */
+      async #compute(settings, at) {
+        this.#generation += 1;
+        const generation = this.#generation;
+        const first = await this.#ask(settings, 0);
+        if (generation !== this.#generation) return;
+        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
+        this.#settings = settings;
+        const { axes, rows, columns, why, runs } = first.header;
+        this.#draw({ axes, rows, columns, why, values: first.numbers });
+        await frame2();
+        performance.measure("carts:map", { start: at, end: performance.now() });
+        let done = first.header.done;
+        while (done < runs) {
+          this.#tell(`${done} of ${runs} runs`);
+          const { header, numbers } = await this.#ask(settings, done);
+          if (generation !== this.#generation || !header.ok || !this.#grid) return;
+          const half = numbers.length / 2;
+          for (let k = 0; k < half; k += 1) {
+            this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
+          }
+          done = header.done;
+          this.#draw(this.#grid);
+        }
+        this.#tell("");
+        this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
+      }
+      /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
+      #ask(settings, from) {
+        const map = this.#facts?.map;
+        return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
+      }
+      /** @param {Grid} grid */
+      #draw(grid) {
+        const before = this.#grid?.axes;
+        this.#grid = grid;
+        this.#figure?.show(grid);
+        if (before !== grid.axes) {
+          const point = before ? this.point : null;
+          this.#places = this.#axes.map((control, k) => {
+            const wanted = point?.[control.axis.set] ?? this.#baked(k);
+            control.show(grid.axes[k] ?? [], 0);
+            return control.nearest(Number(wanted));
+          });
+        }
+        this.#choose(this.#places);
+        if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
+        say(need(this, ".carts-map-why"), grid.why);
+      }
+      /** @param {number} k @returns {number} where the point stood in the page as it was built, SI */
+      #baked(k) {
+        return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
+      }
+      /** @param {number} k @param {number} place */
+      #chooseOn(k, place2) {
+        this.#choose(this.#places.map((old, axis2) => axis2 === k ? place2 : old));
+      }
+      /** @param {number[]} places */
+      #choose(places) {
+        if (!this.#grid) return;
+        this.#places = places;
+        const value = this.#valueAt(places);
+        const text = this.#valueText(value, true);
+        for (const [k, control] of this.#axes.entries()) {
+          control.show(this.#grid.axes[k] ?? [], Number(places[k]));
+          control.speak(Number(places[k]), text);
+        }
+        this.#figure?.mark(places, value);
+        say(need(this, ".carts-map-number"), text);
+      }
+      /** @param {number[]} places */
+      #valueAt([column = 0, row = 0]) {
+        return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
+      }
+      /** @param {number} value @param {boolean} unit */
+      #valueText(value, unit = false) {
+        if (Number.isNaN(value)) return "no value";
+        const text = fixed(value, this.#facts?.decimals ?? 3);
+        return unit ? `${text} ${this.#facts?.unit}` : text;
+      }
+      #fillTable() {
+        if (!this.#grid) return;
+        const axisText = (k, place2) => this.#axes[k]?.text(place2) ?? "";
+        fillTable(
+          need(this, ".carts-map-table table"),
+          this.#grid,
+          axisText,
+          (value) => this.#valueText(value)
+        );
+      }
+      /** The scene that the map is of runs with the chosen point. */
+      async #run() {
+        const scene = (
+          /** @type {any} */
+          document.getElementById(this.#facts?.of ?? "")
+        );
+        if (typeof scene?.set !== "function") return;
+        try {
+          this.#tell("");
+          await scene.set({ ...this.#settings, ...this.point });
+          scene.time = 0;
+          scene.scrollIntoView({ block: "start" });
+          scene.querySelector(".carts-play")?.focus({ preventScroll: true });
+        } catch (error) {
+          this.#tell(
+            /** @type {Error} */
+            error.message
+          );
+        }
+      }
+    };
+  }
+  function refusal2([first]) {
+    if (!first) return new Error("This value does not work.");
+    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+  }
+  function frame2() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+
   // src/runtime-failure.js
   var MESSAGES = {
     "not-packed": "This page was built without Python. It shows only the runs that came with it.",
@@ -2905,7 +3550,7 @@
 
   // src/runtime-watch.js
   var SECOND = 1e3;
-  var PATIENCE = 8;
+  var PATIENCE2 = 8;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -2946,7 +3591,7 @@
   }
   function patiently(promise) {
     return new Promise((resolve, reject) => {
-      const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
+      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
     });
   }
@@ -3072,7 +3717,7 @@
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
         return await Promise.race([failed, this.boot(parts, reject)]);
@@ -3250,7 +3895,7 @@
       if (data.number !== current?.number) return;
       this.watch?.stop();
       if (data.tell === "begun") {
-        this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        this.watch = watch(PATIENCE2 - PICK_UP, () => this.lose("worker-lost", "no answer"));
         return;
       }
       this.queue.shift();
@@ -3292,8 +3937,9 @@
     for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
   } else {
     const base = new URL("runtime/", own).href;
-    const client = new Client(() => startRuntime({ base, packages: packages() }));
+    const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
     customElements.define("carts-scene", sceneElement(client));
+    customElements.define("carts-map", mapElement(client));
     if (document.querySelector("carts-scene")) {
       if (typeof requestIdleCallback === "function") {
         requestIdleCallback(() => client.wake(), { timeout: 1e3 });
