@@ -10,6 +10,7 @@ import pytest
 from sim.cli import COMMANDS
 from sim.pages.yaml_source import load
 from sim.scene import fields, read_fence
+from sim.scene.map import MAP_KEYS
 from sim.scene.predict import KINDS as PREDICTIONS
 from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS
 from sim.scene.read import SCENE_KEYS
@@ -27,6 +28,12 @@ OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *LAWS, *PREDICTIONS, *SHOWS, *PA
 @pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])
 def test_the_reference_names_every_key(key: str) -> None:
     assert re.search(rf"(`|\.|\[|\b){re.escape(key)}(`|\.|\b)", REFERENCE), key
+
+
+@pytest.mark.parametrize("key", [*MAP_KEYS, "file", "v.A", "F.A-B", "warmed"])
+def test_the_reference_of_maps_names_every_key(key: str) -> None:
+    text = (ROOT / "docs" / "reference" / "map.md").read_text(encoding="utf-8")
+    assert re.search(rf"^\| `{re.escape(key)}` \|", text, re.M), key
 
 
 @pytest.mark.parametrize("field", fields.CART, ids=lambda field: field.key)

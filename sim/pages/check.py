@@ -8,7 +8,8 @@ from pathlib import Path
 from sim.pages.bake import bake
 from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.map_block import read_map_block
+from sim.pages.map.bake import bake_map
+from sim.pages.map_block import MapBlock, read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
@@ -29,7 +30,7 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
     for block in blocks:
         try:
             if block.name == "map":
-                read_map_block(block, lesson, ids, first_line=1, blocks=blocks)
+                _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))
             else:
                 _read(block, lesson, ids, items)
         except AuthorError as error:
@@ -49,6 +50,13 @@ def _read(block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> None:
         if isinstance(run, list):
             raise AuthorError(map(scene.places.finding, run))
         items.scenes.append(scene.fence)
+
+
+def _check_map(block: MapBlock) -> None:
+    """A map must have values; raises `AuthorError`."""
+    run = bake_map(block.map, block.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(block.places.finding, run))
 
 
 def check_bank(text: str, file: str) -> list[Finding]:

@@ -141,7 +141,8 @@ def _quiz(block: Block, page: Page) -> str:
 
 def _map(block: Block, page: Page) -> str:
     """A `map` block: its figure, and what the page needs to compute it anew."""
-    from sim.pages.map import bake_map, render_map
+    from sim.pages.map.bake import bake_map
+    from sim.pages.map.render import render_map
 
     read = read_map_block(
         block, page.lesson, page.ids, first_line=page.first_line, blocks=page.blocks

@@ -28,11 +28,11 @@ if TYPE_CHECKING:
 
     Values = NDArray[np.float64]
 
-MOST_RUNS = 2_500
-"""Runs of one map: 50 × 50. A run of two carts takes about a tenth of a millisecond here, five
+MOST_RUNS = 1_600
+"""Runs of one map: 40 × 40. A run of two carts takes about a tenth of a millisecond here, five
 times that in a page, and effects cost more."""
 
-MOST_EVENTS = 2_000
+MOST_EVENTS = 200
 """Of one run on a map; more than that has no value on it."""
 
 Axes = tuple[tuple[str, tuple[float, ...]], ...]

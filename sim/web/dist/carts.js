@@ -41,14 +41,12 @@
     }
     /** @param {string[]} names */
     async #grow(names) {
+      this.wake();
       await this.#settled();
-      if (this.state === "idle") await this.#boot();
-      else if (this.state === "ready") {
-        this.#use(await this.start(names));
-        this.#become("ready");
-        this.#next();
-      }
       if (this.state === "failed") throw this.error;
+      this.#use(await this.start(names));
+      this.#become("ready");
+      this.#next();
     }
     /** Resolves when Python is not just starting. @returns {Promise<void>} */
     #settled() {
@@ -257,20 +255,20 @@
     const text = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
   }
-  function decimalsFor(scale, figures = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  function decimalsFor(scale, figures2 = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
   }
-  function short(value, figures = 3) {
+  function short(value, figures2 = 3) {
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
       const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
       return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
   }
-  function decimalsOf(value, figures = 6) {
-    const text = Math.abs(value).toFixed(decimalsFor(value, figures));
+  function decimalsOf(value, figures2 = 6) {
+    const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
     return trim(text).split(".")[1]?.length ?? 0;
   }
   function speedUnit(scale) {
@@ -3076,41 +3074,61 @@
 
   // src/map-paint.js
   var STEP_SLACK2 = 1e-9;
+  var FINE2 = 400;
   var EDGE2 = 0.72;
   function band(value, { low, step, count }) {
     if (Number.isNaN(value)) return count;
     const place2 = Math.floor((value - low) / step + STEP_SLACK2);
     return Math.min(count - 1, Math.max(0, place2));
   }
-  function pixels(values, columns, scale) {
-    const rows = values.length / columns;
-    const bands = Uint8Array.from(values, (value) => band(value, scale));
-    const found2 = new Uint8Array(values.length);
-    let to = 0;
-    for (let row = rows - 1; row >= 0; row -= 1) {
-      for (let column = 0; column < columns; column += 1) {
-        const at = row * columns + column;
-        const own2 = Number(bands[at]);
-        const right = column + 1 < columns ? bands[at + 1] : own2;
-        const below = row > 0 ? bands[at - columns] : own2;
-        const plain = own2 === scale.count || own2 === right && own2 === below;
-        found2[to] = plain ? own2 : scale.count + 1 + own2;
-        to += 1;
+  function mixed(a, b, part) {
+    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
+    return a * (1 - part) + b * part;
+  }
+  function between(values, lines, count, factor, next, line) {
+    const fine = (count - 1) * factor + 1;
+    const found2 = new Float64Array(lines * fine);
+    for (let k = 0; k < fine; k += 1) {
+      const left = Math.min(Math.floor(k / factor), count - 2);
+      const part = (k - left * factor) / factor;
+      for (let i = 0; i < lines; i += 1) {
+        const at = i * line + left * next;
+        found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
     }
     return found2;
   }
-  function paint(canvas, { values, columns, rows }, scale) {
-    if (canvas.width !== columns) canvas.width = columns;
-    if (canvas.height !== rows) canvas.height = rows;
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const factor = Math.max(1, Math.ceil(FINE2 / (Math.max(columns, rows) - 1)));
+    const width = (columns - 1) * factor + 1;
+    const height = (rows - 1) * factor + 1;
+    const wide = between(values, rows, columns, factor, 1, columns);
+    const fine = between(wide, width, rows, factor, width, 1);
+    const bands = new Uint8Array(width * height);
+    for (let y = 0; y < height; y += 1) {
+      for (let x = 0; x < width; x += 1) {
+        bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
+      }
+    }
+    const places = bands.map((own2, at) => {
+      const right = (at + 1) % width ? bands[at + 1] : own2;
+      const below = at + width < bands.length ? bands[at + width] : own2;
+      const plain = own2 === scale.count || own2 === right && own2 === below;
+      return plain ? own2 : scale.count + 1 + own2;
+    });
+    return { places, width, height };
+  }
+  function paint(canvas, { values, columns }, scale) {
+    const { places, width, height } = pixels(values, columns, scale);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
     const context = canvas.getContext("2d");
     if (!context) return;
-    const image = context.createImageData(columns, rows);
-    const colours = palette(scale);
+    const image = context.createImageData(width, height);
     const words = new Uint32Array(image.data.buffer);
-    for (const [k, colour] of pixels(values, columns, scale).entries()) {
-      words[k] = Number(colours[colour]);
-    }
+    const colours = palette(scale);
+    for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
     context.putImageData(image, 0, 0);
   }
   function palette({ colours, none }) {
@@ -3256,6 +3274,7 @@
   }
 
   // src/map-element.js
+  var SMALLER = 2;
   function mapElement(client) {
     return class CartsMap extends HTMLElement {
       /** @type {MapFacts | null} */
@@ -3453,7 +3472,7 @@
       /** @param {number} value @param {boolean} unit */
       #valueText(value, unit = false) {
         if (Number.isNaN(value)) return "no value";
-        const text = fixed(value, this.#facts?.decimals ?? 3);
+        const text = figures(value, this.#facts?.decimals ?? 3);
         return unit ? `${text} ${this.#facts?.unit}` : text;
       }
       #fillTable() {
@@ -3487,6 +3506,10 @@
         }
       }
     };
+  }
+  function figures(value, most) {
+    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
   }
   function refusal2([first]) {
     if (!first) return new Error("This value does not work.");
