@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
+from sim.dynamics.forces import Forces
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.outcome import Outcome
 from sim.dynamics.record import Record
@@ -27,6 +28,9 @@ class Run:
     record: Record
     ledger: Ledger
     solvers: Counter[str]
+    effects: Counter[str]
+    """How often the formulas of each effect were evaluated."""
+    forces: Forces | None = None
 
 
 def outcome_of(scene: Scene, t: float, v: list[float], stopped_after: int | None) -> Outcome:

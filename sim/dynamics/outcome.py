@@ -29,11 +29,6 @@ class UnsolvedError(ValueError):
 
 def refuse_what_is_not_solved(scene: Scene) -> None:
     """Raise UnsolvedError for an effect or a law that has no solver yet."""
-    if scene.effects:
-        kinds = ", ".join(dict.fromkeys(effect.kind for effect in scene.effects))
-        raise UnsolvedError(
-            f"the effect {kinds} is not simulated yet", "remove it from effects", 0.0, ()
-        )
     for k, contact in enumerate(scene.contacts):
         if contact is not None and contact.law == "hertz":
             raise UnsolvedError(

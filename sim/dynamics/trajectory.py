@@ -45,8 +45,9 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
     scene, record = run.scene, run.record
     names = [cart.name for cart in scene.carts]
     solved = sorted(record.solved, key=lambda part: (part.begin, part.gaps))
-    joints = {gap: time[0] for gap, time in record.joints}
-    gaps = sorted({gap for part in solved for gap in part.gaps} | set(joints))
+    gaps = sorted(
+        {gap for part in solved for gap in part.gaps} | {joint.gap for joint in record.joints}
+    )
     columns: dict[tuple[str, ...], array[float]] = {("t",): array("d")}
     for name in names:
         columns.update({(kind, name): array("d") for kind in ("x", "v", "a")})
@@ -67,7 +68,7 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
             pieces[bisect_right(times, middle) - 1]
             for pieces, times in zip(record.pieces, starts, strict=True)
         ]
-        stuck = {gap for gap, since in joints.items() if since <= begin}
+        stuck = {joint.gap for joint in record.joints if joint.begin <= begin < joint.end}
         for t in _times(begin, end, live, dense):
             row = _row(t, scene, motion, live, gaps, stuck)
             if row != last:

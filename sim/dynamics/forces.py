@@ -1,0 +1,90 @@
+"""The effects of a run, gathered by what they act on. A scene without effects has none of this.
+
+A body may be several carts that stick together: what acts on them adds up. Loads are kept until a
+push begins or ends.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from dataclasses import dataclass
+
+from sim.dynamics.effects import Acting, Link, Pull, acting
+from sim.dynamics.effects.base import Burst
+from sim.scene.model import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """All that acts on one body besides its neighbours: sums in N, N s/m, N s²/m², N."""
+
+    pulls: tuple[Pull, ...] = ()
+    steady: float = 0.0
+    linear: float = 0.0
+    quadratic: float = 0.0
+    kinetic: float = 0.0
+    static: float = 0.0
+    grips: bool = False
+
+
+NO_LOAD = Load()
+
+
+class Forces:
+    """The effects of one scene at work, at a present time that moves on."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._acting = acting(scene)
+        self.time = 0.0
+        self.used: Counter[str] = Counter()
+        self._loads: dict[tuple[int, ...], Load] = {}
+        gaps = range(len(scene.carts) + 1)
+        self.links: list[tuple[Link, ...]] = [
+            tuple(link for one in self._acting if (link := one.link(gap)) is not None)
+            for gap in gaps
+        ]
+        self.bursts: tuple[Burst, ...] = tuple(b for one in self._acting for b in one.bursts())
+        switches = {t for one in self._acting for t in one.switches()}
+        self.switches = sorted(t for t in switches if 0.0 < t < math.inf)
+
+    def move_to(self, t: float) -> None:
+        """A switch has been reached, at t s."""
+        self.time = t
+        self._loads.clear()
+
+    def load(self, carts: tuple[int, ...]) -> Load:
+        """What acts on a body of these carts."""
+        load = self._loads.get(carts)
+        if load is None:
+            load = self._loads[carts] = self._sum(carts)
+        return load
+
+    def _sum(self, carts: tuple[int, ...]) -> Load:
+        pulls = tuple(
+            pull
+            for one in self._acting
+            for cart in carts
+            if (pull := one.pull(cart, self.time)) is not None
+        )
+        grips = tuple(
+            grip for one in self._acting for cart in carts if (grip := one.grip(cart)) is not None
+        )
+        if not pulls and not grips:
+            return NO_LOAD
+        return Load(
+            pulls,
+            math.fsum(pull.steady for pull in pulls),
+            math.fsum(pull.linear for pull in pulls),
+            math.fsum(pull.quadratic for pull in pulls),
+            math.fsum(grip.kinetic for grip in grips),
+            math.fsum(grip.static for grip in grips),
+            bool(grips),
+        )
+
+    def count(self, load: Load, links: tuple[Link, ...], times: int) -> None:
+        """Book that the formulas of these effects were evaluated so many times."""
+        for kind in {pull.kind for pull in load.pulls} | {link.kind for link in links}:
+            self.used[kind] += times
+        if load.grips:
+            self.used["friction"] += times
