@@ -19,6 +19,7 @@ from sim.dynamics.series import Branch, Expansion, Row, converged_step, expand, 
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
+    from sim.dynamics.forces import Load
 
 NEGLIGIBLE = 1e-13
 """Of the largest force in the cluster. Far ahead of the push that runs through a touching chain the
@@ -43,10 +44,14 @@ class Cluster:
     path: list[Poly] = field(init=False)  # m, from where they were
     duration: float = field(init=False)
     ends: list[watch.End] = field(init=False, default_factory=list)
-    name = "coupled-contacts"
+    touched: list[bool] = field(init=False)  # which gaps are contacts, not links alone
+    loads: list[Load] = field(init=False)
+    name = "power-series"
     tier = 2
 
     def __post_init__(self) -> None:
+        self.touched = [gap.touching is not None for gap in self.members]
+        self.loads = [body.load for body in self.bodies]
         self.branches = [watch.branch_of(gap) for gap in self.members]
         modes.decide(self.bodies, self.members, self.branches)
         self._expand([self._drag_sign(body) for body in self.bodies])

@@ -133,11 +133,13 @@ class Flight:
     sliding: int  # direction in which friction sees it slide; 0: no friction
     course: Course
     duration: float = field(init=False)
+    carts: tuple[int, ...] = field(init=False)  # a body may grow or split later
     name = "flight"
     tier = 0
     gaps: tuple[()] = ()
 
     def __post_init__(self) -> None:
+        self.carts = self.body.carts
         self.duration = self.course.halt() if self.load.static > 0.0 else math.inf
 
     def shift(self, body: Body, start: Time, end: Time) -> float:

@@ -48,6 +48,19 @@ class Forces:
         switches = {t for one in self._acting for t in one.switches()}
         self.switches = sorted(t for t in switches if 0.0 < t < math.inf)
 
+    def switches_after(self, t: float) -> bool:
+        """Does anything begin, end or burst after t s?"""
+        return any(s > t for s in (*self.switches, *(burst.time for burst in self.bursts)))
+
+    def on_cart(self, cart: int, t: float) -> list[Pull]:
+        """The pulls on one cart just after t s, for drawing."""
+        return [p for one in self._acting if (p := one.pull(cart, t)) is not None]
+
+    def grip_of(self, cart: int) -> float | None:
+        """N. Kinetic friction on one cart; None where there is none."""
+        grips = [grip.kinetic for one in self._acting if (grip := one.grip(cart)) is not None]
+        return math.fsum(grips) if grips else None
+
     def move_to(self, t: float) -> None:
         """A switch has been reached, at t s."""
         self.time = t

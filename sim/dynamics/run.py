@@ -355,6 +355,12 @@ class _Run:
                     gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
                 self.predict(gap, now, own_separation=mine)
 
+    def too_much(self) -> str:
+        """What there was too much of."""
+        if self.happened >= self.max_events:
+            return f"{self.max_events} events"
+        return f"{self.steps} short steps of contacts that push each other"
+
     def result(self, end: Time, full: bool) -> Run:
         """Bring everything to the end."""
         scene, record = self.scene, self.record
@@ -381,7 +387,13 @@ class _Run:
             t=end[0],
             x=tuple(x),
             v=tuple(v),
-            outcome=outcome_of(scene, end[0], v, self.max_events if full else None),
+            outcome=outcome_of(
+                scene,
+                end[0],
+                v,
+                self.too_much() if full else None,
+                moving_on=bool(self.forces and self.forces.switches_after(end[0])),
+            ),
             record=record,
             ledger=self.ledger,
             solvers=self.solvers,
