@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 class Course(Protocol):
     """Motion from x = 0 with v0 at t = 0."""
 
-    sparse: bool  # x is a polynomial of degree 2 at most: two samples draw it
+    @property
+    def sparse(self) -> bool:
+        """Is x a polynomial of degree 2 at most, so that two samples draw it?"""
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x [m], v [m/s], a [m/s²]."""

@@ -10,7 +10,7 @@ import math
 from collections import Counter
 from dataclasses import dataclass
 
-from sim.dynamics.effects import Acting, Link, Pull, acting
+from sim.dynamics.effects import Link, Pull, acting
 from sim.dynamics.effects.base import Burst
 from sim.scene.model import Scene
 

@@ -14,7 +14,7 @@ NOTHING_CHANGES = "nothing touches and no force is left over: every cart keeps i
 AT_ONCE = "; an impact takes no time, it is one formula"
 STUCK = "; carts that stick together move as one"
 
-FORMS = {
+FORMS: dict[type, str] = {
     Fading: "linear drag fades exponentially, exact",
     Slowing: "quadratic drag slows as 1/t, x is a logarithm, exact",
 }
@@ -49,7 +49,11 @@ def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
 def _clusters(scene: Scene, solvers: list[Cluster]) -> list[str]:
     found = []
     for solver in solvers:
-        touching = [gap.index for gap, touches in zip(solver.members, solver.touched) if touches]
+        touching = [
+            gap.index
+            for gap, touches in zip(solver.members, solver.touched, strict=True)
+            if touches
+        ]
         linked = [gap.index for gap in solver.members if gap.links]
         acting = sorted({pull.kind for load in solver.loads for pull in load.pulls})
         acting += ["friction"] if any(load.grips for load in solver.loads) else []
@@ -75,7 +79,9 @@ SERIES = "a power series of order 26 in short steps, exact to rounding"
 def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
     found = []
     for form in (None, Fading, Slowing):
-        own = [s for s in solvers if type(s.course) is form or (form is None and s.course.sparse)]
+        own = [
+            s for s in solvers if (s.course.sparse if form is None else isinstance(s.course, form))
+        ]
         if not own:
             continue
         kinds = sorted({pull.kind for solver in own for pull in solver.load.pulls})
@@ -84,6 +90,10 @@ def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
         text = PARABOLA if form is None else FORMS[form]
         found.append(f"{' and '.join(kinds)} on {names}, touched by nobody: {text}")
     return found
+
+
+def _form(solver: Flight) -> type | None:
+    return None if solver.course.sparse else type(solver.course)
 
 
 def _carts(scene: Scene, solver: Flight) -> list[str]:

@@ -12,7 +12,6 @@ from sim.dynamics.clock import Time
 from sim.dynamics.events import ORDER, Event
 from sim.scene.model import Scene
 
-
 TOLD = 100
 """Parts kept for the plan where nothing else is kept."""
 
