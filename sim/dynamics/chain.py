@@ -11,16 +11,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from sim.dynamics.clock import ZERO, Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
+from sim.dynamics.flight import Flight
+from sim.dynamics.forces import NO_LOAD, Forces, Load
 from sim.dynamics.laws import Figures, FiniteLaw, finite_law
 from sim.dynamics.touching import Touching
 from sim.scene.model import Contact, Scene
 
+if TYPE_CHECKING:
+    from sim.dynamics.effects import Link
 
-@dataclass(slots=True)
+Solver = PairContact | Cluster
+Motion = PairContact | Cluster | Flight
+
+
+@dataclass(slots=True, eq=False)
 class Body:
     """One cart, several that are stuck together, or a wall. `x` is its state at time `time`."""
 
@@ -31,10 +40,15 @@ class Body:
     left: int  # gap on its left
     right: int  # gap on its right
     time: Time = ZERO
-    motion: PairContact | Cluster | None = None  # None: free flight
+    motion: Motion | None = None  # None: free flight
+    load: Load = NO_LOAD  # effects that act on it
+    sliding: int = 0  # direction in which friction sees it slide
+    held: bool = False  # by static friction
+    slips: int = 0  # direction in which it has just overcome static friction
+    turn: int = 0  # counts predictions, as those of gaps
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Gap:
     """The room between two neighbours, edge to edge; negative: their bumpers overlap."""
 
@@ -49,8 +63,16 @@ class Gap:
     memory: float = 0.0  # m, of the bumper
     turn: int = 0  # counts predictions: an older one in the calendar is void
     touching: Touching | None = None
+    links: tuple[Link, ...] = ()  # springs and magnets across it
+    solver: Solver | None = None  # what moves it, while it touches or is linked
     joined: bool = False
+    clear_at: Time | None = None  # when its overlap will have cleared, if that is known
     _figures: tuple[float, Figures] | None = field(default=None)
+
+    @property
+    def member(self) -> bool:
+        """Do its two bodies push or pull each other?"""
+        return self.touching is not None or (bool(self.links) and not self.joined)
 
     @property
     def mu(self) -> float:
@@ -71,7 +93,7 @@ class Gap:
 class Chain:
     """Bodies and gaps of one run."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, forces: Forces | None) -> None:
         count = len(scene.carts)
         self.bodies = [
             Body((k,), cart.mass, cart.position, cart.velocity, k, k + 1)
@@ -87,9 +109,10 @@ class Chain:
                 self.gaps.append(None)
                 continue
             law = laws.setdefault(contact, finite_law(contact))
-            self.gaps.append(
-                Gap(k, row[k], row[k + 1], scene.gaps[k], scene.approaches[k], contact, law)
-            )
+            gap = Gap(k, row[k], row[k + 1], scene.gaps[k], scene.approaches[k], contact, law)
+            if forces is not None:
+                gap.links = forces.links[k]
+            self.gaps.append(gap)
 
     def neighbours(self, gap: Gap) -> tuple[Gap | None, Gap | None]:
         """The gaps beyond the two bodies of `gap`; None beyond a wall or on an open side."""
@@ -104,8 +127,29 @@ class Chain:
         else:
             gap.room += moved(gap.right, gap.time, now) - moved(gap.left, gap.time, now)
         gap.time = now
-        if gap.room >= 0.0:
-            gap.memory = 0.0
+        cleared = gap.clear_at is not None and elapsed(gap.clear_at, now) >= 0.0
+        if gap.room >= 0.0 or cleared:
+            gap.memory, gap.clear_at = 0.0, None
+
+
+def component(chain: Chain, body: Body) -> tuple[list[Body], list[Gap]]:
+    """The bodies that push each other with `body` among them, and the gaps between; left to right.
+
+    Walls belong to no component: they do not move.
+    """
+    bodies: list[Body] = [body]
+    gaps: list[Gap] = []
+    while (gap := chain.gaps[bodies[0].left]) is not None and gap.member:
+        gaps.insert(0, gap)
+        if not gap.left.carts:
+            break
+        bodies.insert(0, gap.left)
+    while (gap := chain.gaps[bodies[-1].right]) is not None and gap.member:
+        gaps.append(gap)
+        if not gap.right.carts:
+            break
+        bodies.append(gap.right)
+    return bodies, gaps
 
 
 def moved(body: Body, start: Time, end: Time) -> float:

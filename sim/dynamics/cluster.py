@@ -1,113 +1,196 @@
-"""Several contacts that share bodies, all at once: tier 2, stepped by power series.
+"""Several bodies that push or pull each other, all at once: tier 2, stepped by power series.
 
-A cluster is a run of neighbouring gaps that all touch. It lives for one step of the series, or
-until something happens in it: a contact's force becomes zero, a bumper turns from one line of its
-law to the other. Then it is taken apart and what still touches forms anew, as a cluster or, where
-only one contact is left, as a closed form.
+A cluster is a row of bodies whose neighbours touch or are linked by a spring or magnets, or one
+body under forces that have no closed form together. It lives for one step of the series, or until
+something happens in it: a contact's force becomes zero, a bumper turns from one line of its law to
+the other, a linked pair touches, a sliding body halts, a held one slips. Then it is taken apart
+and what still belongs together forms anew, by the cheapest solver that is exact.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
+from sim.dynamics import booking, modes, watch
 from sim.dynamics.clock import Time, elapsed
-from sim.dynamics.laws import Bumper, Paper, PushOnly
-from sim.dynamics.series import (
-    LOCKED,
-    Branch,
-    Poly,
-    expand,
-    first_fall,
-    integral,
-    size,
-    slope,
-    step_length,
-    value,
-)
+from sim.dynamics.polynomial import Poly, first_fall, integral, size, slope, value
+from sim.dynamics.series import Branch, Expansion, Row, converged_step, expand, step_length
 
-Cause = Literal["apart", "turn", "climb"]
-"""apart: the force is zero. turn: a bumper is deepest. climb: it is back at its old depth, or, with
-e = 0, pressed as hard as at its greatest overlap."""
+if TYPE_CHECKING:
+    from sim.dynamics.chain import Body, Gap
+    from sim.dynamics.forces import Load
 
 NEGLIGIBLE = 1e-13
 """Of the largest force in the cluster. Far ahead of the push that runs through a touching chain the
 forces are a rounding error of it and less, and their sign means nothing: such a contact is kept."""
 
-if TYPE_CHECKING:
-    from sim.dynamics.chain import Body, Gap
-
-
-def branch_of(gap: Gap) -> Branch:
-    """The linear branch of its law that holds in a gap just after now."""
-    law, d, v, memory = gap.law, -gap.room, -gap.rate, gap.memory
-    assert law is not None and gap.touching is not None
-    if isinstance(law, Bumper):
-        if law.e == 1.0 or (d >= memory and (v > 0.0 or gap.touching.pressing)):
-            return Branch(law.stiffness, 0.0, 0.0)
-        if law.e == 0.0:
-            return LOCKED
-        return Branch(law.stiffness / law.e**2, 0.0, law.resting_overlap(max(memory, d)))
-    assert isinstance(law, (Paper, PushOnly))
-    return Branch(law.stiffness, law.damper(gap.mu), 0.0)
-
 
 @dataclass(slots=True)
 class Cluster:
-    """One step of several touching gaps, from `begun`. `duration` is the step's length in s."""
+    """One step of a row of bodies from `begun`, at most `limit` s. `duration` is its length in s.
 
-    gaps: list[Gap]
+    `bodies` include a wall at an end that is touched; gap k lies between bodies k and k + 1.
+    """
+
+    bodies: list[Body]
+    members: list[Gap]
     begun: Time
-    over: list[Poly] = field(init=False)  # m, overlaps
-    force_of: list[Poly] = field(init=False)  # N
+    limit: float
+    branches: list[Branch] = field(init=False)
+    row: Row = field(init=False)
+    series: Expansion = field(init=False)
     speed: list[Poly] = field(init=False)  # m/s, of bodies; walls stay
     path: list[Poly] = field(init=False)  # m, from where they were
     duration: float = field(init=False)
-    ends: list[tuple[int, Cause]] = field(init=False, default_factory=list)
+    ends: list[watch.End] = field(init=False, default_factory=list)
+    touched: list[bool] = field(init=False)  # which gaps are contacts, not links alone
+    loads: list[Load] = field(init=False)
+    name = "power-series"
+    tier = 2
 
     def __post_init__(self) -> None:
-        bodies = [self.gaps[0].left, *(gap.right for gap in self.gaps)]
-        masses = [body.mass for body in bodies]
-        overlaps = [-gap.room for gap in self.gaps]
-        rates = [-gap.rate for gap in self.gaps]
-        branches = [branch_of(gap) for gap in self.gaps]
-        self.duration = step_length(masses, branches)
-        self.over, self.force_of, pulls = expand(masses, overlaps, rates, branches)
-        self.speed = [[body.v, *integral(a)[1:]] for body, a in zip(bodies, pulls, strict=True)]
-        self.path = [integral(v) for v in self.speed]
-        if all(branch.locked for branch in branches):  # nobody pushes them together any more
-            self.ends = [(k, "apart") for k in range(len(branches))]
-            self.duration = 0.0
-            return
-        sizes = [size(force, self.duration) for force in self.force_of]
-        noise = NEGLIGIBLE * max(sizes)
-        for k, (gap, branch) in enumerate(zip(self.gaps, branches, strict=True)):
-            if sizes[k] < noise:
-                continue
-            for cause, watched in self._watch(k, gap, branch):
-                found = first_fall(watched, self.duration)
-                if found is not None:
-                    self.ends = [e for e in self.ends if found == self.duration]
-                    self.ends.append((k, cause))
-                    self.duration = found
+        self.touched = [gap.touching is not None for gap in self.members]
+        self.loads = [body.load for body in self.bodies]
+        self.branches = [watch.branch_of(gap) for gap in self.members]
+        modes.decide(self.bodies, self.members, self.branches)
+        self._solve()
+        self._find_ends()
 
-    def _watch(self, k: int, gap: Gap, branch: Branch) -> list[tuple[Cause, Poly]]:
-        """What ends the branch of gap k when it falls to zero."""
-        law, over = gap.law, self.over[k]
-        if isinstance(law, Paper):
-            return [("apart", over)]
-        if not isinstance(law, Bumper) or law.e == 1.0:
-            return [("apart", self.force_of[k])]
-        if branch.locked:
-            force = self.force_of[k]
-            spare = [law.stiffness * over[0] - force[0], *(-c for c in force[1:])]
-            return [("apart", force), ("climb", spare)]
-        if branch.rest == 0.0:
-            return [("apart", self.force_of[k]), ("turn", slope(over))]
-        return [
-            ("apart", self.force_of[k]),
-            ("climb", [gap.memory - over[0], *(-c for c in over[1:])]),
+    def _solve(self) -> None:
+        """The series, and a step in which it has converged."""
+        self._expand([self._drag_sign(body) for body in self.bodies])
+        unsigned = [
+            i for i, body in enumerate(self.bodies) if body.load.quadratic and not body.sliding
         ]
+        if unsigned:  # at rest, and nothing pushes yet: the first term of its motion tells
+            for i in unsigned:
+                first = next((c for c in self.speed[i] if c != 0.0), 0.0)
+                self.bodies[i].sliding = (first > 0.0) - (first < 0.0)
+            self._expand([self._drag_sign(body) for body in self.bodies])
+        self.duration = min(step_length(self.row), self.limit)
+        if self.row.nonlinear:
+            self.duration = converged_step(self.row, self.series, self.speed, self.duration)
+
+    @staticmethod
+    def _drag_sign(body: Body) -> float:
+        return body.sliding * body.load.quadratic
+
+    def _expand(self, quadratic: list[float]) -> None:
+        self.row = self._row(quadratic)
+        self.series = expand(self.row)
+        self.speed = [
+            [body.v, *integral(a)[1:]]
+            for body, a in zip(self.bodies, self.series.bodies, strict=True)
+        ]
+        self.path = [integral(v) for v in self.speed]
+
+    def _row(self, quadratic: list[float]) -> Row:
+        bodies, gaps = self.bodies, self.members
+        return Row(
+            inverse=[0.0 if body.held else 1.0 / body.mass for body in bodies],
+            speeds=[body.v for body in bodies],
+            overlaps=[-gap.room for gap in gaps],
+            rates=[-gap.rate for gap in gaps],
+            branches=self.branches,
+            links=[gap.links for gap in gaps],
+            steady=self._steady(),
+            linear=[body.load.linear for body in bodies],
+            quadratic=quadratic,
+        )
+
+    def _steady(self) -> list[float]:
+        """N on each body besides its neighbours and drag: constant in the step."""
+        found = []
+        for i, body in enumerate(self.bodies):
+            load = body.load
+            force = load.steady
+            if load.kinetic and body.sliding:
+                force += modes.friction(body, load.steady + self.between(i))
+            found.append(force)
+        return found
+
+    def between(self, i: int) -> float:
+        """N. What the neighbours of body i do to it at the beginning of the step."""
+        total = 0.0
+        for k, sign in ((i - 1, 1.0), (i, -1.0)):
+            if 0 <= k < len(self.members):
+                gap, branch = self.members[k], self.branches[k]
+                push = watch.force_now(gap, branch)
+                push += sum(link.force(gap.room, gap.rate) for link in gap.links)
+                total += sign * push
+        return total
+
+    def _find_ends(self) -> None:
+        sizes = self._sizes()
+        noise = NEGLIGIBLE * max((s for s in sizes if s < math.inf), default=0.0)
+        for end, watched in self._watched(sizes, noise):
+            found = first_fall(watched, self.duration)
+            if found is not None:
+                if found < self.duration:
+                    self.ends.clear()
+                self.ends.append(end)
+                self.duration = found
+
+    def _sizes(self) -> list[float]:
+        """N. Bounds on the contact forces in the step."""
+        return [size(force, self.duration) for force in self.series.force]
+
+    def _watched(self, sizes: list[float], noise: float) -> list[tuple[watch.End, Poly]]:
+        """Everything that ends the step when it falls to zero."""
+        found: list[tuple[watch.End, Poly]] = []
+        for k, (gap, branch) in enumerate(zip(self.members, self.branches, strict=True)):
+            over, force = self.series.over[k], self.series.force[k]
+            if gap.touching is None:
+                found += [((cause, k), p) for cause, p in watch.linked(gap, over)]
+            elif branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
+                found.append((("apart", k), [-1.0]))  # nobody pushes them together any more
+            elif sizes[k] >= noise:
+                found += [((cause, k), p) for cause, p in watch.contact(gap, branch, over, force)]
+        for i, body in enumerate(self.bodies):
+            if body.carts and body.held:
+                found += [(("slip", i), p) for p in watch.grip(body, self.other_force(i))]
+            elif body.sliding and (body.load.static or body.load.quadratic):
+                found.append((("halt", i), [body.sliding * c for c in self.speed[i]]))
+        return found
+
+    @property
+    def gaps(self) -> tuple[int, ...]:
+        """The gaps of the chain that it moves."""
+        return tuple(gap.index for gap in self.members)
+
+    def impulse(self, k: int, t: float) -> float:
+        """N s. Of the contact in gap k, up to t."""
+        return value(integral(self.series.force[k]), t)
+
+    def contact_force(self, k: int, t: float) -> float:
+        """N. Of the contact in gap k at t."""
+        return value(self.series.force[k], t)
+
+    def greatest(self, k: int, t: float) -> list[float]:
+        """Times up to t at which a contact's force may be greatest: ends, and where it turns."""
+        growth = slope(self.series.force[k])
+        turn = first_fall(growth, t) if value(growth, t) < 0.0 else None
+        return [0.0, t] if turn is None else [0.0, turn, t]
+
+    def warmed(self, k: int, t: float) -> float:
+        """J. What the contact in gap k does not give back of the work pressed in, up to t."""
+        return booking.warmed(self.members[k], self.branches[k], self.series.over[k], t)
+
+    def push(self, k: int) -> Poly:
+        """N of gap k: contact and links."""
+        force, pull = self.series.force[k], self.series.pull[k]
+        return [a + b for a, b in zip(force, pull, strict=True)] if pull else force
+
+    def other_force(self, i: int) -> Poly:
+        """N on body i from its neighbours and all that is steady: what static friction balances."""
+        total = [self.bodies[i].load.steady] + [0.0] * (len(self.series.bodies[i]) - 1)
+        if i > 0:
+            total = [a + b for a, b in zip(total, self.push(i - 1), strict=True)]
+        if i < len(self.members):
+            total = [a - b for a, b in zip(total, self.push(i), strict=True)]
+        return total
 
     def state(self, place: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body at that place in the row."""
@@ -120,8 +203,8 @@ class Cluster:
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt of a gap of the chain."""
-        k = next(k for k, own in enumerate(self.gaps) if own.index == gap)
-        return value(self.force_of[k], tau), value(slope(self.force_of[k]), tau)
+        push = self.push(next(k for k, own in enumerate(self.members) if own.index == gap))
+        return value(push, tau), value(slope(push), tau)
 
     def marks(self) -> list[float]:
         """One formula holds for the whole step."""
@@ -133,9 +216,7 @@ class Cluster:
 
     def index(self, body: Body) -> int:
         """Place of a body in the row."""
-        if body is self.gaps[0].left:
-            return 0
-        return next(k + 1 for k, gap in enumerate(self.gaps) if gap.right is body)
+        return next(k for k, other in enumerate(self.bodies) if other is body)
 
     def shift(self, body: Body, start: Time, end: Time) -> float:
         """m. How far a body goes between two times within the step."""
@@ -155,23 +236,15 @@ class Cluster:
             return value([0.0, 0.0, *path[2:]], dt)
         return value(path, a + dt) - value(path, a) - value(slope(path), a) * dt
 
-    def speeds(self, body: Body) -> tuple[float, float]:
+    def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """Least and greatest velocity in the step, bounded by the coefficients."""
         speed = self.speed[self.index(body)]
-        reach, power = 0.0, 1.0
-        for c in speed[1:]:
-            power *= self.duration
-            reach += abs(c) * power
+        reach = size([0.0, *speed[1:]], self.duration)
         return speed[0] - reach, speed[0] + reach
 
-    def acceleration(self, body: Body) -> float:
+    def acceleration(self, body: Body, now: Time) -> float:
         """m/s². Bound over the step."""
-        speed = self.speed[self.index(body)]
-        total, power = 0.0, 1.0
-        for n, c in enumerate(speed[1:], start=1):
-            total += n * abs(c) * power
-            power *= self.duration
-        return total
+        return size(slope(self.speed[self.index(body)]), self.duration)
 
     def time_left(self, now: Time) -> float:
         """s to the end of the step."""

@@ -49,6 +49,8 @@ class PairContact:
     figures: Figures | None  # where it starts from first touch
     duration: float = field(init=False)
     _stretches: tuple[Swing, ...] | None = field(init=False, default=None)
+    name = "pair-contact"
+    tier = 1
 
     def __post_init__(self) -> None:
         if self.figures is not None:
@@ -62,6 +64,11 @@ class PairContact:
         if self._stretches is None:
             self._stretches = self.law.stretches(self.mu, self.d0, self.u, self.memory)
         return self._stretches
+
+    @property
+    def gaps(self) -> tuple[int]:
+        """The one gap."""
+        return (self.gap,)
 
     def at(self, tau: float) -> tuple[float, float, float, float]:
         """d, d', d'', d''' at tau s after the contact began."""
@@ -141,13 +148,13 @@ class PairContact:
         d, v, _, _ = self.at(a) if a > 0.0 else (self.d0, self.u, 0.0, 0.0)
         return self.side(body) * (self.at(a + dt)[0] - d - v * dt)
 
-    def speeds(self, body: Body) -> tuple[float, float]:
+    def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """Least and greatest velocity: |d'| never exceeds all the energy in motion."""
         fastest = math.hypot(self.u, self.d0 * math.sqrt(self.law.stiffness / self.mu))
         reach = abs(self.side(body)) * fastest
         return self.velocity_of_centre - reach, self.velocity_of_centre + reach
 
-    def acceleration(self, body: Body) -> float:
+    def acceleration(self, body: Body, now: Time) -> float:
         """m/s². Bound over the contact."""
         end = abs(self.at(min(self.duration, FAR))[2])
         return abs(self.side(body)) * max(self.peak()[1] / self.mu, end) * SLACK

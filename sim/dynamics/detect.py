@@ -1,25 +1,23 @@
 """When do two neighbours touch next? Detection moves nothing.
 
-Two free neighbours: room / closing speed, one division. Where one of them is in a contact with
-its other neighbour, its motion is a formula with bounded acceleration, and the first zero of the
-room is found by steps that cannot jump over it (`safe_step`).
+Two free neighbours: room / closing speed, one division. Two on parabolas: a quadratic, solved so
+that nothing cancels. Otherwise their motions are formulas with bounded acceleration, and the first
+zero of the room is found by steps that cannot jump over it (`safe_step`).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
-from sim.dynamics.chain import Gap, velocity
-from sim.dynamics.clock import Time, later
+from sim.dynamics import pushed_again
+from sim.dynamics.chain import Body, Gap, velocity
+from sim.dynamics.clock import Time, elapsed, later
+from sim.dynamics.flight import Flight
 from sim.dynamics.laws import PushOnly
 from sim.dynamics.safe_step import SAFE_STEPS, safe_step
 
 TOUCH_ROUNDING = 1e-15
 """Relative to the search's span. A room that would close within this time has closed."""
-
-PUSH_ROUNDING = 1e-12
-"""Of k d. Spring and damper cancel at separation; what rounding leaves of them is no push."""
 
 PROBE = 1e-2
 """Of the horizon. Neighbours that touch without closing: the sign of their room a moment later
@@ -30,40 +28,104 @@ def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     """Seconds from `now` to the touch of two free neighbours; inf if there is none in sight."""
     law = gap.law
     if gap.rate < 0.0:
-        rest = 0.0 if law is None or gap.room >= 0.0 else law.resting_overlap(gap.memory)
-        return max(0.0, (gap.room + rest) / -gap.rate)
+        return max(0.0, (gap.room + resting(gap)) / -gap.rate)
     if gap.room < 0.0 and isinstance(law, PushOnly) and not own_separation:
-        push = law.force(gap.mu, -gap.room, -gap.rate)
-        return 0.0 if push > PUSH_ROUNDING * law.stiffness * -gap.room else math.inf
+        return 0.0 if pushed_again.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
 
 
-def touch_during_contact(gap: Gap, now: Time) -> float | None:
-    """Seconds from `now` to a touch while a body of `gap` is in another contact, or None.
+def resting(gap: Gap) -> float:
+    """m. The overlap at which the pair would touch: a bumper that has not cleared remembers."""
+    return 0.0 if gap.law is None or gap.room >= 0.0 else gap.law.resting_overlap(gap.memory)
 
-    Looks no further than the end of the first of those contacts: then the gap is asked again.
+
+def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False) -> float:
+    """Seconds from `now` to a touch while a body of `gap` is not in free flight; inf if none.
+
+    Looks no further than the end of the first of those motions, or of the run: then the gap is
+    asked again. Notes in the gap when an overlap clears on the way.
     """
     left, right = gap.left.motion, gap.right.motion
     horizon = min(motion.time_left(now) for motion in (left, right) if motion is not None)
+    horizon = min(horizon, elapsed(now, end))
+    gap.clear_at = None
     if gap.room < 0.0 and isinstance(gap.law, PushOnly):
-        return _pushed_again(gap, gap.law, now, horizon)
-    fastest = gap.left.v if left is None else left.speeds(gap.left)[1]
-    slowest = gap.right.v if right is None else right.speeds(gap.right)[0]
-    rest = 0.0 if gap.law is None or gap.room >= 0.0 else gap.law.resting_overlap(gap.memory)
-    room = gap.room + rest
-    if room > max(0.0, fastest - slowest) * horizon:
-        return None
-    if room <= 0.0:
+        return _pushed_again(gap, gap.law, now, horizon, own_separation)
+    rest = resting(gap)
+    if rest == 0.0 and _is_parabola(gap.left) and _is_parabola(gap.right):
+        relative = _steady(gap.right) - _steady(gap.left)
+        found = first_fall_of_parabola(max(gap.room, 0.0), gap.rate, relative)
+        return found if found <= horizon else math.inf
+    fastest = _speeds(gap.left, now, horizon)[1]
+    slowest = _speeds(gap.right, now, horizon)[0]
+    if gap.room + rest > max(0.0, fastest - slowest) * horizon and rest == 0.0:
+        return math.inf
+    if rest > 0.0:
+        return _touch_with_memory(gap, now, rest, horizon)
+    return _touch_from(gap, now, gap.room, rest, horizon)
+
+
+def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -> float:
+    """The first touch from now on, at room = −rest; it may be at once."""
+    if room + rest <= 0.0:
         soon = PROBE * min(horizon, 1.0)
         if gap.rate < 0.0 or (gap.rate == 0.0 and rest + room_at(gap, now, soon) < 0.0):
             return 0.0
         if gap.rate == 0.0:
-            return None
-    return _first_touch(gap, now, 0.0, horizon, rest)
+            return math.inf
+    found = _first_fall(gap, now, 0.0, horizon, rest, +1.0)
+    return math.inf if found is None else found
+
+
+def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:
+    """A bumper that has not cleared: pressed again at its resting overlap, unless it clears first.
+
+    Once it has cleared it touches at no overlap, as a new one does.
+    """
+    again = _touch_from(gap, now, gap.room, rest, horizon)
+    if again == 0.0:
+        return 0.0
+    clear = _first_fall(gap, now, 0.0, min(again, horizon), 0.0, -1.0)
+    if clear is None:
+        return again
+    gap.clear_at = later(now, clear)
+    found = _first_fall(gap, now, clear, horizon, 0.0, +1.0)
+    return math.inf if found is None else found
+
+
+def first_fall_of_parabola(room: float, rate: float, a: float) -> float:
+    """First t > 0 (or 0) at which room + rate t + a t²/2, room >= 0, falls to zero; inf if never.
+
+    The form of the root is chosen so that nothing cancels: 4e-17 relative at a = 1e-12.
+    """
+    if room == 0.0 and (rate < 0.0 or (rate == 0.0 and a < 0.0)):
+        return 0.0
+    square = rate * rate - 2.0 * a * room
+    if square < 0.0:
+        return math.inf
+    root = math.sqrt(square)
+    if rate < 0.0:
+        return 2.0 * room / (root - rate)
+    return (rate + root) / -a if a < 0.0 else math.inf
+
+
+def _is_parabola(body: Body) -> bool:
+    motion = body.motion
+    return motion is None or (isinstance(motion, Flight) and motion.course.sparse)
+
+
+def _steady(body: Body) -> float:
+    return 0.0 if body.motion is None else body.motion.state(0.0, 0.0)[2]
+
+
+def _speeds(body: Body, now: Time, horizon: float) -> tuple[float, float]:
+    if body.motion is None:
+        return body.v, body.v
+    return body.motion.speeds(body, now, horizon)
 
 
 def room_at(gap: Gap, now: Time, t: float) -> float:
-    """m. The room of a gap t s after `now`: its present rate, and what the contacts add to it."""
+    """m. The room of a gap t s after `now`: its present rate, and what the motions add to it."""
     left, right = gap.left.motion, gap.right.motion
     pulled = 0.0 if left is None else left.excess(gap.left, now, t)
     pushed = 0.0 if right is None else right.excess(gap.right, now, t)
@@ -78,17 +140,22 @@ def rate_at(gap: Gap, now: Time, t: float) -> float:
     return velocity(gap.right, moment) - velocity(gap.left, moment)
 
 
-def _first_touch(gap: Gap, now: Time, t: float, horizon: float, rest: float) -> float | None:
-    """The first t in which room + rest is zero, from a t at which it is positive or opening."""
-    bound = sum(
-        body.motion.acceleration(body) for body in (gap.left, gap.right) if body.motion is not None
-    )
+def _first_fall(
+    gap: Gap, now: Time, t: float, horizon: float, rest: float, sign: float
+) -> float | None:
+    """The first t at which sign × (room + rest) falls to zero, from a t at which it is positive."""
     begin = t
     for _ in range(SAFE_STEPS):
-        here = room_at(gap, now, t) + rest
+        here = sign * (room_at(gap, now, t) + rest)
         if here <= 0.0 and t > begin:
             return t
-        rate = rate_at(gap, now, t)
+        rate = sign * rate_at(gap, now, t)
+        moment = later(now, t)
+        bound = sum(
+            body.motion.acceleration(body, moment)
+            for body in (gap.left, gap.right)
+            if body.motion is not None
+        )
         step = safe_step(max(here, 0.0), rate, bound)
         if step <= TOUCH_ROUNDING * t:
             return t if rate < 0.0 else None
@@ -98,44 +165,18 @@ def _first_touch(gap: Gap, now: Time, t: float, horizon: float, rest: float) -> 
     return t
 
 
-def _pushed_again(gap: Gap, law: PushOnly, now: Time, horizon: float) -> float | None:
-    """When a push-only pair that still overlaps pushes again.
+def _pushed_again(
+    gap: Gap, law: PushOnly, now: Time, horizon: float, own_separation: bool
+) -> float:
+    """A push-only pair that still overlaps, until it clears."""
+    if own_separation is False and pushed_again.pushes(law, gap.mu, gap.room, gap.rate):
+        return 0.0
 
-    Its neighbours' forces change the rate d' in N = k d + c d', so N may rise through zero while d
-    falls. N is smooth: it is scanned while the overlap lasts, and the first rise is bisected.
-    Once the overlap is clear, the next touch is an ordinary one.
-    """
-    mu = gap.mu
+    def place(t: float) -> tuple[float, float]:
+        return room_at(gap, now, t), rate_at(gap, now, t)
 
-    def force(t: float) -> float:
-        return law.force(mu, -room_at(gap, now, t), -rate_at(gap, now, t))
-
-    swing = math.sqrt(mu / law.stiffness)
-    span = max(swing, 2.0 * -gap.room / gap.rate) if gap.rate > 0.0 else swing
-    before = 0.0
-    while before < horizon:
-        span = min(span, horizon - before)
-        begin = before
-        for k in range(1, SCAN + 1):
-            t = begin + span * k / SCAN
-            if room_at(gap, now, t) >= 0.0:
-                return _first_touch(gap, now, t, horizon, 0.0)
-            if force(t) > PUSH_ROUNDING * law.stiffness * -gap.room:
-                return _bisected(force, before, t)
-            before = t
-    return None
-
-
-def _bisected(force: Callable[[float], float], low: float, high: float) -> float:
-    """The t between low and high at which a force turns positive, to rounding."""
-    span = high - low
-    while high - low > TOUCH_ROUNDING * span:
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break
-        low, high = (low, middle) if force(middle) > 0.0 else (middle, high)
-    return high
-
-
-SCAN = 64
-"""Points in one swing of the pair."""
+    t, cleared = pushed_again.scan(law, gap.mu, place, horizon)
+    if not cleared:
+        return t
+    found = _first_fall(gap, now, t, horizon, 0.0, +1.0)
+    return math.inf if found is None else found

@@ -1,10 +1,13 @@
 """Momentum and energy: what every change is due to.
 
-    momentum   initial + external (walls) = final
-    energy     initial = final + warmed            (kinetic + stored in bumpers)
+    momentum   initial + external = final                 external: walls, and effects by name
+    energy     initial + work = final + warmed            kinetic, and stored: in bumpers, springs,
+                                                          magnets, and height on an incline
 
-`warmed` went into the bumpers: each contact adds what it does not give back. Totals are summed
-with compensation, so that a million contacts do not blur them.
+`warmed` went into the bumpers: each contact adds what it does not give back. `work` is that of
+push and release, and, below nought, of friction, drag and the dampers of springs. Height is nought
+where each cart starts. Totals are summed with compensation, so that a million contacts do not
+blur them.
 """
 
 from __future__ import annotations
@@ -12,8 +15,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from sim.scene.model import Scene
+
+if TYPE_CHECKING:
+    from sim.dynamics.chain import Chain
 
 
 @dataclass(slots=True)
@@ -26,16 +33,23 @@ class Ledger:
     momentum_final: float = 0.0
     stored_initial: float = 0.0
     stored_final: float = 0.0
+    potential: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """J per effect that stores energy: at the start and at the end."""
     _warmed: list[float] = field(default_factory=lambda: [0.0, 0.0])
-    _external: list[float] = field(default_factory=lambda: [0.0, 0.0])
+    _impulses: dict[str, list[float]] = field(default_factory=dict)
+    _works: dict[str, list[float]] = field(default_factory=dict)
 
     def warm(self, energy: float) -> None:
         """A contact kept `energy` [J]."""
         _add(self._warmed, energy)
 
-    def push_from_outside(self, impulse: float) -> None:
-        """A wall gave the carts `impulse` [N s], + to the right."""
-        _add(self._external, impulse)
+    def push_from_outside(self, impulse: float, by: str = "walls") -> None:
+        """`by` gave the carts `impulse` [N s], + to the right."""
+        _add(self._impulses.setdefault(by, [0.0, 0.0]), impulse)
+
+    def work(self, by: str, energy: float) -> None:
+        """An effect gave the carts `energy` [J]."""
+        _add(self._works.setdefault(by, [0.0, 0.0]), energy)
 
     @property
     def warmed(self) -> float:
@@ -44,8 +58,24 @@ class Ledger:
 
     @property
     def external(self) -> float:
-        """N s."""
-        return self._external[0] + self._external[1]
+        """N s. By all together."""
+        return math.fsum(part for total in self._impulses.values() for part in total)
+
+    @property
+    def impulses(self) -> dict[str, float]:
+        """N s from outside, by name."""
+        return {by: total[0] + total[1] for by, total in self._impulses.items()}
+
+    @property
+    def works(self) -> dict[str, float]:
+        """J, by effect. What an incline gives is height that was stored."""
+        return {
+            by: total[0] + total[1] for by, total in self._works.items() if by not in CONSERVATIVE
+        }
+
+
+CONSERVATIVE = ("incline",)
+"""Effects whose work is a change of stored energy."""
 
 
 def _add(total: list[float], term: float) -> None:
@@ -68,10 +98,25 @@ def momentum(scene: Scene, v: Sequence[float]) -> float:
     return math.fsum([c.mass * s for c, s in zip(scene.carts, v, strict=True)])
 
 
+def store(ledger: Ledger, chain: Chain, *, first: bool) -> None:
+    """Energy in springs and magnets, by kind, at the start or at the end."""
+    for gap in chain.gaps:
+        for link in gap.links if gap is not None else ():
+            start, end = ledger.potential.get(link.kind, (0.0, 0.0))
+            assert gap is not None
+            energy = link.energy(gap.room)
+            ledger.potential[link.kind] = (start + energy, end) if first else (start, end + energy)
+
+
 def close(ledger: Ledger, scene: Scene, v: Sequence[float]) -> None:
     """Fill in the totals at both ends of a run."""
     start = [cart.velocity for cart in scene.carts]
     ledger.momentum_initial = momentum(scene, start)
     ledger.momentum_final = momentum(scene, v)
-    ledger.energy_initial = kinetic(scene, start) + ledger.stored_initial
-    ledger.energy_final = kinetic(scene, v) + ledger.stored_final
+    height = ledger._works.get("incline")
+    if height is not None:
+        ledger.potential["incline"] = (0.0, -(height[0] + height[1]))
+    first = math.fsum(start for start, _ in ledger.potential.values())
+    last = math.fsum(end for _, end in ledger.potential.values())
+    ledger.energy_initial = kinetic(scene, start) + ledger.stored_initial + first
+    ledger.energy_final = kinetic(scene, v) + ledger.stored_final + last

@@ -14,6 +14,7 @@ from sim.dynamics.impact import outgoing
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.record import Record
 from sim.dynamics.touching import Peak, Touching
+from sim.dynamics.watch import branch_of, force_now
 
 
 def common_velocity(left: Body, right: Body) -> float:
@@ -51,11 +52,32 @@ constant factor, never end; once their approach speed is this small, the two go 
 far below the last bit of any velocity, so no cart that moves is stopped by it."""
 
 
-def instant(gap: Gap, now: Time, record: Record, ledger: Ledger, fastest: float) -> None:
-    """An impulse without duration. `fastest` [m/s]: the greatest speed at the start."""
+AT_REST = 1e-12
+"""Of the fastest approach so far. Impacts under a force that presses on come ever faster and ever
+slower; there are infinitely many before a finite time. Below this speed the two stay in contact:
+what is left out of the energy is 1e-24 of it, of the time 1e-12."""
+
+AT_REST_IN_CONTACT = 1e-8
+"""The same where one of the two is in a contact with somebody else: its place is known to 1e-16
+only, and below this speed that decides the next impact. 1e-16 of the energy is left out."""
+
+
+def rests(gap: Gap, fastest: float, *, in_contact: bool) -> bool:
+    """Would this impact leave so little speed that the two stay in contact, if they are pressed?"""
+    small = AT_REST_IN_CONTACT if in_contact else AT_REST
+    return (gap.contact.restitution or 0.0) * -gap.rate <= small * fastest
+
+
+def instant(
+    gap: Gap, now: Time, record: Record, ledger: Ledger, fastest: float, *, stays: bool = False
+) -> None:
+    """An impulse without duration. `fastest` [m/s]: the greatest approach so far.
+
+    `stays`: the two go on together, in contact, while something presses them together.
+    """
     left, right = gap.left, gap.right
     e, u, mu = gap.contact.restitution or 0.0, -gap.rate, gap.mu
-    if u < STILL * fastest:
+    if stays or u < STILL * fastest:
         e = 0.0
     before = (left.v, right.v)
     left.v, right.v = velocities_after(left, right, e)
@@ -67,6 +89,8 @@ def instant(gap: Gap, now: Time, record: Record, ledger: Ledger, fastest: float)
     ledger.warm(0.5 * mu * u * u * (1.0 - e) * (1.0 + e))
     outside(left, right, impulse, ledger)
     record.event("contact", gap, now, before, (left.v, right.v), impulse, None)
+    if stays:
+        gap.touching = Touching(now, before)
     for body in (left, right):
         if body.carts:
             record.piece(body)
@@ -81,6 +105,14 @@ def join(chain: Chain, gap: Gap, now: Time, record: Record, ledger: Ledger) -> N
     ledger.warm(0.5 * mu * u * u)
     outside(left, right, mu * u, ledger)
     record.event("contact", gap, now, before, (centre, centre), mu * u, None)
+    one = merge(chain, gap, now, record)
+    one.v = centre
+    record.piece(one)
+
+
+def merge(chain: Chain, gap: Gap, now: Time, record: Record) -> Body:
+    """The bodies of a gap become one; a wall makes it immovable."""
+    left, right = gap.left, gap.right
     record.join(gap, now)
     gap.turn += 1
     gap.joined = True
@@ -97,11 +129,14 @@ def join(chain: Chain, gap: Gap, now: Time, record: Record, ledger: Ledger) -> N
         for k, body in enumerate(chain.bodies):
             if body is right:
                 chain.bodies[k] = one
+        for near in chain.gaps:
+            if near is not None and near.joined and near.left is right:
+                near.left = near.right = one
     else:  # stuck to a wall
         one.mass = math.inf
-    one.v, one.time = centre, now
+    one.time = now
     gap.left = gap.right = one
-    record.piece(one)
+    return one
 
 
 def reclaim(gap: Gap, now: Time, ledger: Ledger) -> None:
@@ -118,69 +153,42 @@ def reclaim(gap: Gap, now: Time, ledger: Ledger) -> None:
             ledger.warm(-stored)
 
 
-def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> PairContact:
-    """A contact of finite duration begins between two free bodies."""
-    assert gap.law is not None
-    left, right, mu = gap.left, gap.right, gap.mu
-    overlap = max(0.0, -gap.room)
-    contact = PairContact(
-        gap=gap.index,
-        law=gap.law,
-        mu=mu,
-        begun=now,
-        d0=overlap,
-        u=-gap.rate,
-        memory=gap.memory,
-        velocity_of_centre=common_velocity(left, right),
-        shares=shares(left, right, mu),
-        figures=gap.figures(mu) if overlap == 0.0 else None,
-    )
-    gap.room = -overlap
-    reclaim(gap, now, ledger)
-    gap.touching = Touching(now, (left.v, right.v), contact)
-    record.event(
-        "contact",
-        gap,
-        now,
-        (left.v, right.v),
-        (left.v, right.v),
-        0.0,
-        contact.first_force() if record.keep_events else 0.0,
-    )
-    for body in (left, right):
-        if body.carts:  # a wall can be in two contacts: it does not move in either
-            body.motion = contact
-            record.piece(body)
-    return contact
-
-
-def touch_among_others(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
-    """A contact begins while one of the two is in another one: settled, but not formed yet."""
-    assert gap.law is not None
+def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
+    """A contact of finite duration begins between two settled bodies; nothing moves it yet."""
     left, right = gap.left, gap.right
     gap.room = min(gap.room, 0.0)
-    placeholder = PairContact(
+    reclaim(gap, now, ledger)
+    gap.touching = Touching(now, (left.v, right.v))
+    if not record.keep_events:
+        record.counts["contact"] += 1
+        return
+    speeds = (left.v, right.v)
+    record.event("contact", gap, now, speeds, speeds, 0.0, contact_force(gap))
+
+
+def contact_force(gap: Gap) -> float:
+    """N. The force of a touching gap just now, by the branch of its law that holds."""
+    return force_now(gap, branch_of(gap))
+
+
+def pair_contact(gap: Gap, now: Time) -> PairContact:
+    """The closed form that moves a touching gap whose bodies are free otherwise.
+
+    From first touch the outcome comes from the law's figures.
+    """
+    assert gap.law is not None and gap.touching is not None
+    fresh = gap.room == 0.0 and gap.touching.begun == now and gap.touching.impulse == 0.0
+    return PairContact(
         gap=gap.index,
         law=gap.law,
         mu=gap.mu,
         begun=now,
-        d0=max(0.0, -gap.room),
+        d0=-gap.room,
         u=-gap.rate,
         memory=gap.memory,
-        velocity_of_centre=common_velocity(left, right),
-        shares=shares(left, right, gap.mu),
-        figures=gap.figures(gap.mu),
-    )
-    reclaim(gap, now, ledger)
-    gap.touching = Touching(now, (left.v, right.v), placeholder)
-    record.event(
-        "contact",
-        gap,
-        now,
-        (left.v, right.v),
-        (left.v, right.v),
-        0.0,
-        placeholder.first_force() if record.keep_events else 0.0,
+        velocity_of_centre=common_velocity(gap.left, gap.right),
+        shares=shares(gap.left, gap.right, gap.mu),
+        figures=gap.figures(gap.mu) if fresh and gap.rate < 0.0 else None,
     )
 
 
@@ -188,7 +196,7 @@ def separate_pair(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     """The force of a contact that was a closed form to its end has become zero."""
     touching, law = gap.touching, gap.law
     assert touching is not None and law is not None
-    contact = touching.solver
+    contact = gap.solver
     assert isinstance(contact, PairContact)
     left, right, mu = gap.left, gap.right, contact.mu
     speed, overlap = contact.out()
@@ -222,7 +230,7 @@ def separate_pair(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     gap.memory = law.remember(deepest, contact.memory) if overlap > 0.0 else 0.0
     gap.room, gap.rate, gap.time = -overlap, speed, now
     outside(left, right, impulse, ledger)
-    record.finished(contact, (gap.index,), now[0])
+    record.finished(contact, now[0])
     last_force = contact.last_force() if record.keep_events else 0.0
     tell_separation(gap, now, last_force, record)
     for body in (left, right):
@@ -234,6 +242,7 @@ def tell_separation(gap: Gap, now: Time, last_force: float, record: Record) -> N
     """The events at the end of a contact; the gap is free from here on."""
     touching = gap.touching
     assert touching is not None
+    gap.solver = None
     tell_peak(gap, record)
     out = (gap.left.v, gap.right.v)
     record.event("separate", gap, now, touching.before, out, touching.impulse, last_force)

@@ -2,8 +2,9 @@
 
 For the touching gaps k = 0 … p between bodies, with overlap o and one linear branch of force each,
 
-    N_k = kappa_k (o_k − rest_k) + gamma_k o_k'
-    a_i = (N_left − N_right) / m_i           o_k'' = a_left − a_right
+    N_k = kappa_k (o_k − rest_k) + gamma_k o_k'  (+ springs and magnets across the gap)
+    a_i = (N_left − N_right + F_i) / m_i     F_i = steady − linear v_i − quadratic v_i²
+    o_k'' = a_left − a_right
 
 every Taylor coefficient follows from the two before it. Over a step h with W h <= REACH, where W
 bounds the fastest rate in the row, the coefficients fall like REACH^n / n!, and ORDER of them leave
@@ -17,14 +18,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from sim.dynamics.safe_step import SAFE_STEPS, safe_step
+from sim.dynamics.effects.base import Link
+from sim.dynamics.polynomial import Poly, size
 
 ORDER = 26
 REACH = 2.0
 """REACH^ORDER / ORDER! is 2e-19: a thousandth of the rounding of the sum itself."""
-
-Poly = list[float]
-"""Coefficients of 1, t, t² …, t in s."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,54 +39,150 @@ class Branch:
     rest: float
     locked: bool = False
 
+    def force(self, over: float, rate: float) -> float:
+        """N, at overlap [m] and its rate [m/s]; 0 where locked: no formula gives it."""
+        return self.kappa * (over - self.rest) + self.gamma * rate
+
 
 LOCKED = Branch(0.0, 0.0, 0.0, locked=True)
+APART = Branch(0.0, 0.0, 0.0)
+"""A gap that is only linked: no contact force."""
 
 
-def step_length(masses: list[float], branches: list[Branch]) -> float:
-    """s. A step within which the series converges to rounding. masses: of all bodies, in order."""
+@dataclass(frozen=True, slots=True)
+class Row:
+    """Bodies in a row with all that acts on them, at the beginning of a step.
+
+    `inverse` is 1/m, 0 for what does not move; `quadratic` is signed: −quadratic v² acts.
+    """
+
+    inverse: list[float]
+    speeds: list[float]
+    overlaps: list[float]
+    rates: list[float]
+    branches: list[Branch]
+    links: list[tuple[Link, ...]]
+    steady: list[float]
+    linear: list[float]
+    quadratic: list[float]
+
+    @property
+    def nonlinear(self) -> bool:
+        """Does the series have a finite radius of convergence?"""
+        return any(self.quadratic) or any(
+            link.kind not in LINEAR for links in self.links for link in links
+        )
+
+
+LINEAR = ("spring",)
+
+
+@dataclass(frozen=True, slots=True)
+class Expansion:
+    """Series of one step: overlaps, contact forces, link forces, accelerations of the bodies."""
+
+    over: list[Poly]
+    force: list[Poly]
+    pull: list[Poly]
+    bodies: list[Poly]
+
+
+def step_length(row: Row) -> float:
+    """s. A step within which the linear part of the series converges to rounding."""
+    count = len(row.branches)
+    stiff, damp = [], []
+    for k, branch in enumerate(row.branches):
+        bounds = [link.bounds(-row.overlaps[k]) for link in row.links[k]]
+        stiff.append(branch.kappa + math.fsum(b[0] for b in bounds))
+        damp.append(branch.gamma + math.fsum(b[1] for b in bounds))
     fastest = 0.0
-    for k, branch in enumerate(branches):
-        left, right = 1.0 / masses[k], 1.0 / masses[k + 1]
-        stiff = branch.kappa * (left + right)
-        damp = branch.gamma * (left + right)
+    for i, inv in enumerate(row.inverse):
+        drag = row.linear[i] + 2.0 * abs(row.quadratic[i] * row.speeds[i])
+        fastest = max(fastest, inv * drag)
+    for k in range(count):
+        left, right = row.inverse[k], row.inverse[k + 1]
+        s, d = stiff[k] * (left + right), damp[k] * (left + right)
         if k > 0:
-            stiff += branches[k - 1].kappa * left
-            damp += branches[k - 1].gamma * left
-        if k + 1 < len(branches):
-            stiff += branches[k + 1].kappa * right
-            damp += branches[k + 1].gamma * right
-        fastest = max(fastest, 0.5 * damp + math.sqrt(0.25 * damp * damp + stiff))
+            s += stiff[k - 1] * left
+            d += damp[k - 1] * left
+        if k + 1 < count:
+            s += stiff[k + 1] * right
+            d += damp[k + 1] * right
+        d += max(row.linear[k] * left, row.linear[k + 1] * right)
+        fastest = max(fastest, 0.5 * d + math.sqrt(0.25 * d * d + s))
     return REACH / fastest if fastest > 0.0 else math.inf
 
 
-def expand(
-    masses: list[float], overlaps: list[float], rates: list[float], branches: list[Branch]
-) -> tuple[list[Poly], list[Poly], list[Poly]]:
-    """Series of overlaps, forces, and accelerations of all bodies (0 for a wall: infinite mass)."""
+CONVERGED = 0.2
+"""Of the radius of convergence: 0.2^26 is 7e-19."""
+
+
+def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: float) -> float:
+    """s. For a nonlinear row: a part of the radius of convergence that the last terms show."""
+    step = longest
+    watched = [over for over, links in zip(found.over, row.links, strict=True) if links]
+    largest = max((abs(v[0]) for v in speeds), default=0.0)
+    for series, first in [*((p, abs(p[0])) for p in watched), *((v, largest) for v in speeds)]:
+        scale = first or size(series, step)
+        for n in (len(series) - 2, len(series) - 1):
+            if series[n] != 0.0 and scale > 0.0:
+                step = min(step, CONVERGED * (scale / abs(series[n])) ** (1.0 / n))
+    return step
+
+
+def expand(row: Row) -> Expansion:
+    """Series of overlaps, forces, and accelerations of all bodies (0 for what does not move)."""
+    branches, inverse = row.branches, row.inverse
     count = len(branches)
     runs = _locked_runs(branches)
-    over = [[o, r] for o, r in zip(overlaps, rates, strict=True)]
+    over = [[o, r] for o, r in zip(row.overlaps, row.rates, strict=True)]
+    speed = [[v] for v in row.speeds]
     force: list[Poly] = [[] for _ in branches]
-    bodies: list[Poly] = [[] for _ in masses]
-    inverse = [1.0 / mass for mass in masses]
+    pull: list[Poly] = [[] for _ in branches]
+    bodies: list[Poly] = [[] for _ in inverse]
+    terms = [[link.expansion() for link in links] for links in row.links]
+    linked = any(terms)
+    dragged = any(row.linear) or any(row.quadratic)
+    nothing = [0.0] * len(inverse)
     for n in range(ORDER - 1):
+        outside = nothing if n else row.steady
+        if dragged or linked:
+            outside = list(outside)
         for k, branch in enumerate(branches):
             o = over[k]
             push = branch.kappa * (o[n] - branch.rest if n == 0 else o[n])
             if branch.gamma:
                 push += branch.gamma * (n + 1) * o[n + 1]
             force[k].append(push)
+            if linked:
+                pull[k].append(math.fsum([term(n, o) for term in terms[k]]))
+        if dragged:
+            _add_drag(row, speed, outside, n)
+        if linked:
+            for i in range(len(inverse)):
+                from_left = pull[i - 1][n] if i > 0 else 0.0
+                outside[i] += from_left - (pull[i][n] if i < count else 0.0)
         for run in runs:
-            _hold(run, force, inverse, n)
+            _hold(run, force, inverse, outside, n)
         for i, inv in enumerate(inverse):
             from_left = force[i - 1][n] if i > 0 else 0.0
             from_right = force[i][n] if i < count else 0.0
-            bodies[i].append((from_left - from_right) * inv)
+            a = (from_left - from_right + outside[i]) * inv
+            bodies[i].append(a)
+            speed[i].append(a / (n + 1))
         scale = 1.0 / ((n + 1) * (n + 2))
         for k in range(count):
-            over[k].append((bodies[k][n] - bodies[k + 1][n]) * scale)
-    return over, force, bodies
+            over[k].append(0.0 if branches[k].locked else (bodies[k][n] - bodies[k + 1][n]) * scale)
+    return Expansion(over, force, pull, bodies)
+
+
+def _add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:
+    """The n-th coefficients of −linear v − quadratic v²."""
+    for i, v in enumerate(speed):
+        drag = row.linear[i] * v[n]
+        if row.quadratic[i]:
+            drag += row.quadratic[i] * sum([v[j] * v[n - j] for j in range(n + 1)])
+        outside[i] -= drag
 
 
 def _locked_runs(branches: list[Branch]) -> list[range]:
@@ -102,90 +197,41 @@ def _locked_runs(branches: list[Branch]) -> list[range]:
     return runs
 
 
-def _hold(run: range, force: list[Poly], inverse: list[float], n: int) -> None:
+def hold_now(
+    branches: list[Branch], push: list[float], inverse: list[float], outside: list[float]
+) -> None:
+    """Fill in the forces of locked gaps among the others, at one instant."""
+    force = [[p] for p in push]
+    for run in _locked_runs(branches):
+        _hold(run, force, inverse, outside, 0)
+    push[:] = [p[0] for p in force]
+
+
+def _hold(
+    run: range, force: list[Poly], inverse: list[float], outside: list[float], n: int
+) -> None:
     """The n-th coefficients that keep all overlaps of a locked run: Thomas's algorithm.
 
-    (1/mL + 1/mR) N_k − N_(k−1)/mL − N_(k+1)/mR = 0 for each k of the run.
+    (1/mL + 1/mR) N_k − N_(k−1)/mL − N_(k+1)/mR = F_L/mL − F_R/mR for each k of the run, F all that
+    acts on a body besides contacts. Between two bodies that do not move nothing presses: N = 0.
     """
     ratio: list[float] = []
     right_side: list[float] = []
     for k in run:
-        known = inverse[k] * force[k - 1][n] if k == run.start and k > 0 else 0.0
+        known = outside[k] * inverse[k] - outside[k + 1] * inverse[k + 1]
+        if k == run.start and k > 0:
+            known += inverse[k] * force[k - 1][n]
         if k == run.stop - 1 and k + 1 < len(force):
             known += inverse[k + 1] * force[k + 1][n]
         below = inverse[k] if k > run.start else 0.0
         pivot = inverse[k] + inverse[k + 1] - below * (ratio[-1] if ratio else 0.0)
+        if pivot <= 0.0:
+            ratio.append(0.0)
+            right_side.append(0.0)
+            continue
         ratio.append(inverse[k + 1] / pivot)
         right_side.append((known + below * (right_side[-1] if right_side else 0.0)) / pivot)
     later = 0.0
     for j in range(len(run) - 1, -1, -1):
         later = right_side[j] + (ratio[j] * later if j < len(run) - 1 else 0.0)
         force[run[j]][n] = later
-
-
-def value(p: Poly, t: float) -> float:
-    """p(t) by Horner's rule."""
-    total = 0.0
-    for c in reversed(p):
-        total = total * t + c
-    return total
-
-
-def size(p: Poly, h: float) -> float:
-    """Bound on |p| over [0, h]."""
-    total, power = 0.0, 1.0
-    for c in p:
-        total += abs(c) * power
-        power *= h
-    return total
-
-
-def slope(p: Poly) -> Poly:
-    """dp/dt."""
-    return [n * c for n, c in enumerate(p)][1:] or [0.0]
-
-
-def integral(p: Poly) -> Poly:
-    """The primitive that is 0 at t = 0."""
-    return [0.0, *(c / (n + 1) for n, c in enumerate(p))]
-
-
-CLOSE = 2e-16
-"""Relative to the step: a zero nearer than this is here."""
-
-
-def first_fall(p: Poly, h: float) -> float | None:
-    """First t in [0, h] at which p, positive just after 0, falls to zero; None if it does not.
-
-    0 where p is negative just after 0. A zero of p at 0 itself is divided out, however many-fold.
-    Found by steps that cannot jump over a zero: |p''| is bounded by its coefficients.
-    """
-    low = next((n for n, c in enumerate(p) if c != 0.0), None)
-    if low is None:
-        return None
-    q = p[low:]
-    if q[0] < 0.0:
-        return 0.0
-    if h <= 0.0:
-        return None
-    bound, power, reach = 0.0, 1.0, 0.0
-    for n in range(1, len(q)):
-        reach += abs(q[n]) * power * h
-        if n >= 2:
-            bound += n * (n - 1) * abs(q[n]) * power / h
-        power *= h
-    if q[0] > reach:
-        return None
-    rate = slope(q)
-    t = 0.0
-    for _ in range(SAFE_STEPS):
-        here, falling = value(q, t), value(rate, t)
-        if here <= 0.0:
-            return t
-        step = safe_step(here, falling, bound)
-        if step <= CLOSE * h:
-            return t
-        t += step
-        if t > h:
-            return None
-    return t

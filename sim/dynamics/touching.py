@@ -10,8 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.dynamics.clock import Time
-from sim.dynamics.cluster import Cluster
-from sim.dynamics.contact import PairContact
 
 
 @dataclass(slots=True)
@@ -26,11 +24,10 @@ class Peak:
 
 @dataclass(slots=True)
 class Touching:
-    """One contact in progress; `solver` is what moves it at present."""
+    """One contact in progress."""
 
     begun: Time
     before: tuple[float, float]  # m/s, of the left and the right body at touch
-    solver: PairContact | Cluster
     impulse: float = 0.0  # N s, booked so far: up to when the solver began
     peak: Peak | None = None
     pressing: bool = False  # a bumper at its greatest overlap that is about to be pressed further

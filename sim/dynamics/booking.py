@@ -1,0 +1,97 @@
+"""What a solver did to bodies under effects, booked by name: impulses from outside, and work.
+
+steady      F t            F s
+linear      −b s           −b ∫v² dt          s [m] is the way, t [s] the time
+quadratic   −c ∫v|v| dt    −c ∫|v|³ dt
+friction    −μN t          −μN |s|            held: the impulse of all others, no work
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from sim.dynamics.laws import Bumper
+from sim.dynamics.polynomial import Poly, cube_integral, integral, square_integral, value
+
+if TYPE_CHECKING:
+    from sim.dynamics.chain import Gap
+    from sim.dynamics.cluster import Cluster
+    from sim.dynamics.flight import Flight
+    from sim.dynamics.forces import Load
+    from sim.dynamics.ledger import Ledger
+    from sim.dynamics.series import Branch
+
+
+def _pulls(
+    ledger: Ledger, load: Load, time: float, way: float, squares: tuple[float, float, float]
+) -> None:
+    """Every pull by name. squares: ∫v² dt, ∫v|v| dt, ∫|v|³ dt."""
+    for pull in load.pulls:
+        impulse = pull.steady * time - pull.linear * way - pull.quadratic * squares[1]
+        ledger.push_from_outside(impulse, pull.kind)
+        work = pull.steady * way - pull.linear * squares[0] - pull.quadratic * squares[2]
+        ledger.work(pull.kind, work)
+
+
+def flight(ledger: Ledger, flown: Flight, mass: float, time: float) -> None:
+    """A closed form: what drag took follows from the change of velocity and of kinetic energy."""
+    load, course = flown.load, flown.course
+    way, v, _ = course.at(time)
+    force = load.steady - flown.sliding * load.kinetic
+    slowed = force * time - mass * (v - flown.v0)  # N s, taken by drag
+    taken = force * way - 0.5 * mass * (v - flown.v0) * (v + flown.v0)  # J
+    total = load.linear + load.quadratic
+    for pull in load.pulls:
+        share = (pull.linear + pull.quadratic) / total if total else 0.0  # one of the two is nought
+        ledger.push_from_outside(pull.steady * time - share * slowed, pull.kind)
+        ledger.work(pull.kind, pull.steady * way - share * taken)
+    if load.kinetic:
+        ledger.push_from_outside(-flown.sliding * load.kinetic * time, "friction")
+        ledger.work("friction", -flown.sliding * load.kinetic * way)
+
+
+def cluster(ledger: Ledger, step: Cluster, t: float) -> None:
+    """A step of the power series, up to t s."""
+    for i, body in enumerate(step.bodies):
+        load = body.load
+        if not body.carts or not (load.pulls or load.grips):
+            continue
+        way, speed = value(step.path[i], t), step.speed[i]
+        squares = (0.0, 0.0, 0.0)
+        if load.linear or load.quadratic:
+            square = square_integral(speed, t)
+            cube = body.sliding * cube_integral(speed, t) if load.quadratic else 0.0
+            squares = (square, body.sliding * square, cube)
+        _pulls(ledger, load, t, way, squares)
+        if body.held:
+            impulse = -value(integral(step.other_force(i)), t)
+            ledger.push_from_outside(impulse, "friction")
+        elif load.kinetic and body.sliding:
+            force = step.row.steady[i] - load.steady
+            ledger.push_from_outside(force * t, "friction")
+            ledger.work("friction", force * way)
+    for k, gap in enumerate(step.members):
+        for link in gap.links:
+            damping = link.damping()
+            if damping:
+                rate = [n * c for n, c in enumerate(step.series.over[k])][1:]
+                ledger.work(link.kind, -damping * square_integral(rate, t))
+        if gap.links and math.inf in (gap.left.mass, gap.right.mass):
+            impulse = value(integral(step.series.pull[k]), t)
+            toward = 1.0 if gap.left.mass == math.inf else -1.0
+            ledger.push_from_outside(toward * impulse, gap.links[0].kind)
+
+
+def warmed(gap: Gap, branch: Branch, over: Poly, t: float) -> float:
+    """J. What a touching gap does not give back of the work pressed in, up to t s."""
+    loss = 0.0
+    if branch.gamma:
+        rate = [n * c for n, c in enumerate(over)][1:]
+        loss += branch.gamma * square_integral(rate, t)
+    law = gap.law
+    if isinstance(law, Bumper) and branch.kappa == law.stiffness and law.e < 1.0:
+        kept = 0.5 * law.stiffness * (1.0 - law.e) * (1.0 + law.e)
+        end = value(over, t)
+        loss += kept * (end - over[0]) * (end + over[0])
+    return loss

@@ -1,0 +1,119 @@
+"""What a settled cluster does at the end of its step: each end has its own consequence.
+
+apart   the contact is over                      touch   a linked pair's contact begins
+turn    the bumper springs back                  clear   its bumper forgets
+climb   the bumper is pressed further            halt    the body stands still for a moment
+                                                 slip    it begins to slide
+"""
+
+from __future__ import annotations
+
+from sim.dynamics import resolve
+from sim.dynamics.chain import Body, Gap
+from sim.dynamics.clock import Time, elapsed
+from sim.dynamics.cluster import Cluster
+from sim.dynamics.laws import Bumper, Paper, PushOnly
+from sim.dynamics.ledger import Ledger
+from sim.dynamics.polynomial import value
+from sim.dynamics.record import Record
+
+STANDING = 1e-12
+"""Of the fastest body in the cluster. Bodies whose contact is locked halt together; their
+velocities differ by rounding only."""
+
+
+def leave(cluster: Cluster, now: Time, record: Record, ledger: Ledger) -> int:
+    """Carry out all that ended the step. Returns the number of events that it told."""
+    happened = 0
+    for cause, k in cluster.ends:
+        if cause == "halt":
+            happened += _halt(cluster, k, now, record)
+        elif cause == "slip":
+            happened += _slip(cluster, k, now, record)
+        elif cause == "touch":
+            happened += _touch(cluster.members[k], now, record, ledger)
+        elif cause == "clear":
+            cluster.members[k].room = cluster.members[k].memory = 0.0
+        elif cluster.members[k].touching is not None:  # else it came apart at the same instant
+            if cause == "climb":
+                _climb(cluster.members[k])
+            elif cause == "turn":
+                _turn(cluster.members[k])
+            else:
+                happened += _apart(cluster.members[k], now, record, ledger)
+    return happened
+
+
+def _climb(gap: Gap) -> None:
+    assert gap.touching is not None
+    gap.touching.pressing = True
+    gap.room = -gap.memory
+
+
+def _turn(gap: Gap) -> None:
+    assert gap.touching is not None
+    gap.touching.pressing = False
+    gap.rate, gap.memory = 0.0, -gap.room
+
+
+def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
+    law = gap.law
+    if law is None:  # an instant contact that rested: nothing to tell
+        gap.touching = None
+        return 0
+    ledger.warm(law.stored(-gap.room, -gap.rate, gap.memory))
+    last = 0.0
+    if isinstance(law, Paper):
+        gap.room = 0.0
+        last = law.force(gap.mu, 0.0, -gap.rate)
+    elif isinstance(law, Bumper):
+        gap.room = -law.resting_overlap(gap.memory)
+    if gap.room >= 0.0:
+        gap.room = gap.memory = 0.0
+    resolve.tell_separation(gap, now, last, record)
+    return 1
+
+
+def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
+    """Of a pair that a spring holds: the contact begins at its resting overlap."""
+    assert gap.law is not None
+    gap.room = -gap.law.resting_overlap(gap.memory) if gap.memory else 0.0
+    resolve.touch(gap, now, record, ledger)
+    return 2
+
+
+def _halt(cluster: Cluster, k: int, now: Time, record: Record) -> int:
+    """Body k, and all whose contacts are locked to it, have v = 0."""
+    bodies, branches = cluster.bodies, cluster.branches
+    fastest = max(abs(speed[0]) for speed in cluster.speed)
+    first, last = k, k
+    while first > 0 and branches[first - 1].locked:
+        first -= 1
+    while last < len(branches) and branches[last].locked:
+        last += 1
+    for body in bodies[first : last + 1]:
+        if abs(body.v) <= STANDING * fastest:
+            body.v = 0.0
+    bodies[k].v = 0.0
+    if not bodies[k].load.static:
+        return 0
+    tell_stop(bodies[k], now, record)
+    return 1
+
+
+def _slip(cluster: Cluster, k: int, now: Time, record: Record) -> int:
+    body = cluster.bodies[k]
+    others = value(cluster.other_force(k), elapsed(cluster.begun, now))
+    body.slips = 1 if others > 0.0 else -1
+    record.moment("start", body, now)
+    return 1
+
+
+def tell_stop(body: Body, now: Time, record: Record) -> None:
+    """A sliding body has come to v = 0."""
+    record.moment("stop", body, now)
+
+
+def is_push(gap: Gap) -> bool:
+    """Does the gap touch because an overlap that is left begins to push again?"""
+    return gap.room < 0.0 and isinstance(gap.law, PushOnly)

@@ -1,0 +1,103 @@
+"""The cheapest solver that is exact, for every settled component.
+
+nobody touches it    free flight, or a parabola or another closed form under its own forces
+one contact          the closed form of the pair, where nothing else acts on its bodies
+all else             a step of the power series
+"""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics import flight
+from sim.dynamics.chain import Body, Gap, Motion
+from sim.dynamics.clock import Time, elapsed
+from sim.dynamics.cluster import Cluster
+from sim.dynamics.flight import Flight
+from sim.dynamics.forces import NO_LOAD, Forces
+from sim.dynamics.laws import Hertz
+from sim.dynamics.modes import decide
+from sim.dynamics.record import Record
+from sim.dynamics.resolve import pair_contact
+from sim.dynamics.series import ORDER
+
+
+def form(
+    bodies: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None, record: Record
+) -> list[Motion]:
+    """New solvers for bodies settled at `now`, in a row; the run ends at `end`.
+
+    `gaps` are those between them and around them that may be members. Free flights have no solver.
+    """
+    if forces is not None:
+        for body in bodies:
+            body.load = NO_LOAD if body.mass == math.inf else forces.load(body.carts)
+    member = {(id(gap.left), id(gap.right)): gap for gap in gaps if gap.member}
+    by_left = {id(gap.left): gap for gap in member.values()}
+    by_right = {id(gap.right): gap for gap in member.values()}
+    solvers: list[Motion] = []
+    done: set[int] = set()
+    for body in bodies:
+        if id(body) in done:
+            continue
+        row, own = [body], []
+        first = by_right.get(id(body))
+        if first is not None and not first.left.carts:
+            row.insert(0, first.left)
+            own.append(first)
+        while row[-1].carts and (gap := by_left.get(id(row[-1]))) is not None:
+            own.append(gap)
+            row.append(gap.right)
+        done.update(id(one) for one in row if one.carts)
+        motion = _solver(row, own, now, end, forces)
+        for one in row:
+            if one.carts:
+                one.motion = motion
+                record.piece(one)
+        for gap in own:
+            gap.solver = motion  # type: ignore[assignment]  # a row with gaps is never a flight
+        if motion is not None:
+            solvers.append(motion)
+    return solvers
+
+
+def _solver(
+    row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None
+) -> Motion | None:
+    loaded = any(body.load is not NO_LOAD for body in row)
+    if len(row) == 1:
+        return _flight(row[0], now, end, forces) if loaded else None
+    law = gaps[0].law
+    closed = law is not None and not isinstance(law, Hertz)
+    if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
+        return pair_contact(gaps[0], now)
+    return _cluster(row, gaps, now, end, forces)
+
+
+def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion | None:
+    """A closed form under the body's own forces; None where it keeps its velocity."""
+    load = body.load
+    decide([body], [], [])
+    if forces is not None:
+        forces.count(load, (), 1)
+    if body.held or (body.v == 0.0 and not body.sliding):
+        return None
+    course = flight.course(body.mass, body.v, body.sliding, load)
+    if course is None:
+        return _cluster([body], [], now, end, forces)
+    return Flight(body, now, body.v, load, body.sliding, course)
+
+
+def _cluster(
+    row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None
+) -> Cluster:
+    if forces is not None:
+        for body in row:
+            forces.count(body.load, (), ORDER - 1)
+        forces.count(NO_LOAD, tuple(link for gap in gaps for link in gap.links), ORDER - 1)
+    limit = max(elapsed(now, end), 0.0)
+    if any(gap.touching is not None and isinstance(gap.law, Hertz) for gap in gaps):
+        from sim.dynamics.adaptive import Adaptive  # only where a scene calls for it
+
+        return Adaptive(row, gaps, now, limit)
+    return Cluster(row, gaps, now, limit)

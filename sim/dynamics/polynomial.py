@@ -1,0 +1,100 @@
+"""Polynomials in time: values, bounds, integrals, and first zeros that cannot be jumped over."""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.effects.base import Poly
+from sim.dynamics.safe_step import SAFE_STEPS, safe_step
+
+__all__ = ["Poly"]
+
+
+def value(p: Poly, t: float) -> float:
+    """p(t) by Horner's rule."""
+    total = 0.0
+    for c in reversed(p):
+        total = total * t + c
+    return total
+
+
+def size(p: Poly, h: float) -> float:
+    """Bound on |p| over [0, h]."""
+    total, power = 0.0, 1.0
+    for c in p:
+        if c:
+            total += abs(c) * power
+        power *= h
+    return total
+
+
+def slope(p: Poly) -> Poly:
+    """dp/dt."""
+    return [n * c for n, c in enumerate(p)][1:] or [0.0]
+
+
+def integral(p: Poly) -> Poly:
+    """The primitive that is 0 at t = 0."""
+    return [0.0, *(c / (n + 1) for n, c in enumerate(p))]
+
+
+def square_integral(p: Poly, h: float) -> float:
+    """Integral of p² over [0, h]."""
+    total = 0.0
+    powers = [h]
+    for _ in range(2 * len(p)):
+        powers.append(powers[-1] * h)
+    for i, a in enumerate(p):
+        if a:
+            total += math.fsum([a * b * powers[i + j] / (i + j + 1) for j, b in enumerate(p) if b])
+    return total
+
+
+def cube_integral(p: Poly, h: float) -> float:
+    """Integral of p³ over [0, h]."""
+    size_of = len(p)
+    squared = [math.fsum([p[j] * p[n - j] for j in range(n + 1)]) for n in range(size_of)]
+    cubed = [math.fsum([squared[j] * p[n - j] for j in range(n + 1)]) for n in range(size_of)]
+    return value(integral(cubed), h)
+
+
+CLOSE = 2e-16
+"""Relative to the step: a zero nearer than this is here."""
+
+
+def first_fall(p: Poly, h: float) -> float | None:
+    """First t in [0, h] at which p, positive just after 0, falls to zero; None if it does not.
+
+    0 where p is negative just after 0. A zero of p at 0 itself is divided out, however many-fold.
+    Found by steps that cannot jump over a zero: |p''| is bounded by its coefficients.
+    """
+    low = next((n for n, c in enumerate(p) if c != 0.0), None)
+    if low is None:
+        return None
+    q = p[low:]
+    if q[0] < 0.0:
+        return 0.0
+    if h <= 0.0:
+        return None
+    bound, power, reach = 0.0, 1.0, 0.0
+    for n in range(1, len(q)):
+        if q[n]:
+            reach += abs(q[n]) * power * h
+            if n >= 2:
+                bound += n * (n - 1) * abs(q[n]) * power / h
+        power *= h
+    if q[0] > reach:
+        return None
+    rate = slope(q)
+    t = 0.0
+    for _ in range(SAFE_STEPS):
+        here, falling = value(q, t), value(rate, t)
+        if here <= 0.0:
+            return t
+        step = safe_step(here, falling, bound)
+        if step <= CLOSE * h:
+            return t
+        t += step
+        if t > h:
+            return None
+    return t
