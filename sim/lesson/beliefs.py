@@ -37,6 +37,7 @@ SECOND_LAW = {
     "mass-counts-directly": "More mass means more change of motion.",
     "strongest-force-wins": "Only the largest force counts; the others do nothing.",
     "forces-always-add": "Forces add up, whatever their directions.",
+    "force-must-beat-weight": "A small force moves nothing, or only keeps the speed.",
     "time-has-no-say": "How long a force acts does not matter.",
 }
 MOMENTUM = {

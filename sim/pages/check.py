@@ -8,6 +8,7 @@ from pathlib import Path
 from sim.pages.bake import bake
 from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.lesson_text import text_findings
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
@@ -35,7 +36,7 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
                 _read(block, lesson, ids, items)
         except AuthorError as error:
             findings += error.findings
-    return sorted([*findings, *items.findings()])
+    return sorted([*findings, *items.findings(), *text_findings(text, lesson)])
 
 
 def _read(block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> None:

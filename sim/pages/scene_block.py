@@ -46,6 +46,8 @@ class SiteIds:
     """The ids of all scenes and questions of a site, each with the place of its first use."""
 
     used: dict[str, str] = field(default_factory=dict)
+    exam: dict[str, str] = field(default_factory=dict)  # hashes of items, and the form they are in
+    told: dict[str, str] = field(default_factory=dict)  # the same for items whose key is in a page
 
     def claim(self, identity: str, place: Finding) -> None:
         """Take `identity` for the block at `place`; raise `AuthorError` if it is taken."""

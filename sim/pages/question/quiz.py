@@ -36,8 +36,23 @@ def read_quiz_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: i
         raise AuthorError([*mistakes, *map(places.finding, error.problems)]) from None
     if mistakes:
         raise AuthorError(mistakes)
+    if leak := _leak(form, ids):
+        raise AuthorError([places.finding(leak)])
     ids.claim(form.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
     return QuizBlock(form, places)
+
+
+def _leak(form: Form, ids: SiteIds) -> Problem | None:
+    """An item of an exam whose key stands in another page of the site, or the other way round."""
+    own, other = (ids.exam, ids.told) if form.mode == "exam" else (ids.told, ids.exam)
+    for item in form.items:
+        own[item.hash] = form.id
+        if item.hash in other:
+            message = f"“{item.id}” is an item of the exam and of the practice form"
+            both = f"{form.id} and {other[item.hash]}"
+            return Problem(("mode",), "key-in-exam", f"{message} ({both}): its key is in the site",
+                           "take other items for practice")  # fmt: skip
+    return None
 
 
 def _bank(
@@ -48,7 +63,9 @@ def _bank(
         return None, []
     path = find_bank(name, lesson)
     if path is None:
-        folders = ", ".join(f"{folder.parent.name}/{folder.name}" for folder in lesson.bank_folders)
+        folders = ", ".join(
+            f"{folder.parent.name}/{folder.name}".lstrip("/") for folder in lesson.bank_folders
+        )
         message = f"there is no bank “{name[:60]}”"
         problem = Problem(("bank",), "no-such-file", message, f"looked in: {folders or FOLDER}")
         return None, [places.finding(problem)]

@@ -72,6 +72,8 @@
       this.root.append(this.warning, row);
       if (!outline()) this.root.classList.add("carts-bar-small");
       document.body.append(this.root);
+      this.onPaper = html("p", "carts-print-head");
+      if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
       book2.addEventListener("change", () => this.show());
       void book2.ready.then(() => this.show());
     }
@@ -82,6 +84,8 @@
       this.meter.value = done;
       say(this.count, of ? `${done} of ${of}` : "");
       say(this.who, this.book.student || (outline() ? "no code word yet" : ""));
+      const code = this.book.student;
+      say(this.onPaper, code ? `Code word: ${code}` : "Code word: ____________________");
       const warning = this.#warning();
       say(this.warning, warning);
       this.warning.hidden = !warning;

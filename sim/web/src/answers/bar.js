@@ -28,6 +28,8 @@ export class Bar {
     this.root.append(this.warning, row);
     if (!outline()) this.root.classList.add("carts-bar-small");
     document.body.append(this.root);
+    this.onPaper = html("p", "carts-print-head");
+    if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
     book.addEventListener("change", () => this.show());
     void book.ready.then(() => this.show());
   }
@@ -39,6 +41,8 @@ export class Bar {
     this.meter.value = done;
     say(this.count, of ? `${done} of ${of}` : "");
     say(this.who, this.book.student || (outline() ? "no code word yet" : ""));
+    const code = this.book.student;
+    say(this.onPaper, code ? `Code word: ${code}` : "Code word: ____________________");
     const warning = this.#warning();
     say(this.warning, warning);
     this.warning.hidden = !warning;
