@@ -3241,6 +3241,13 @@
     }
   };
 
+  // src/map-figures.js
+  var SMALLER = 2;
+  function figures(value, most) {
+    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
+  }
+
   // src/map-table.js
   var COLUMNS = 6;
   var ROWS2 = 11;
@@ -3274,7 +3281,6 @@
   }
 
   // src/map-element.js
-  var SMALLER = 2;
   function mapElement(client) {
     return class CartsMap extends HTMLElement {
       /** @type {MapFacts | null} */
@@ -3506,10 +3512,6 @@
         }
       }
     };
-  }
-  function figures(value, most) {
-    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
-    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
   }
   function refusal2([first]) {
     if (!first) return new Error("This value does not work.");

@@ -4,14 +4,12 @@ import { Controls } from "./controls.js";
 import { need, say } from "./dom.js";
 import { AxisControl } from "./map-axis.js";
 import { MapFigure } from "./map-figure.js";
+import { figures } from "./map-figures.js";
 import { fillTable } from "./map-table.js";
-import { decimalsFor, fixed } from "./numbers.js";
 
 /** @typedef {import("./map-types.js").MapFacts} MapFacts */
 /** @typedef {import("./map-types.js").Grid} Grid */
 /** @typedef {{header: any, numbers: Float64Array}} Reply */
-
-const SMALLER = 2; // decimals that small values may have more than the largest
 
 /** The element class for a client. @param {import("./client.js").Client} client */
 export function mapElement(client) {
@@ -247,13 +245,6 @@ export function mapElement(client) {
       }
     }
   };
-}
-
-/** Three figures; what is tiny beside the largest is nought. Twin of `value_text` in `pages/map/figure.py`. */
-/** @param {number} value @param {number} most decimals @returns {string} */
-export function figures(value, most) {
-  const text = fixed(value, Math.min(decimalsFor(value || 1), most));
-  return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
 }
 
 /** @param {import("./types.js").Problem[]} problems @returns {Error} what a reader can do about it */
