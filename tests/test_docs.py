@@ -12,7 +12,7 @@ from sim.pages.yaml_source import load
 from sim.scene import fields, read_fence
 from sim.scene.map import MAP_KEYS
 from sim.scene.predict import KINDS as PREDICTIONS
-from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS
+from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS, VIEWS
 from sim.scene.read import SCENE_KEYS
 from sim.scene.read_contact import LAWS
 from tests import registry
@@ -22,7 +22,7 @@ REFERENCE = (ROOT / "docs" / "reference" / "scene.md").read_text(encoding="utf-8
 TEXTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 
 CART_KEYS = [field.key for field in fields.CART]
-OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *LAWS, *PREDICTIONS, *SHOWS, *PACKAGES]
+OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *LAWS, *PREDICTIONS, *SHOWS, *VIEWS, *PACKAGES]
 
 
 @pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])

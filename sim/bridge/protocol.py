@@ -79,6 +79,7 @@ def describe(finished: Run, per_stretch: int = PER_STRETCH) -> Answer:
     header = {
         "title": scene.title,
         "until": scene.until,
+        "gravity": scene.gravity,
         "bodies": _bodies(scene),
         "track": {
             "left": scene.track.left,

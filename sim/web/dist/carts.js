@@ -185,10 +185,14 @@
   function fromWire(header, numbers) {
     const { rows, columns, events } = header;
     const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, events };
-    columns.forEach(([quantity, key], k) => {
+    columns.forEach(([quantity, ...key], k) => {
       const column = numbers.subarray(k * rows, (k + 1) * rows);
-      if (key === void 0) parts[String(quantity)] = column;
-      else parts[String(quantity)][key] = column;
+      const name2 = String(quantity);
+      if (!key.length) parts[name2] = column;
+      else {
+        parts[name2] ??= {};
+        parts[name2][key.join(" ")] = column;
+      }
     });
     return parts;
   }
@@ -222,13 +226,16 @@
     return low - 1;
   }
   function valueAt(times, values, slopes, t) {
+    const k = rowAt(times, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times.length - 1) return Number(values[values.length - 1]);
+    return hermite(times, values, slopes, k, t);
+  }
+  function hermite(times, values, slopes, k, t) {
     const at = (
       /** @type {(column: Column, k: number) => number} */
-      ((c, k2) => c[k2])
+      ((c, i) => c[i])
     );
-    const k = rowAt(times, t);
-    if (k < 0) return at(values, 0);
-    if (k >= times.length - 1) return at(values, values.length - 1);
     const h = at(times, k + 1) - at(times, k);
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
@@ -961,6 +968,9 @@
     }
     return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
   }
+  function latestTouch(windows, t) {
+    return windows.findLast((touch) => touch.start <= t);
+  }
 
   // src/predict-curve.js
   var LEFT = 40;
@@ -1427,6 +1437,76 @@
     }
   };
 
+  // src/choose.js
+  var FORCES = ["F", "a"];
+  var Choose = class {
+    /**
+     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {Choice[]} views
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void}} acts
+     */
+    constructor(root, baked, views, acts) {
+      const place2 = need(root, ".carts-choices");
+      const { show, forces: forces2 } = baked.fence;
+      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
+        key: quantity,
+        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
+        seen: show.includes(quantity)
+      }));
+      place2.replaceChildren(group("Graphs", graphs, acts.graph), group("Views", views, acts.view));
+    }
+  };
+  function group(title, choices, act) {
+    const set = document.createElement("fieldset");
+    set.append(html("legend", "", title));
+    for (const { key, label, seen } of choices) {
+      const line = html("label");
+      const box2 = document.createElement("input");
+      box2.type = "checkbox";
+      box2.checked = seen;
+      box2.dataset.choice = key;
+      box2.addEventListener("change", () => act(key, box2.checked));
+      line.append(box2, ` ${label}`);
+      set.append(line);
+    }
+    set.hidden = choices.length === 0;
+    return set;
+  }
+  function emptyGraph(root, baked, quantity) {
+    const pattern = (
+      /** @type {HTMLTemplateElement} */
+      /** @type {unknown} */
+      need(root, "template.carts-graph-pattern")
+    );
+    const graph = (
+      /** @type {HTMLElement} */
+      pattern.content.firstElementChild?.cloneNode(true)
+    );
+    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
+    const isForce = quantity === "F";
+    graph.dataset.quantity = quantity;
+    const name2 = isForce ? "Size of the contact force" : title;
+    graph.setAttribute("aria-label", `${name2} against time`);
+    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
+    need(graph, ".carts-graph-name").replaceChildren(
+      `${name2} ${camera}`,
+      html("i", "", isForce ? "|F|" : symbol),
+      ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`
+    );
+    say(need(graph, "summary"), `Table: ${name2.toLowerCase()}`);
+    for (const clip of graph.querySelectorAll("[clip-path]")) {
+      clip.setAttribute("clip-path", `url(#${baked.fence.id}-${quantity}-clip)`);
+    }
+    need(graph, "clipPath").id = `${baked.fence.id}-${quantity}-clip`;
+    for (const button of graph.querySelectorAll("[data-for]")) {
+      if (
+        /** @type {HTMLElement} */
+        button.dataset.for !== quantity
+      ) button.remove();
+    }
+    return graph;
+  }
+
   // src/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
@@ -1486,6 +1566,12 @@
       }
     }
     return [low, high];
+  }
+  function reached(run, [low, high, factor, room], mirrored = false) {
+    const down = Math.min(run[0] * factor, mirrored ? -high : low);
+    const up = Math.max(run[1] * factor, high);
+    const most = room * Math.max(-run[0], run[1]);
+    return most > 0 ? [Math.max(down, -most), Math.min(up, most)] : [down, up];
   }
   function planeFor(values, window) {
     return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
@@ -1550,6 +1636,123 @@
     return `b${index % 8}`;
   }
 
+  // src/forces.js
+  function contactForce({ trajectory }, pair, t, zero) {
+    const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
+    return force < zero ? 0 : force;
+  }
+  function contactForces(run, name2, t, zero) {
+    return run.header.contacts.filter(({ bodies, stiffness }) => stiffness && bodies.includes(name2)).map(({ pair, bodies: [left, right] }) => {
+      const size = contactForce(run, pair, t, zero);
+      const isLeft = left === name2;
+      const by = isLeft ? right : left;
+      return {
+        name: `force on ${name2} by ${body(by)}`,
+        on: name2,
+        by,
+        way: (
+          /** @type {const} */
+          "along"
+        ),
+        side: isLeft ? (
+          /** @type {const} */
+          "right"
+        ) : (
+          /** @type {const} */
+          "left"
+        ),
+        value: isLeft ? -size : size
+      };
+    }).sort((a, b) => a.side < b.side ? -1 : 1);
+  }
+  function verticalForces({ header }, name2) {
+    const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
+    const weight = mass * header.gravity;
+    return [
+      { name: `weight of ${name2}: force on ${name2} by the Earth`, by: "Earth", value: -weight },
+      { name: `support: force on ${name2} by the track`, by: "track", value: weight }
+    ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
+  }
+
+  // src/impulse.js
+  function area({ trajectory }, pair, from, to) {
+    const { t, F, dF } = trajectory;
+    const [values, slopes] = [F[pair] ?? [], dF[pair] ?? []];
+    let sum = 0;
+    for (let k = Math.max(0, rowAt(t, from)); k < t.length - 1 && Number(t[k]) < to; k += 1) {
+      const [low, high] = [Math.max(from, Number(t[k])), Math.min(to, Number(t[k + 1]))];
+      if (high <= low) continue;
+      const at = (when) => hermite(t, values, slopes, k, when);
+      sum += (high - low) / 6 * (at(low) + 4 * at((low + high) / 2) + at(high));
+    }
+    return sum;
+  }
+  function changes({ header, trajectory }, windows, touch, t) {
+    return touch.bodies.map((name2) => {
+      const mass = header.bodies.find((body2) => body2.name === name2)?.mass;
+      const others = windows.some(
+        (one) => one !== touch && one.bodies.includes(name2) && one.start < t && one.end > touch.start
+      );
+      if (mass === void 0 || others) return { name: name2, change: null };
+      const v = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
+      return { name: name2, change: mass * (v(t) - v(touch.start)) };
+    });
+  }
+
+  // src/impulse-layer.js
+  var POINTS = 40;
+  var ImpulseLayer = class {
+    /** @param {HTMLElement} root of the graph @param {import("./types.js").View} view */
+    constructor(root, view) {
+      this.shade = need(root, '[data-part="areas"]');
+      this.note = need(root, ".carts-area-note");
+      this.decimals = Math.max(3, view.decimals.p ?? 3);
+      this.windows = [];
+    }
+    /** @param {import("./types.js").Run} run */
+    show({ header }) {
+      this.windows = touches(header.events, header.until);
+    }
+    /** @param {import("./types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
+    at(run, plane, t, signed) {
+      const touch = latestTouch(this.windows, t);
+      const paths = this.shade.children;
+      for (const path2 of paths) put(path2, "d", "");
+      if (!touch) {
+        const hint = "Move into a touch: the shaded area is the impulse.";
+        return say(this.note, this.windows.length ? hint : "");
+      }
+      const end = Math.min(t, touch.end);
+      const outline2 = (sign) => {
+        const points = Array.from({ length: POINTS + 1 }, (_, k) => {
+          const at = touch.start + (end - touch.start) * k / POINTS;
+          const force = sign * contactForce(run, touch.pair, at, 0);
+          return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
+        });
+        const zero = px(valueY(plane, 0));
+        return `M${px(timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
+      };
+      put(
+        /** @type {Element} */
+        paths[0],
+        "d",
+        outline2(1)
+      );
+      if (signed) put(
+        /** @type {Element} */
+        paths[1],
+        "d",
+        outline2(-1)
+      );
+      const impulse = area(run, touch.pair, touch.start, end);
+      const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const parts = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(({ name: name2, change }) => `m Δv of ${name2}: ${fixed(change ?? 0, this.decimals)}`);
+      const whole = t >= touch.end ? "" : " so far";
+      const all = [`${names}, shaded area${whole}: ${amount}`, ...parts].join("; ");
+      say(this.note, `${all}, all in N s.`);
+    }
+  };
+
   // src/series.js
   function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
@@ -1582,8 +1785,23 @@
           return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
       }
     });
+    if (quantity === "p" && hasPartner(header)) curves.push(partner(curves));
     if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
     return curves;
+  }
+  function hasPartner({ track }) {
+    return track.left === "wall" || track.right === "wall";
+  }
+  function partner(curves) {
+    const { values, slopes } = total(curves);
+    const start = Number(values[0]);
+    return {
+      label: "wall + Earth",
+      style: "wall",
+      over: false,
+      values: Float64Array.from(values, (value) => start - value),
+      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
+    };
   }
   function total(curves) {
     const sum = (columns) => {
@@ -1594,7 +1812,7 @@
       return rows;
     };
     return {
-      label: "all carts",
+      label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
       style: "total",
       over: false,
       values: sum(curves.map((c) => c.values)),
@@ -1626,6 +1844,134 @@
       });
     }
     return curves;
+  }
+
+  // src/ledger.js
+  function ledger({ header, trajectory }, windows, camera) {
+    const moving = seriesOf("energy", header, trajectory, camera).filter((c) => c.style !== "total");
+    const times = trajectory.t;
+    const sum = (k) => moving.reduce((s, c) => s + Number(c.values[k]), 0);
+    const start = sum(0);
+    const squeezed = new Float64Array(times.length);
+    const warmed = new Float64Array(times.length);
+    const groups = together(windows);
+    let kept = 0;
+    for (let k = 0; k < times.length; k += 1) {
+      const t = Number(times[k]);
+      const away = Math.max(0, start - sum(k));
+      const on = groups.some((group2) => t >= group2.start && t < group2.end);
+      if (!on) kept = away;
+      warmed[k] = Math.min(kept, away);
+      squeezed[k] = away - Number(warmed[k]);
+    }
+    return [
+      ...moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` })),
+      {
+        label: "in squeezed bumpers",
+        style: "squeezed",
+        over: false,
+        values: squeezed,
+        slopes: null
+      },
+      { label: "has warmed the bumpers", style: "warmed", over: false, values: warmed, slopes: null }
+    ];
+  }
+  function together(windows) {
+    const groups = [];
+    for (const { start, end } of windows) {
+      const last = groups.at(-1);
+      if (last && start < last.end) last.end = Math.max(last.end, end);
+      else groups.push({ start, end });
+    }
+    return groups;
+  }
+  function stacked(entries) {
+    let below = new Float64Array(entries[0]?.values.length ?? 0);
+    return entries.map((entry) => {
+      below = Float64Array.from(below, (value, k) => value + Number(entry.values[k]));
+      return { ...entry, values: below };
+    });
+  }
+
+  // src/ledger-layer.js
+  var NEAR2 = 0.5;
+  function hasLedger({ fence, run }) {
+    const effects = (
+      /** @type {unknown[]} */
+      fence.scene.effects ?? []
+    );
+    const { left, right } = run.header.track;
+    return effects.length === 0 && (!fence.camera || left !== "wall" && right !== "wall");
+  }
+  var LedgerLayer = class {
+    /** @type {Series[]} */
+    entries = [];
+    /** @type {Series[]} */
+    tops = [];
+    /** @param {HTMLElement} root of the graph @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.areas = need(root, '[data-part="areas"]');
+      this.key = need(root, ".carts-key");
+      this.camera = baked.fence.camera;
+      this.decimals = baked.view.decimals.energy ?? 3;
+    }
+    /** @param {Run} run */
+    show(run) {
+      const { events, until } = run.header;
+      this.entries = ledger(run, touches(events, until), this.camera);
+      this.tops = stacked(this.entries);
+    }
+    clear() {
+      this.areas.replaceChildren();
+    }
+    /** @param {ArrayLike<number>} times @param {g.Plane} plane */
+    draw(times, plane) {
+      while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
+      while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
+      this.tops.forEach((top, i) => {
+        const path2 = (
+          /** @type {Element} */
+          this.areas.children[i]
+        );
+        put(path2, "class", `carts-band carts-${top.style}`);
+        put(path2, "d", band(times, plane, top.values, this.tops[i - 1]?.values));
+      });
+      delete this.key.dataset.curves;
+      this.key.replaceChildren(
+        ...this.entries.map(({ style }) => {
+          const entry = document.createElement("span");
+          const swatch = svg("svg", { viewBox: "0 0 14 12", width: 14, height: 12 });
+          swatch.setAttribute("aria-hidden", "true");
+          swatch.append(svg("path", { class: `carts-band carts-${style}`, d: "M1 1H13V11H1Z" }));
+          entry.className = `carts-${style}`;
+          entry.append(swatch, document.createElement("b"));
+          return entry;
+        })
+      );
+    }
+    /** @param {ArrayLike<number>} times @param {number} t in s */
+    at(times, t) {
+      this.entries.forEach(({ label, values }, i) => {
+        const now = Math.max(0, valueAt(times, values, null, t));
+        const text = this.key.children[i]?.querySelector("b");
+        if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
+      });
+    }
+  };
+  function band(times, plane, top, bottom) {
+    const above = [];
+    const below = [];
+    let [x0, y0, z0] = [-9, -9, -9];
+    for (let k = 0; k < times.length; k += 1) {
+      const x = timeX(plane, Number(times[k]));
+      const [y, z] = [Number(top[k]), Number(bottom?.[k] ?? 0)].map((v) => valueY(plane, v));
+      const moved = Math.max(Math.abs(x - x0), Math.abs(Number(y) - y0), Math.abs(Number(z) - z0));
+      if (moved < NEAR2 && k < times.length - 1) continue;
+      [x0, y0, z0] = [x, Number(y), Number(z)];
+      above.push(`${px(x)} ${px(y0)}`);
+      below.unshift(`${px(x)} ${px(z0)}`);
+    }
+    return `M${above.join("L")}L${below.join("L")}Z`;
   }
 
   // src/table.js
@@ -1703,7 +2049,8 @@
     #plane = planeFor([0, 1], [0, 1]);
     /** @type {Element[]} */
     #dots = [];
-    #signed = false;
+    #pressed = false;
+    // “with sign”, “as a ledger”
     /** @type {[number, number] | null} */
     #window = null;
     /**
@@ -1714,15 +2061,18 @@
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
       this.camera = baked.fence.camera;
-      this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1];
+      this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
       this.per = speedUnit(baked.view.velocity)[0];
       this.plot = /** @type {SVGSVGElement} */
       /** @type {unknown} */
       need(root, ".carts-plot");
       this.table = new Table(need(root, "details"), this.quantity, baked.view);
-      this.sign = /** @type {HTMLButtonElement | null} */
+      this.button = /** @type {HTMLButtonElement | null} */
       root.querySelector(".carts-sign");
-      this.sign?.addEventListener("click", () => this.#toggleSign());
+      this.impulse = this.quantity === "F" ? new ImpulseLayer(root, baked.view) : null;
+      this.ledger = this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
+      if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
+      this.button?.addEventListener("click", () => this.#toggle());
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame3 = this.plot.getBoundingClientRect();
@@ -1735,15 +2085,17 @@
       this.plot.addEventListener("pointermove", point);
     }
     enable() {
-      if (this.sign) this.sign.disabled = false;
+      if (this.button) this.button.disabled = false;
     }
     /** @param {Run} run @param {number} t the instant shown */
     show(run, t) {
       if (!isTold(run)) return;
       this.#run = run;
       if (run.trajectory.t.length > 1) this.#first ??= run;
+      this.impulse?.show(run);
+      this.ledger?.show(run);
       this.#draw(t);
-      this.table.show(run, this.#curves);
+      this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
     }
     /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window, t) {
@@ -1755,6 +2107,8 @@
       const run = this.#run;
       if (!run) return;
       const x = px(timeX(this.#plane, t));
+      this.impulse?.at(run, this.#plane, t, this.#pressed);
+      if (this.#stacked) this.ledger?.at(run.trajectory.t, t);
       put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
       this.#curves.forEach((curve, i) => {
         const y = valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t));
@@ -1762,15 +2116,18 @@
         if (dot2) put(dot2, "transform", `translate(${x} ${px(y)})`);
       });
     }
-    #toggleSign() {
-      this.#signed = !this.#signed;
-      this.sign?.setAttribute("aria-pressed", String(this.#signed));
-      const name2 = need(this.root, ".carts-graph-name");
-      name2.replaceChildren(
-        this.#signed ? "Contact force " : "Size of the contact force ",
-        Object.assign(document.createElement("i"), { textContent: this.#signed ? "F" : "|F|" }),
-        this.#signed ? " in N, + is right" : " in N"
-      );
+    get #signed() {
+      return this.#pressed && this.quantity === "F";
+    }
+    get #stacked() {
+      return this.#pressed && this.ledger !== null;
+    }
+    #toggle() {
+      this.#pressed = !this.#pressed;
+      this.button?.setAttribute("aria-pressed", String(this.#pressed));
+      const [title, symbol, rest] = this.ledger ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"] : this.#pressed ? ["Contact force ", "F", " in N, + is right"] : ["Size of the contact force ", "|F|", " in N"];
+      const italic = Object.assign(document.createElement("i"), { textContent: symbol });
+      need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
     /** @param {number} t */
@@ -1782,29 +2139,38 @@
       const { header, trajectory } = run;
       this.#curves = this.#curvesOf(run);
       const values = extent(this.#curves);
-      const [low, high, factor] = this.reach;
       const first = extent(this.#first ? this.#curvesOf(this.#first) : []);
-      const down = this.#signed ? -high : low;
-      values[0] = Math.min(values[0], first[0] * factor, down);
-      values[1] = Math.max(values[1], first[1] * factor, high);
-      this.#plane = planeFor(values, this.#window ?? [0, header.until]);
+      const reached2 = reached(first, this.reach, this.#signed);
+      const both = (
+        /** @type {[number, number]} */
+        [
+          Math.min(values[0], reached2[0]),
+          Math.max(values[1], reached2[1])
+        ]
+      );
+      this.#plane = planeFor(both, this.#window ?? [0, header.until]);
       this.#axes();
-      const group = need(this.root, '[data-part="curves"]');
-      fit(group, this.#curves.length, () => svg("path"));
+      const group2 = need(this.root, '[data-part="curves"]');
+      fit(group2, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve, i) => {
         const line = (
           /** @type {Element} */
-          group.children[i]
+          group2.children[i]
         );
         put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
         put(line, "d", path(curve, trajectory.t, this.#plane));
       });
       this.#cursor();
-      this.#key();
+      if (this.#stacked) this.ledger?.draw(trajectory.t, this.#plane);
+      else {
+        this.ledger?.clear();
+        this.#key();
+      }
       this.at(t);
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
+      if (this.#stacked) return this.ledger?.tops ?? [];
       return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
     }
     #axes() {
@@ -1836,9 +2202,9 @@
       });
     }
     #cursor() {
-      const group = need(this.root, '[data-part="cursor"]');
-      fit(group, this.#curves.length + 1, () => svg("path"));
-      this.#dots = [...group.children].slice(1);
+      const group2 = need(this.root, '[data-part="cursor"]');
+      fit(group2, this.#curves.length + 1, () => svg("path"));
+      this.#dots = [...group2.children].slice(1);
       this.#dots.forEach((dot2, i) => {
         const style = this.#curves[i]?.style ?? "b0";
         put(dot2, "class", `carts-dot carts-${style}`);
@@ -1867,8 +2233,7 @@
       viewBox: "0 0 26 10",
       width: 26,
       height: 10,
-      "aria-hidden": "true",
-      focusable: "false"
+      "aria-hidden": "true"
     });
     const over = curve.over ? " carts-over" : "";
     sample.append(
@@ -1882,19 +2247,19 @@
     entry.append(sample, curve.label);
     return entry;
   }
-  function fit(group, count, make) {
-    while (group.children.length > count) group.lastElementChild?.remove();
-    while (group.children.length < count) group.append(make());
+  function fit(group2, count, make) {
+    while (group2.children.length > count) group2.lastElementChild?.remove();
+    while (group2.children.length < count) group2.append(make());
   }
-  function marks(group, count, draw) {
-    while (group.children.length > 2 * count) group.lastElementChild?.remove();
-    while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
+  function marks(group2, count, draw) {
+    while (group2.children.length > 2 * count) group2.lastElementChild?.remove();
+    while (group2.children.length < 2 * count) group2.append(svg("path"), svg("text"));
     for (let i = 0; i < count; i += 1) {
       draw(
         /** @type {Element} */
-        group.children[2 * i],
+        group2.children[2 * i],
         /** @type {Element} */
-        group.children[2 * i + 1],
+        group2.children[2 * i + 1],
         i
       );
     }
@@ -2139,9 +2504,9 @@
           (w) => w.pair === push.pair && t >= w.start && t <= w.end
         );
         const draw = isCut(size, view.force) ? cutArrow : blockArrow;
-        push.groups.forEach((group, side) => {
+        push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
-          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
+          put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
         });
         this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
       }
@@ -2149,7 +2514,7 @@
     /** Both names on the beam, left and right of the contact, clear of each other and of the edges. */
     /** @param {Push} push @param {number} size @param {number} x @param {boolean} visible */
     #names(push, size, x, visible) {
-      const texts = push.groups.map((group) => need(group, '[data-part="text"]'));
+      const texts = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
       if (!visible) return;
       const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
@@ -2230,19 +2595,19 @@
       this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));
       this.#carts = run.header.bodies.map((body2, i) => {
-        const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
+        const group2 = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
         const box2 = (
           /** @type {shapes.Box} */
           boxes[i]
         );
-        drawBox(group, body2.name, box2);
+        drawBox(group2, body2.name, box2);
         return {
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
           bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
           top: layout.track + labelTop(box2),
           lane: lane(i, tallest, layout),
-          group,
+          group: group2,
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
@@ -2304,7 +2669,7 @@
      */
     guess(guesses) {
       const { header } = this.#run;
-      const group = need(this.root, '[data-part="guess"]');
+      const group2 = need(this.root, '[data-part="guess"]');
       const arrows = guesses.map(({ pair, on, side, size }) => {
         const i = header.bodies.findIndex((body3) => body3.name === on);
         const body2 = header.bodies[i];
@@ -2322,7 +2687,7 @@
           "data-on": on
         });
       });
-      group.replaceChildren(...arrows);
+      group2.replaceChildren(...arrows);
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
@@ -2377,19 +2742,19 @@
       say(text, outside ? `${name2} is outside: ${speed}` : speed);
     }
   };
-  function drawBox(group, name2, box2) {
-    const rect = need(group, '[data-part="box"]');
+  function drawBox(group2, name2, box2) {
+    const rect = need(group2, '[data-part="box"]');
     put(rect, "x", px(box2.x));
     put(rect, "y", px(-box2.height));
     put(rect, "width", px(box2.width));
     put(rect, "height", px(box2.height));
-    const cut = need(group, '[data-part="break"]');
+    const cut = need(group2, '[data-part="break"]');
     put(cut, "visibility", box2.cut ? "visible" : "hidden");
-    const title = need(group, '[data-part="name"]');
+    const title = need(group2, '[data-part="name"]');
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
     say(title, name2);
-    const mass = need(group, '[data-part="mass"]');
+    const mass = need(group2, '[data-part="mass"]');
     put(mass, "y", px(box2.labelY));
     say(mass, box2.label);
   }
@@ -2623,6 +2988,360 @@
     }
   };
 
+  // src/bars.js
+  var HALF = 60;
+  var Bars = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("./series.js").Series[]} */
+    #curves = [];
+    /** @type {import("./windows.js").Touch[]} */
+    #windows = [];
+    #full = 1;
+    #first = 0;
+    // of the lesson's own run, so that runs can be compared
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.root = root;
+      this.camera = baked.fence.camera;
+      this.decimals = baked.view.decimals.p ?? 2;
+      this.rows = /** @type {NodeListOf<HTMLElement>} */
+      root.querySelectorAll("tbody tr");
+      this.since = need(root, ".carts-touch-note");
+    }
+    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+      this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
+      let most = this.#first;
+      for (const { values } of this.#curves) {
+        for (let k = 0; k < values.length; k += 1) most = Math.max(most, Math.abs(Number(values[k])));
+      }
+      if (!this.#first) this.#first = most;
+      this.#full = most || 1;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      if (!run) return;
+      const start = latestTouch(this.#windows, t)?.start ?? 0;
+      say(this.since, `at ${fixed(start, 2)} s`);
+      this.rows.forEach((row, k) => {
+        const curve = this.#curves[k];
+        row.hidden = !curve;
+        if (!curve) return;
+        const at = (when) => {
+          const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
+          return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
+        };
+        const [before, now] = [at(start), at(t)];
+        say(need(row, "th"), curve.label);
+        const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
+        row.querySelectorAll("td[data-when]").forEach((cell, i) => {
+          say(cell, texts[i] ?? "");
+        });
+        bar(need(row, '[data-part="before"]'), before / this.#full);
+        bar(need(row, '[data-part="now"]'), now / this.#full);
+      });
+    }
+  };
+  function bar(rect, part) {
+    const length = HALF * Math.min(1, Math.abs(part));
+    put(rect, "x", px(part < 0 ? HALF + 4 - length : HALF + 4));
+    put(rect, "width", px(length));
+  }
+
+  // src/free-body.js
+  var WIDTH2 = 260;
+  var HEIGHT = 60;
+  var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
+  var AXIS = 38;
+  var MIDDLE = WIDTH2 / 2;
+  var APART = 8;
+  var FULL = 95;
+  var FreeBody = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("./windows.js").Touch[]} */
+    #windows = [];
+    #vertical = false;
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => void} redraw */
+    constructor(root, baked, redraw) {
+      this.root = root;
+      this.view = baked.view;
+      this.per = speedUnit(baked.view.velocity)[0];
+      this.zero = 1e-9 * (baked.view.force || 1);
+      this.note = need(root, ".carts-touch-note");
+      const vertical = (
+        /** @type {HTMLInputElement} */
+        need(root, ".carts-vertical")
+      );
+      vertical.addEventListener("change", () => {
+        this.#vertical = vertical.checked;
+        this.root.classList.toggle("carts-with-vertical", vertical.checked);
+        redraw();
+      });
+    }
+    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      if (!run) return;
+      const touch = latestTouch(this.#windows, t);
+      say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
+      const room = this.#vertical ? this.#roomFor(run) : 0;
+      for (const { name: name2, mass } of run.header.bodies) {
+        const along = contactForces(run, name2, t, this.zero);
+        this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
+        const resultant = along.reduce((sum, { value }) => sum + value, 0);
+        const { t: times, v, a } = run.trajectory;
+        const speed = (at) => valueAt(times, v[name2] ?? [], a[name2] ?? [], at);
+        const change = speed(t) - speed(touch?.start ?? 0);
+        const { decimals, velocity } = this.view;
+        const seen = Math.abs(change) < 1e-9 * velocity ? 0 : change / this.per;
+        this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
+        this.#say(name2, "mass", short(mass));
+        this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
+        this.#say(name2, "dv", fixed(seen, decimals.v ?? 2));
+      }
+    }
+    /** @param {string} name @param {string} quantity @param {string} text */
+    #say(name2, quantity, text) {
+      const cell = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
+      if (cell) say(cell, text);
+    }
+    /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
+    #roomFor({ header }) {
+      const weights = header.bodies.map(({ mass }) => mass * header.gravity);
+      const longest = arrowLength(Math.max(...weights), this.view.force, FULL);
+      return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
+    }
+    /** @param {string} name @param {Force[]} forces @param {number} room */
+    #draw(name2, forces2, room) {
+      const card = need(this.root, `.carts-alone[data-body="${name2}"]`);
+      const group2 = need(card, '[data-part="forces"]');
+      const list = need(card, "ul");
+      while (group2.children.length < forces2.length) group2.append(svg("path"));
+      while (group2.children.length > forces2.length) group2.lastElementChild?.remove();
+      while (list.children.length < forces2.length) list.append(document.createElement("li"));
+      while (list.children.length > forces2.length) list.lastElementChild?.remove();
+      forces2.forEach((force, k) => {
+        const length = arrowLength(force.value, this.view.force, FULL);
+        const cut = isCut(force.value, this.view.force);
+        const path2 = (
+          /** @type {Element} */
+          group2.children[k]
+        );
+        const [x, y] = tail(force);
+        put(path2, "class", "carts-block-arrow");
+        put(path2, "d", (cut ? cutArrow : blockArrow)(x, y, length));
+        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x)} ${px(y)})` : "");
+        say(
+          /** @type {Element} */
+          list.children[k],
+          this.#sentence(force, cut)
+        );
+      });
+      const picture = need(card, "svg");
+      put(picture, "viewBox", `0 ${-room} ${WIDTH2} ${HEIGHT + 2 * room}`);
+      put(picture, "height", String(HEIGHT + 2 * room));
+    }
+    /** @param {Force} force @param {boolean} cut */
+    #sentence({ name: name2, way, value }, cut) {
+      const size = `${fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
+      const ways = way === "up" ? ["down", "up"] : ["to the left", "to the right"];
+      const where = value === 0 ? "" : ` ${ways[value < 0 ? 0 : 1]}`;
+      return `${name2}: ${size}${where}${cut ? ", arrow cut" : ""}`;
+    }
+  };
+  function tail({ way, side, value }) {
+    if (way === "up") {
+      const middle = (BOX.top + BOX.bottom) / 2;
+      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
+    }
+    return [side === "left" ? BOX.left : BOX.right, AXIS];
+  }
+
+  // src/lens.js
+  var TIMES = 10;
+  var WIDTH3 = 360;
+  var TRACK = 96;
+  var BAR = 70;
+  var SCALE = 3;
+  var Lens = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {Touch[]} */
+    #windows = [];
+    #perMetre = 3e3;
+    // units
+    #perForce = 100;
+    // units of the full scale
+    #t = 0;
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => void} redraw */
+    constructor(root, baked, redraw) {
+      this.root = root;
+      this.view = baked.view;
+      this.scene = /** @type {HTMLElement} */
+      root.closest("carts-scene");
+      this.plot = need(root, "svg");
+      this.note = need(root, ".carts-lens-note");
+      new ResizeObserver(() => {
+        this.#measure();
+        redraw();
+      }).observe(root);
+    }
+    /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
+    #measure() {
+      for (const layout of this.view.layouts) {
+        const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
+        const [shown, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown || !own2) continue;
+        const unit = shown / layout.width * (WIDTH3 / own2);
+        this.#perMetre = TIMES * layout.scale * unit;
+        this.#perForce = layout.force * unit;
+      }
+      const length = niceAbove(BAR / this.#perMetre / 2.5);
+      const bar2 = px(length * this.#perMetre);
+      put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar2}m0 -2.5v5`);
+      const text = need(this.root, '[data-part="bar-text"]');
+      put(text, "x", px(Number(bar2) + 16));
+      say(text, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
+    }
+    /** @param {Run} run @param {Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      const touch = this.#windows.find(({ end }) => t <= end) ?? this.#windows.at(-1);
+      put(this.plot, "visibility", touch ? "visible" : "hidden");
+      this.root.classList.toggle(
+        "carts-is-slow",
+        Boolean(touch && t >= touch.start && t <= touch.end)
+      );
+      if (!run || !touch) return say(this.note, "Nothing touches in this run.");
+      this.#t = t;
+      const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
+      const overlap = Math.max(0, left.face - right.face);
+      const give = Math.min(overlap, left.bumper + right.bumper);
+      const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
+      const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
+      const faces = [left.face - share, Math.max(right.face, left.face - share)];
+      const force = contactForce(run, touch.pair, t, 1e-9 * (this.view.force || 1));
+      [left, right].forEach((side, k) => {
+        this.#draw(k, side, Number(faces[k]), middle, force);
+      });
+      const pair = touch.bodies.map(body).join(" and ");
+      const gap = right.face - left.face;
+      const apart = gap > 0 ? `${lengthText(gap)} apart` : `squeezed by ${lengthText(overlap)}`;
+      const push = `${fixed(force, this.view.decimals.F ?? 2)} N on each`;
+      say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t, 4)} s`);
+    }
+    /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
+    #side({ header, trajectory }, touch, k) {
+      const name2 = String(touch.bodies[k]);
+      const cart = header.bodies.find((one) => one.name === name2);
+      if (!cart) {
+        const wall = name2 === "left" ? 0 : header.track.length ?? 0;
+        return { name: name2, edge: wall, face: wall, bumper: 0 };
+      }
+      const { t, x, v } = trajectory;
+      const centre = valueAt(t, x[name2] ?? [], v[name2] ?? [], this.#t);
+      const way = k === 0 ? 1 : -1;
+      const face = centre + way * cart.length / 2;
+      return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
+    }
+    /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
+    #draw(k, side, face, middle, force) {
+      const at = (x) => WIDTH3 / 2 + (x - middle) * this.#perMetre;
+      const group2 = need(this.root, `[data-side="${k}"]`);
+      const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
+      put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
+      const way = k === 0 ? 1 : -1;
+      const [edge, end] = [at(side.edge), at(face)];
+      const rect = need(group2, '[data-part="body"]');
+      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH3 : edge));
+      const bent = need(group2, '[data-part="spring"]');
+      put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
+      put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
+      const plate = need(group2, '[data-part="face"]');
+      put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
+      const name2 = need(group2, '[data-part="name"]');
+      const inside = Math.min(WIDTH3 - 34, Math.max(34, edge - 22 * way));
+      put(name2, "x", px(inside));
+      say(name2, index < 0 ? "wall" : side.name);
+      const arrow2 = need(group2, '[data-part="arrow"]');
+      const cut = isCut(force, this.view.force);
+      const length = -way * arrowLength(force, this.view.force, this.#perForce);
+      put(arrow2, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
+    }
+  };
+  function lengthText(metres) {
+    return metres < 0.1 ? `${fixed(metres * 1e3, 1)} mm` : `${fixed(metres * 100, 1)} cm`;
+  }
+
+  // src/views.js
+  var KINDS = {
+    "free-body": ["forces on each cart", FreeBody],
+    lens: ["lens on the contact, ×10", Lens],
+    bars: ["momentum before and now", Bars]
+  };
+  var Views = class {
+    /** @type {View[]} */
+    #views = [];
+    /** @type {{run: Run, windows: Touch[], t: number} | null} */
+    #now = null;
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.frame = /** @type {HTMLElement | null} */
+      root.querySelector(".carts-views");
+      for (const section of root.querySelectorAll(".carts-view")) {
+        const element = (
+          /** @type {HTMLElement} */
+          section
+        );
+        const kind = KINDS[element.dataset.view ?? ""];
+        if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
+      }
+    }
+    /** @returns {{key: string, label: string, seen: boolean}[]} what a reader can choose from */
+    get choices() {
+      return this.#views.map(({ root }) => {
+        const key = root.dataset.view ?? "";
+        return { key, label: KINDS[key]?.[0] ?? key, seen: !root.hidden };
+      });
+    }
+    /** @param {string} key @param {boolean} seen */
+    choose(key, seen) {
+      for (const { root } of this.#views) if (root.dataset.view === key) root.hidden = !seen;
+      this.#again();
+    }
+    /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
+    show(run, windows, t) {
+      if (!isTold(run)) return;
+      if (this.frame) this.frame.hidden = false;
+      this.#now = { run, windows, t };
+      for (const view of this.#views) view.show(run, windows);
+    }
+    /** @param {number} t in s */
+    at(t) {
+      if (!this.#now) return;
+      this.#now.t = t;
+      for (const view of this.#views) if (!view.root.hidden) view.at(t);
+    }
+    #again() {
+      if (this.#now) this.at(this.#now.t);
+    }
+  };
+
   // src/scene-view.js
   var SceneView = class {
     /** @type {Run} */
@@ -2644,11 +3363,17 @@
         root.querySelectorAll(".carts-stage")
       );
       this.stages = [...stages].map((stage) => new Stage(stage, baked));
+      this.seek = seek;
       const graphs = (
         /** @type {NodeListOf<HTMLElement>} */
         root.querySelectorAll(".carts-graph")
       );
       this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
+      this.views = new Views(root, baked);
+      new Choose(root, baked, this.views.choices, {
+        graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
+        view: (key, seen) => this.views.choose(key, seen)
+      });
       this.readouts = new Readouts(root, baked);
       this.timeline = new Timeline(root, seek);
       this.story = new Story(root, baked, seek);
@@ -2675,6 +3400,7 @@
       for (const stage of this.stages) stage.show(run, this.#windows);
       this.#tellTorn();
       for (const graph of this.graphs) graph.show(run, this.player.time);
+      this.views.show(run, this.#windows, this.player.time);
       this.readouts.show(run);
       this.timeline.show(run, this.#windows);
       this.story.show(run);
@@ -2701,10 +3427,27 @@
       const t = this.player.time;
       for (const stage of this.stages) stage.at(t);
       for (const graph of this.graphs) graph.at(t);
+      this.views.at(t);
       this.readouts.at(t);
       this.timeline.at(t, `${fixed(t, 2)} seconds`);
       this.transport.show();
       if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+    }
+    /** @param {string} quantity @param {boolean} seen */
+    #chooseGraph(quantity, seen) {
+      const place2 = need(this.root, ".carts-graphs");
+      const there = this.graphs.find((graph2) => graph2.quantity === quantity);
+      if (!seen && there) {
+        this.graphs = this.graphs.filter((graph2) => graph2 !== there);
+        there.root.remove();
+      }
+      if (!seen || there) return;
+      const graph = new GraphView(emptyGraph(this.root, this.baked, quantity), this.baked, this.seek);
+      place2.insertBefore(graph.root, need(place2, ".carts-story"));
+      this.graphs.push(graph);
+      graph.enable();
+      graph.show(this.run, this.player.time);
+      this.#zoom();
     }
     #tellTorn() {
       const torn = this.stages.some((stage) => stage.torn);
@@ -2840,13 +3583,13 @@
        * and leaves the run as it is when a value makes no sense.
        * @param {Settings} changes @param {number} at time of the input, for the measure
        */
-      async set(changes, at = performance.now()) {
+      async set(changes2, at = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
-        Object.assign(this.#wanted, changes);
+        Object.assign(this.#wanted, changes2);
         const generation = this.#generation;
         const reply = await this.#ask();
         if (!reply.header.ok) {
-          for (const key of Object.keys(changes)) this.#giveUp(key, changes[key]);
+          for (const key of Object.keys(changes2)) this.#giveUp(key, changes2[key]);
           throw refusal(reply.header.problems ?? []);
         }
         if (generation !== this.#generation) return;
@@ -3076,7 +3819,7 @@
   var STEP_SLACK2 = 1e-9;
   var FINE2 = 400;
   var EDGE2 = 0.72;
-  function band(value, { low, step, count }) {
+  function band2(value, { low, step, count }) {
     if (Number.isNaN(value)) return count;
     const place2 = Math.floor((value - low) / step + STEP_SLACK2);
     return Math.min(count - 1, Math.max(0, place2));
@@ -3108,7 +3851,7 @@
     const bands = new Uint8Array(width * height);
     for (let y = 0; y < height; y += 1) {
       for (let x = 0; x < width; x += 1) {
-        bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
+        bands[y * width + x] = band2(Number(fine[x * height + (height - 1 - y)]), scale);
       }
     }
     const places = bands.map((own2, at) => {
@@ -3354,8 +4097,8 @@
        * Changes what all points have in common and resolves when the new map is drawn.
        * @param {Record<string, number | string>} changes @param {number} at time of the input
        */
-      async set(changes, at = performance.now()) {
-        const settings = { ...this.#settings, ...changes };
+      async set(changes2, at = performance.now()) {
+        const settings = { ...this.#settings, ...changes2 };
         await this.#compute(settings, at);
       }
       async #open() {
