@@ -88,6 +88,5 @@ def question_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def ready(page: Page) -> Page:
     """Wait until earlier answers are back."""
-    page.wait_for_function("customElements.get('carts-question')")
-    page.locator(".carts-bar").wait_for()
+    page.locator(".carts-bar[data-ready]").wait_for()
     return page

@@ -75,7 +75,10 @@
       this.onPaper = html("p", "carts-print-head");
       if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
       book2.addEventListener("change", () => this.show());
-      void book2.ready.then(() => this.show());
+      void book2.ready.then(() => {
+        this.show();
+        this.root.dataset.ready = "";
+      });
     }
     show() {
       const { done, of } = this.book.progress();
@@ -326,6 +329,9 @@
       }
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
+      for (const [key] of student === this.student ? found2 : []) {
+        this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
+      }
       return changed;
     }
     /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered without a code */
@@ -772,7 +778,8 @@
         told,
         `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file; nothing that was here is lost.${whose}`
       );
-      if (!whose && changed) setTimeout(() => location.reload(), 1500);
+      const predicted = found2.entries.some(([, entry]) => entry.locked);
+      if (!whose && changed && predicted) setTimeout(() => location.reload(), 1500);
     });
     return row;
   }
@@ -1556,13 +1563,16 @@
     return low - 1;
   }
   function valueAt(times, values, slopes, t) {
+    const k = rowAt(times, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times.length - 1) return Number(values[values.length - 1]);
+    return hermite(times, values, slopes, k, t);
+  }
+  function hermite(times, values, slopes, k, t) {
     const at = (
       /** @type {(column: Column, k: number) => number} */
-      ((c, k2) => c[k2])
+      ((c, i) => c[i])
     );
-    const k = rowAt(times, t);
-    if (k < 0) return at(values, 0);
-    if (k >= times.length - 1) return at(values, values.length - 1);
     const h = at(times, k + 1) - at(times, k);
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;

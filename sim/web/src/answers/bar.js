@@ -31,7 +31,10 @@ export class Bar {
     this.onPaper = html("p", "carts-print-head");
     if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
     book.addEventListener("change", () => this.show());
-    void book.ready.then(() => this.show());
+    void book.ready.then(() => {
+      this.show();
+      this.root.dataset.ready = ""; // what was kept is back
+    });
   }
 
   show() {

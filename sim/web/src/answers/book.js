@@ -76,6 +76,9 @@ export class Book extends EventTarget {
     }
     await this.#read();
     this.dispatchEvent(new CustomEvent("change", { detail: null }));
+    for (const [key] of student === this.student ? found : []) {
+      this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
+    }
     return changed;
   }
 

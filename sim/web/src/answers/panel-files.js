@@ -101,7 +101,9 @@ function importRow(book, told) {
       told,
       `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file; nothing that was here is lost.${whose}`,
     );
-    if (!whose && changed) setTimeout(() => location.reload(), 1500);
+    // A scene takes its prediction up only when the page is read.
+    const predicted = found.entries.some(([, entry]) => entry.locked);
+    if (!whose && changed && predicted) setTimeout(() => location.reload(), 1500);
   });
   return row;
 }
