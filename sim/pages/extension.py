@@ -151,7 +151,7 @@ def _map(block: Block, page: Page) -> str:
     if isinstance(run, list):
         raise AuthorError(map(read.places.finding, run))
     page.scenes += 1
-    page.packages.add("numpy")
+    page.packages |= set(run.packages)
     made = render_map(read.map, read.plain, run)
     return made.replace("<carts-map", "<carts-map data-search-exclude", 1)
 

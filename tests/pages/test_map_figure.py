@@ -173,3 +173,27 @@ def test_a_map_takes_its_scene_from_the_page_and_makes_it_carry_numpy() -> None:
     assert page.packages == {"numpy"}
     assert page.scenes == 2
     assert 'data-packages=""' in html  # the scene itself starts without numpy
+
+
+def test_a_map_carries_the_packages_that_its_runs_need() -> None:
+    plain = {**MAP, "contact": {"law": "hertz", "stiffness": 1e5}, "points": 2}
+    plain["over"] = [{"set": "A.mass", "from": 0.4, "to": 0.6}]
+    run = bake_map(read_map(plain), plain)
+    assert isinstance(run, MapRun)
+    assert run.packages == ("numpy", "scipy")
+    assert not any(math.isnan(value) for value in run.values)
+    assert "a run of its own" in run.why
+
+
+def test_a_map_without_any_value_is_an_error() -> None:
+    over = [{"set": "A.position", "from": "1 m", "to": "1.2 m"}]
+    carts = {**MAP["carts"], "A": {"mass": 1, "position": "1.1 m"}}
+    plain = {**MAP, "carts": carts, "over": over, "start": {"overlap": True}, "points": 3}
+    assert isinstance(bake_map(read_map(plain), plain), MapRun)
+    many = {**MAP, "track": {"length": "2.4 m", "left": "wall", "right": "wall"}, "points": 3}
+    many |= {"contact": {"law": "instant", "restitution": 1}, "until": "3 h"}
+    many["over"] = [{"set": "A.mass", "from": 0.4, "to": 0.6}]
+    problems = bake_map(read_map(many), many)
+    assert isinstance(problems, list)
+    assert problems[0].code == "no-value"
+    assert problems[0].hint

@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sim.scene import Problem
+from sim.pages.bake import bake
+from sim.scene import Problem, SceneError, apply_changes
 from sim.scene.map import Map
 
 ROUGH = 9
@@ -26,6 +27,7 @@ class MapRun:
     low: float
     high: float
     why: str
+    packages: tuple[str, ...] = ("numpy",)  # that the page needs to compute it anew
 
     @property
     def rows(self) -> int:
@@ -48,7 +50,22 @@ def bake_map(described: Map, plain: Mapping[str, Any]) -> MapRun | list[Problem]
         rough = _computed({**plain, "points": ROUGH}, dict(corner))
         if not isinstance(rough, list):
             seen += [value for value in rough[1] if not math.isnan(value)]
-    return MapRun(header["axes"], values, min(seen), max(seen), header["why"])
+    return MapRun(header["axes"], values, min(seen), max(seen), header["why"], _packages(described))
+
+
+def _packages(described: Map) -> tuple[str, ...]:
+    """numpy, and what the runs at the corners of the map need."""
+    found = {"numpy"}
+    ends = [((axis.set, axis.low), (axis.set, axis.high)) for axis in described.over]
+    for corner in ({}, *map(dict, itertools.product(*ends))):
+        try:
+            plain = apply_changes(described.plain, corner)
+        except SceneError:
+            continue
+        run = bake(plain)
+        if not isinstance(run, list):
+            found |= run.packages
+    return tuple(sorted(found))
 
 
 def _computed(

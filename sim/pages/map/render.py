@@ -145,6 +145,7 @@ def _facts(
     return {
         "map": dict(written),
         "of": described.of,
+        "packages": list(run.packages),
         "label": described.show.label,
         "unit": described.show.unit,
         "decimals": drawing.most_decimals(run),

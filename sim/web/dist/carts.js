@@ -15,8 +15,12 @@
     #flying = null;
     #restarts = 0;
     #lastId = 0;
-    /** @type {Map<string, Promise<void>>} packages that were asked for after the start */
-    #more = /* @__PURE__ */ new Map();
+    /** @type {string[]} packages that were asked for after the start */
+    #asked = [];
+    /** @type {string[]} those of them that Python has, and gets again after a restart */
+    #more = [];
+    /** @type {Promise<void>} when they are there */
+    #growing = Promise.resolve();
     /** @param {Start} start */
     constructor(start) {
       super();
@@ -27,16 +31,20 @@
       if (this.state === "idle") void this.#boot();
     }
     /**
-     * Has a package that no scene of the page called for. A second Python starts with it and takes
-     * over; meanwhile the first goes on answering. Rejects where the site does not carry the package.
-     * @param {string} name
+     * Has packages that no scene of the page called for. A second Python starts with them and takes
+     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+     * @param {string[]} names @returns {Promise<void>}
      */
-    need(name2) {
-      const asked = this.#more.get(name2);
-      if (asked) return asked;
-      const needed = this.#grow([...this.#more.keys(), name2]);
-      this.#more.set(name2, needed);
-      needed.catch(() => this.#more.delete(name2));
+    need(names) {
+      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
+      const before = this.#asked;
+      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
+      const needed = this.#growing.catch(() => {
+      }).then(() => this.#grow(this.#asked));
+      this.#growing = needed;
+      needed.catch(() => {
+        this.#asked = before;
+      });
       return needed;
     }
     /** @param {string[]} names */
@@ -45,6 +53,7 @@
       await this.#settled();
       if (this.state === "failed") throw this.error;
       this.#use(await this.start(names));
+      this.#more = names;
       this.#become("ready");
       this.#next();
     }
@@ -104,7 +113,7 @@
     async #boot() {
       this.#become("starting");
       try {
-        this.#use(await this.start([...this.#more.keys()]));
+        this.#use(await this.start(this.#more));
         this.#become("ready");
         this.#next();
       } catch (error) {
@@ -4110,7 +4119,7 @@
         button.disabled = true;
         say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
         try {
-          await client.need("numpy");
+          await client.need(this.#facts?.packages ?? []);
           await this.#compute({}, performance.now());
           this.dataset.state = "live";
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");

@@ -25,8 +25,12 @@ export class Client extends EventTarget {
   #flying = null;
   #restarts = 0;
   #lastId = 0;
-  /** @type {Map<string, Promise<void>>} packages that were asked for after the start */
-  #more = new Map();
+  /** @type {string[]} packages that were asked for after the start */
+  #asked = [];
+  /** @type {string[]} those of them that Python has, and gets again after a restart */
+  #more = [];
+  /** @type {Promise<void>} when they are there */
+  #growing = Promise.resolve();
 
   /** @param {Start} start */
   constructor(start) {
@@ -40,16 +44,19 @@ export class Client extends EventTarget {
   }
 
   /**
-   * Has a package that no scene of the page called for. A second Python starts with it and takes
-   * over; meanwhile the first goes on answering. Rejects where the site does not carry the package.
-   * @param {string} name
+   * Has packages that no scene of the page called for. A second Python starts with them and takes
+   * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+   * @param {string[]} names @returns {Promise<void>}
    */
-  need(name) {
-    const asked = this.#more.get(name);
-    if (asked) return asked;
-    const needed = this.#grow([...this.#more.keys(), name]);
-    this.#more.set(name, needed);
-    needed.catch(() => this.#more.delete(name));
+  need(names) {
+    if (names.every((name) => this.#asked.includes(name))) return this.#growing;
+    const before = this.#asked;
+    this.#asked = [...new Set([...before, ...names])];
+    const needed = this.#growing.catch(() => {}).then(() => this.#grow(this.#asked));
+    this.#growing = needed;
+    needed.catch(() => {
+      this.#asked = before;
+    });
     return needed;
   }
 
@@ -59,6 +66,7 @@ export class Client extends EventTarget {
     await this.#settled();
     if (this.state === "failed") throw this.error;
     this.#use(await this.start(names));
+    this.#more = names;
     this.#become("ready");
     this.#next();
   }
@@ -122,7 +130,7 @@ export class Client extends EventTarget {
   async #boot() {
     this.#become("starting");
     try {
-      this.#use(await this.start([...this.#more.keys()]));
+      this.#use(await this.start(this.#more));
       this.#become("ready");
       this.#next();
     } catch (error) {

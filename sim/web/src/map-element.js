@@ -99,7 +99,7 @@ export function mapElement(client) {
       button.disabled = true;
       say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
       try {
-        await client.need("numpy");
+        await client.need(this.#facts?.packages ?? []);
         await this.#compute({}, performance.now());
         this.dataset.state = "live";
         need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
