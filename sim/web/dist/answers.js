@@ -151,6 +151,8 @@
   var STORE = "answers";
   var PATIENCE = 4e3;
   var STUDENT = "student";
+  var SETTLED = "settled";
+  var SETTLE_AFTER = 400;
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found2 = opened.get(site) ?? openOnce(site);
@@ -166,7 +168,7 @@
   }
   function forStudent(all, code) {
     const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT;
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
     return {
       kind: all.kind,
       how: all.how,
@@ -217,9 +219,19 @@
       }
     };
   }
-  function write(base, act) {
+  var settling;
+  async function write(base, act) {
+    await transaction(base, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(base, mark2, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  function transaction(base, act, durability) {
     return new Promise((resolve, reject) => {
-      const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+      const work = base.transaction(STORE, "readwrite", { durability });
       act(work.objectStore(STORE));
       work.oncomplete = () => resolve();
       work.onerror = () => reject(work.error);

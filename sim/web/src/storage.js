@@ -12,6 +12,8 @@ import { stamped } from "./answers/outline.js";
 const STORE = "answers";
 const PATIENCE = 4000; // ms until a browser that never answers counts as one that keeps nothing
 const STUDENT = "student"; // the key under which the code word of who works here is kept
+const SETTLED = "settled"; // written last, so that all before it is on the disk
+const SETTLE_AFTER = 400; // ms without a new answer
 
 /**
  * `how`: indexed, text (localStorage) or memory. The keys of a student begin with `@CODE/`.
@@ -51,7 +53,7 @@ export function writeStudent(all, code) {
 export function forStudent(all, code) {
   const before = code ? `@${code}/` : "";
   const mine = (/** @type {string} */ key) =>
-    before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT;
+    before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
   return {
     kind: all.kind,
     how: all.how,
@@ -115,10 +117,27 @@ function indexed(base) {
   };
 }
 
-/** @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act @returns {Promise<void>} */
-function write(base, act) {
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let settling;
+
+/**
+ * What is complete survives a browser that is killed: the system has it. Waiting for the disk at every
+ * key would let fast typing queue up; so that is done once, in a pause, for a computer that loses power.
+ * @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act
+ */
+async function write(base, act) {
+  await transaction(base, act, "relaxed");
+  clearTimeout(settling);
+  settling = setTimeout(() => {
+    const mark = (/** @type {IDBObjectStore} */ answers) => void answers.put(Date.now(), SETTLED);
+    transaction(base, mark, "strict").catch(() => {}); // the answer itself was kept or refused before
+  }, SETTLE_AFTER);
+}
+
+/** @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act @param {IDBTransactionDurability} durability @returns {Promise<void>} */
+function transaction(base, act, durability) {
   return new Promise((resolve, reject) => {
-    const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+    const work = base.transaction(STORE, "readwrite", { durability });
     act(work.objectStore(STORE));
     work.oncomplete = () => resolve();
     work.onerror = () => reject(work.error);
