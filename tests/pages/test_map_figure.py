@@ -18,7 +18,7 @@ from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import Finding
 from sim.pages.map.bake import MapRun, bake_map
 from sim.pages.map.figure import value_text
-from sim.pages.map.palette import NONE, diverging, edge, sequential
+from sim.pages.map.palette import NONE, ZERO, diverging, edge, sequential
 from sim.pages.map.render import render_map, spread
 from sim.pages.map.scale import pixels, scale_for
 from sim.pages.scene_block import Lesson
@@ -85,7 +85,7 @@ def test_the_picture_has_the_colour_of_each_value() -> None:
             place = (value - scale.low) / scale.step + 1e-9  # rounding below an edge is on it
             own = scale.colours[min(scale.count - 1, math.floor(place))]
             seen = picture[(height - 1 - row * step) * width + column * step]
-            assert seen in (own, edge(own)), (row, column, value)
+            assert seen in (own, edge(own), ZERO), (row, column, value)
 
 
 def test_lightness_alone_tells_the_order_of_the_colours() -> None:
@@ -116,6 +116,17 @@ def test_where_there_is_no_value_there_is_no_band() -> None:
     assert (nothing == scale.count).any()
     assert nothing[-1, 0] in (1, scale.count + 2)
     assert NONE not in scale.colours
+
+
+def test_the_line_of_zero_is_drawn_where_the_sign_changes() -> None:
+    scale = scale_for(-1.0, 1.0)
+    drawn = pixels([x / 10 for x in range(-9, 10)] * 2, 19, scale)
+    line = 2 * scale.count + 1
+    places = sorted({int(x) for x in (drawn == line).nonzero()[1]})
+    zero = (drawn.shape[1] - 1) // 2
+    assert places == [zero - 1, zero]
+    one_sign = scale_for(0.0, 1.0)
+    assert not (pixels([0.0, 0.5, 1.0, 0.2], 2, one_sign) == 2 * one_sign.count + 1).any()
 
 
 def test_the_scale_reaches_as_far_as_the_sliders() -> None:

@@ -107,6 +107,7 @@ def test_a_map_shows_and_runs_the_values_of_its_points(site: Path, open_page: Op
     # All points: another mass of B is another map, and a bad one is refused.
     on_map(page, 'await el.set({"B.mass": 5})')
     assert math.isclose(on_map(page, "return el.value"), 0.0, abs_tol=1e-15)
+    expect(page.locator('#map-velocity [data-set="B.mass"] .carts-number-box')).to_have_value("5.0")
     refused = on_map(page, 'return el.set({"B.mass": -1}).then(() => "", (e) => e.message)')
     assert "greater than 0" in refused
 
@@ -127,7 +128,12 @@ def test_the_page_paints_what_the_generator_draws() -> None:
         {
             "values": [None if math.isnan(v) else v for v in values],
             "columns": columns,
-            "scale": {"low": scale.low, "step": scale.step, "count": scale.count},
+            "scale": {
+                "low": scale.low,
+                "step": scale.step,
+                "count": scale.count,
+                "zero": scale.zero,
+            },
             "numbers": numbers,
         },
     )

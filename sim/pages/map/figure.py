@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from sim.pages.map.bake import MapRun
-from sim.pages.map.palette import NONE, edge
+from sim.pages.map.palette import NONE, ZERO, edge
 from sim.pages.map.png import data_url, png
 from sim.pages.map.scale import Scale, pixels
 from sim.pages.widget.numbers import decimals_for, fixed, px
@@ -60,7 +60,7 @@ def figure(described: Map, run: MapRun, scale: Scale) -> dict[str, Any]:
     if flat:
         xs = [across.shown(value) for value in run.axes[0]]
         return made | {"curve": curve(xs, run.values, x, y), "picture": "", "bar": []}
-    palette = [*scale.colours, NONE, *map(edge, scale.colours)]
+    palette = [*scale.colours, NONE, *map(edge, scale.colours), ZERO]
     image = png(pixels(run.values, len(run.axes[0]), scale), palette)
     return made | {"curve": "", "picture": data_url(image), "bar": bar(scale), **_bar_place(scale)}
 

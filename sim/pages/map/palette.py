@@ -14,6 +14,9 @@ Colour = tuple[int, int, int]
 NONE: Colour = (176, 176, 176)
 """Where a map has no value."""
 
+ZERO: Colour = (32, 32, 32)
+"""The line of zero."""
+
 EDGE = 0.72
 """A band's colour on its edge towards the next band, as a part of its own: the contour line."""
 

@@ -13,7 +13,7 @@ from markupsafe import Markup
 
 from sim.pages.map import figure as drawing
 from sim.pages.map.bake import MapRun
-from sim.pages.map.palette import NONE
+from sim.pages.map.palette import NONE, ZERO
 from sim.pages.map.scale import scale_for
 from sim.pages.widget.numbers import decimals_of, fixed
 from sim.pages.widget.panel import plain
@@ -183,6 +183,8 @@ def _facts(
             "count": scale.count,
             "colours": [list(colour) for colour in scale.colours],
             "none": list(NONE),
+            "zero": scale.zero,
+            "line": list(ZERO),
         },
         "value": {"low": value.low, "high": value.high, "step": value.step},
         "plot": [drawing.LEFT, drawing.TOP, drawing.RIGHT, drawing.BOTTOM],

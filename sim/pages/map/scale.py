@@ -41,6 +41,11 @@ class Scale:
         return [(first + k) * self.step for k in range(self.count + 1)]
 
     @property
+    def zero(self) -> int:
+        """Bands below zero; its upper edge is the line where nothing is left of what is shown."""
+        return min(self.count, max(0, round(-self.low / self.step)))
+
+    @property
     def decimals(self) -> int:
         """That the numbers at the edges need."""
         return max(decimals_of(edge) for edge in self.edges)
@@ -70,8 +75,9 @@ def pixels(values: Sequence[float], columns: int, scale: Scale) -> NDArray[np.ui
     """Colour numbers of the picture, the top row first; its twin is `map-paint.js`.
 
     0 to count − 1: bands; count: no value; from count + 1: a band's edge towards its right or lower
-    neighbour, which is the contour line. Between the points of the grid the picture is drawn with
-    straight lines; beside a point without a value each point keeps to itself.
+    neighbour, which is the contour line; 2 count + 1: the line of zero, twice as broad. Between the
+    points of the grid the picture is drawn with straight lines; beside a point without a value each
+    point keeps to itself.
     """
     import numpy as np
 
@@ -81,10 +87,17 @@ def pixels(values: Sequence[float], columns: int, scale: Scale) -> NDArray[np.ui
     place = np.floor((fine - scale.low) / scale.step + STEP_SLACK)
     bands = np.where(np.isnan(fine), scale.count, np.clip(place, 0, scale.count - 1))
     bands = bands.astype(np.uint8)
-    own, changes = bands, np.zeros(bands.shape, dtype=bool)
-    changes[:, :-1] |= own[:, :-1] != own[:, 1:]
-    changes[:-1] |= own[:-1] != own[1:]
-    return np.where(changes & (own != scale.count), own + scale.count + 1, own)
+    nothing = bands == scale.count
+    down, across = bands[:-1] != bands[1:], bands[:, :-1] != bands[:, 1:]
+    changes = np.zeros(bands.shape, dtype=bool)
+    changes[:, :-1] |= across
+    changes[:-1] |= down
+    found = np.where(changes & ~nothing, bands + scale.count + 1, bands)
+    plus = bands >= scale.zero
+    for one, other in (np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:]):
+        crossed = (plus[one] != plus[other]) & ~nothing[one] & ~nothing[other]
+        found[one][crossed] = found[other][crossed] = 2 * scale.count + 1
+    return found
 
 
 def _between(grid: NDArray[np.float64], factor: int) -> NDArray[np.float64]:

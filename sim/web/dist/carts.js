@@ -1177,6 +1177,8 @@
   var STORE = "answers";
   var PATIENCE = 4e3;
   var STUDENT = "student";
+  var SETTLED = "settled";
+  var SETTLE_AFTER = 400;
   var opened = /* @__PURE__ */ new Map();
   function openAll(site) {
     const found2 = opened.get(site) ?? openOnce(site);
@@ -1193,7 +1195,7 @@
   }
   function forStudent(all, code) {
     const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT;
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
     return {
       kind: all.kind,
       how: all.how,
@@ -1244,9 +1246,19 @@
       }
     };
   }
-  function write(base, act) {
+  var settling;
+  async function write(base, act) {
+    await transaction(base, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(base, mark, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  function transaction(base, act, durability) {
     return new Promise((resolve, reject) => {
-      const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+      const work = base.transaction(STORE, "readwrite", { durability });
       act(work.objectStore(STORE));
       work.oncomplete = () => resolve();
       work.onerror = () => reject(work.error);
@@ -3837,13 +3849,13 @@
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
     return a * (1 - part) + b * part;
   }
-  function between(values, lines, count, factor, next, line) {
+  function between(values, lines2, count, factor, next, line) {
     const fine = (count - 1) * factor + 1;
-    const found2 = new Float64Array(lines * fine);
+    const found2 = new Float64Array(lines2 * fine);
     for (let k = 0; k < fine; k += 1) {
       const left = Math.min(Math.floor(k / factor), count - 2);
       const part = (k - left * factor) / factor;
-      for (let i = 0; i < lines; i += 1) {
+      for (let i = 0; i < lines2; i += 1) {
         const at = i * line + left * next;
         found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
@@ -3863,13 +3875,26 @@
         bands[y * width + x] = band2(Number(fine[x * height + (height - 1 - y)]), scale);
       }
     }
-    const places = bands.map((own2, at) => {
-      const right = (at + 1) % width ? bands[at + 1] : own2;
-      const below = at + width < bands.length ? bands[at + width] : own2;
-      const plain = own2 === scale.count || own2 === right && own2 === below;
-      return plain ? own2 : scale.count + 1 + own2;
-    });
-    return { places, width, height };
+    return { places: lines(bands, width, scale), width, height };
+  }
+  function lines(bands, width, { count, zero }) {
+    const places = bands.slice();
+    const line = 2 * count + 1;
+    for (let at = 0; at < bands.length; at += 1) {
+      const own2 = Number(bands[at]);
+      const others = [];
+      if ((at + 1) % width) others.push(at + 1);
+      if (at + width < bands.length) others.push(at + width);
+      for (const other of others) {
+        const next = Number(bands[other]);
+        if (next === own2 || own2 === count) continue;
+        if (next !== count && own2 >= zero !== next >= zero) {
+          places[at] = line;
+          places[other] = line;
+        } else if (places[at] !== line) places[at] = count + 1 + own2;
+      }
+    }
+    return places;
   }
   function paint(canvas, { values, columns }, scale) {
     const { places, width, height } = pixels(values, columns, scale);
@@ -3883,9 +3908,9 @@
     for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
     context.putImageData(image, 0, 0);
   }
-  function palette({ colours, none }) {
+  function palette({ colours, none, line }) {
     const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE2 * part)));
-    const all = [...colours, none, ...edges];
+    const all = [...colours, none, ...edges, line];
     return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => 255 << 24 | b << 16 | g << 8 | r);
   }
 
@@ -4161,6 +4186,7 @@
         if (generation !== this.#generation) return;
         if (!first.header.ok) throw refusal2(first.header.problems ?? []);
         this.#settings = settings;
+        this.#showSettings();
         const { axes, rows, columns, why, runs } = first.header;
         this.#draw({ axes, rows, columns, why, values: first.numbers });
         await frame2();
@@ -4179,6 +4205,24 @@
         }
         this.#tell("");
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
+      }
+      /** The further sliders follow what a program has set; what a reader typed stays as typed. */
+      #showSettings() {
+        for (const { set, per, step } of this.#facts?.controls ?? []) {
+          const value = this.#settings[set];
+          const root = this.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
+          if (typeof value !== "number" || !root) continue;
+          const shown = Number((value / per).toPrecision(12));
+          const box2 = (
+            /** @type {HTMLInputElement} */
+            need(root, ".carts-number-box")
+          );
+          need(root, ".carts-slider").valueAsNumber = shown;
+          if (box2 !== document.activeElement) {
+            const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
+            box2.value = fixed(shown, decimals).replace("−", "-");
+          }
+        }
       }
       /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
       #ask(settings, from) {

@@ -6,6 +6,7 @@ import { AxisControl } from "./map-axis.js";
 import { MapFigure } from "./map-figure.js";
 import { figures } from "./map-figures.js";
 import { fillTable } from "./map-table.js";
+import { decimalsOf, fixed } from "./numbers.js";
 
 /** @typedef {import("./map-types.js").MapFacts} MapFacts */
 /** @typedef {import("./map-types.js").Grid} Grid */
@@ -141,6 +142,7 @@ export function mapElement(client) {
       if (generation !== this.#generation) return;
       if (!first.header.ok) throw refusal(first.header.problems ?? []);
       this.#settings = settings;
+      this.#showSettings();
       const { axes, rows, columns, why, runs } = first.header;
       this.#draw({ axes, rows, columns, why, values: first.numbers });
       await frame();
@@ -159,6 +161,22 @@ export function mapElement(client) {
       }
       this.#tell("");
       this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
+    }
+
+    /** The further sliders follow what a program has set; what a reader typed stays as typed. */
+    #showSettings() {
+      for (const { set, per, step } of this.#facts?.controls ?? []) {
+        const value = this.#settings[set];
+        const root = this.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
+        if (typeof value !== "number" || !root) continue;
+        const shown = Number((value / per).toPrecision(12));
+        const box = /** @type {HTMLInputElement} */ (need(root, ".carts-number-box"));
+        /** @type {HTMLInputElement} */ (need(root, ".carts-slider")).valueAsNumber = shown;
+        if (box !== document.activeElement) {
+          const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
+          box.value = fixed(shown, decimals).replace("−", "-");
+        }
+      }
     }
 
     /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */

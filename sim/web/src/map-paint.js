@@ -40,8 +40,8 @@ function between(values, lines, count, factor, next, line) {
 }
 
 /**
- * Colour numbers of the picture, the top row first: bands, no value, and from count + 1 on the
- * bands' edges.
+ * Colour numbers of the picture, the top row first: bands, no value, from count + 1 on the bands'
+ * edges, and last the line of zero.
  * @param {ArrayLike<number>} values @param {number} columns @param {Scale} scale
  * @returns {{places: Uint8Array, width: number, height: number}}
  */
@@ -58,13 +58,31 @@ export function pixels(values, columns, scale) {
       bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
     }
   }
-  const places = bands.map((own, at) => {
-    const right = (at + 1) % width ? bands[at + 1] : own;
-    const below = at + width < bands.length ? bands[at + width] : own;
-    const plain = own === scale.count || (own === right && own === below);
-    return plain ? own : scale.count + 1 + own;
-  });
-  return { places, width, height };
+  return { places: lines(bands, width, scale), width, height };
+}
+
+/**
+ * The bands with their edges, and the line of zero, twice as broad.
+ * @param {Uint8Array} bands @param {number} width @param {Scale} scale @returns {Uint8Array}
+ */
+function lines(bands, width, { count, zero }) {
+  const places = bands.slice();
+  const line = 2 * count + 1;
+  for (let at = 0; at < bands.length; at += 1) {
+    const own = Number(bands[at]);
+    const others = [];
+    if ((at + 1) % width) others.push(at + 1);
+    if (at + width < bands.length) others.push(at + width);
+    for (const other of others) {
+      const next = Number(bands[other]);
+      if (next === own || own === count) continue;
+      if (next !== count && own >= zero !== next >= zero) {
+        places[at] = line;
+        places[other] = line;
+      } else if (places[at] !== line) places[at] = count + 1 + own;
+    }
+  }
+  return places;
 }
 
 /** @param {HTMLCanvasElement} canvas @param {Grid} grid @param {Scale} scale */
@@ -82,8 +100,8 @@ export function paint(canvas, { values, columns }, scale) {
 }
 
 /** @param {Scale} scale @returns {Uint32Array} as a little-endian machine stores a pixel */
-function palette({ colours, none }) {
+function palette({ colours, none, line }) {
   const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE * part)));
-  const all = [...colours, none, ...edges];
+  const all = [...colours, none, ...edges, line];
   return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => (255 << 24) | (b << 16) | (g << 8) | r);
 }
