@@ -8,7 +8,7 @@ have a shorter way.
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import defaultdict
 
 from sim.dynamics import bursts, components, ending, resolve
 from sim.dynamics.calendar import Calendar
@@ -32,10 +32,10 @@ class Happenings:
         self.forces = Forces(scene) if scene.effects else None
         self.chain = Chain(scene, self.forces)
         self.calendar = Calendar(len(self.chain.gaps))
-        self.ledger = Ledger()
-        self.solvers: Counter[str] = Counter()
+        self.ledger = Ledger(scene)
+        self.solvers: defaultdict[str, int] = defaultdict(int)
         self.end: Time = (scene.until, 0.0)
-        self.fastest = max(abs(cart.velocity) for cart in scene.carts)
+        self.fastest = 0.0  # m/s, greatest approach so far
         self.happened = 0
         self.steps = 0
 
@@ -111,6 +111,7 @@ class Happenings:
         """A contact without duration between two bodies that are free, or settled."""
         self.solvers[gap.contact.law] += 1
         if gap.contact.law == "instant":
+            self.fastest = max(self.fastest, -gap.rate)
             resolve.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
             return
         resolve.join(self.chain, gap, now, self.record, self.ledger)
