@@ -21,14 +21,15 @@ from sim.dynamics.contact import PairContact
 from sim.dynamics.flight import Flight
 from sim.dynamics.forces import NO_LOAD, Forces, Load
 from sim.dynamics.laws import Figures, FiniteLaw, finite_law
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.touching import Touching
 from sim.scene.model import Contact, Scene
 
 if TYPE_CHECKING:
     from sim.dynamics.effects import Link
 
-Solver = PairContact | Cluster
-Motion = PairContact | Cluster | Flight
+Solver = PairContact | PairPhase | Cluster
+Motion = PairContact | PairPhase | Cluster | Flight
 
 
 @dataclass(slots=True, eq=False)

@@ -14,6 +14,7 @@ from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.laws import Bumper, Paper, PushOnly
 from sim.dynamics.ledger import Ledger
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.polynomial import value
 from sim.dynamics.record import Record
 
@@ -22,16 +23,16 @@ STANDING = 1e-12
 velocities differ by rounding only."""
 
 
-def leave(cluster: Cluster, now: Time, record: Record, ledger: Ledger) -> int:
+def leave(cluster: Cluster | PairPhase, now: Time, record: Record, ledger: Ledger) -> int:
     """Carry out all that ended the step, but for touches without a duration (`struck`).
 
     Returns the number of events that it told.
     """
     happened = 0
     for cause, k in cluster.ends:
-        if cause == "halt":
+        if isinstance(cluster, Cluster) and cause == "halt":
             happened += _halt(cluster, k, now, record)
-        elif cause == "slip":
+        elif isinstance(cluster, Cluster) and cause == "slip":
             happened += _slip(cluster, k, now, record)
         elif cause == "touch":
             happened += _touch(cluster.members[k], now, record, ledger)
@@ -88,7 +89,7 @@ def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
     return 2
 
 
-def struck(cluster: Cluster) -> list[Gap]:
+def struck(cluster: Cluster | PairPhase) -> list[Gap]:
     """Linked pairs that touch at the end of the step by a law without a duration."""
     touched = [cluster.members[k] for cause, k in cluster.ends if cause == "touch"]
     return [gap for gap in touched if gap.law is None]

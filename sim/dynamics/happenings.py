@@ -17,9 +17,11 @@ from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.detect import next_touch, resting, touch_in_motion
+from sim.dynamics.flight import Flight
 from sim.dynamics.forces import Forces
 from sim.dynamics.form import form
 from sim.dynamics.ledger import Ledger
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
 from sim.scene.model import Scene
 
@@ -133,7 +135,7 @@ class Happenings:
         if not ending.is_push(gap):
             gap.room = -rest  # rounding of the search left: that is what a touch is
         in_contact = any(
-            isinstance(b.motion, (PairContact, Cluster)) for b in (gap.left, gap.right)
+            isinstance(b.motion, (PairContact, PairPhase, Cluster)) for b in (gap.left, gap.right)
         )
         bodies, gaps = self.settle([gap.left, gap.right], now)
         if gap.left.mass < math.inf or gap.right.mass < math.inf:
@@ -182,7 +184,7 @@ class Happenings:
         """A cluster's step or a flight is over, or something happened in it."""
         solver = body.motion
         bodies, gaps = self.settle([body], now)
-        if isinstance(solver, Cluster):
+        if isinstance(solver, (Cluster, PairPhase)):
             self.happened += ending.leave(solver, now, self.record, self.ledger)
             for gap in ending.struck(solver):
                 self.happened += 1
@@ -230,10 +232,10 @@ class Happenings:
                 first = self.chain.gaps[solver.gap]
                 assert first is not None
                 self.calendar.gap(first, now, solver.duration)
-            elif isinstance(solver, Cluster) and solver.members:
+            elif isinstance(solver, (Cluster, PairPhase)) and solver.members:
                 self.calendar.gap(solver.members[0], now, solver.duration)
             else:
-                body = solver.bodies[0] if isinstance(solver, Cluster) else solver.body
+                body = solver.body if isinstance(solver, Flight) else solver.bodies[0]
                 self.calendar.body(body, now, solver.duration)
         self.predict_all(bodies, gaps, now)
 
