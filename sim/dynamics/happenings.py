@@ -13,7 +13,7 @@ from collections import defaultdict
 from sim.dynamics import bursts, components, ending, resolve
 from sim.dynamics.calendar import Calendar
 from sim.dynamics.chain import Body, Chain, Gap, component, moved, velocity
-from sim.dynamics.clock import Time, elapsed
+from sim.dynamics.clock import ZERO, Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.detect import next_touch, resting, touch_in_motion
@@ -192,8 +192,6 @@ class Happenings:
                 bodies = self.strike(gap, bodies, gaps, now, in_contact=True)
         else:
             body.v = 0.0
-            ending.tell_stop(body, now, self.record)
-            self.happened += 1
         self.form_again(bodies, gaps, now)
 
     def from_outside(self, number: int, now: Time) -> None:
@@ -209,6 +207,7 @@ class Happenings:
                 self.chain.advance(gap, now)
             changed = bursts.set_free(self.chain, gap, burst, now, self.record, self.ledger)
             self.happened += changed
+            forces.used["release"] += changed
             bodies = [b for b in dict.fromkeys([*bodies, gap.left, gap.right]) if b.carts]
             self.form_again(bodies, [*gaps, gap], now)
             return
@@ -220,6 +219,7 @@ class Happenings:
         """What still belongs together gets new solvers; everything around is predicted anew."""
         bodies = sorted(bodies, key=lambda body: body.carts)
         ready = elapsed(now, self.end) > 0.0
+        held = [body.held for body in bodies]
         for body in bodies:
             body.turn += 1  # what was predicted for its flight is void
         for solver in form(bodies, gaps, now, self.end, self.forces, self.record):
@@ -237,6 +237,10 @@ class Happenings:
             else:
                 body = solver.body if isinstance(solver, Flight) else solver.bodies[0]
                 self.calendar.body(body, now, solver.duration)
+        for body, before in zip(bodies, held, strict=True):
+            if body.held != before and now != ZERO:
+                self.record.moment("stop" if body.held else "start", body, now)
+                self.happened += 1
         self.predict_all(bodies, gaps, now)
 
     def predict_all(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:

@@ -82,6 +82,9 @@ class _Run(Happenings):
             if gap.room < 0.0 and gap.law is not None and not gap.joined:
                 resolve.touch(gap, ZERO, self.record, self.ledger)
         self.form_again(list(dict.fromkeys(self.chain.bodies)), gaps, ZERO)
+        self.solvers["free-flight"] += sum(body.motion is None for body in self.chain.bodies)
+        if not self.solvers["free-flight"]:
+            del self.solvers["free-flight"]
 
     def finish(self, progress: Progress | None = None) -> Run:
         """Event after event until the end, or until there were too many."""
