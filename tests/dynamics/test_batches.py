@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.dynamics.batch.grid import MOST_RUNS, changes_at, run_points, solve
+from sim.dynamics.batch.grid import MOST_RUNS, MOST_WITH_EFFECTS, changes_at, run_points, solve
 from sim.dynamics.batch.impacts import LAWS, impacts
 from sim.dynamics.impact import outgoing
 from sim.dynamics.laws import finite_law
@@ -256,3 +256,13 @@ def test_values_of_one_pair_follow_only_that_pair() -> None:
         if point not in grid.left:
             expected = by_engine(plain, changes_at(axes, point), ("v", "A"))
             assert close(grid.values[0, point], expected, scale=1.0)
+
+
+def test_effects_are_run_on_a_grid_that_a_page_can_bear() -> None:
+    plain = registry.two_carts(law="bumper")
+    plain["effects"] = [{"friction": {"coefficient": "0.02"}}]
+    axes = (("A.velocity", spread(0.5, 1.5, 200)), ("A.mass", spread(0.5, 1.5, 200)))
+    grid = solve(plain, axes, ("v", "B"))
+    assert len(grid.left) == grid.values.size == MOST_WITH_EFFECTS
+    (value,) = run_points(plain, grid, ("v", "B"), 123, seconds=0.0)
+    assert value == by_engine(plain, changes_at(grid.axes, 123), ("v", "B"))

@@ -29,8 +29,9 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 MOST_RUNS = 1_600
-"""Runs of one map: 40 × 40. A run of two carts takes about a tenth of a millisecond here, five
-times that in a page, and effects cost more."""
+MOST_WITH_EFFECTS = 400
+"""Runs of one map: 40 × 40, and 20 × 20 with effects. A run of two carts takes about a tenth of a
+millisecond here, with effects ten milliseconds, and five times that in a page."""
 
 MOST_EVENTS = 200
 """Of one run on a map; more than that has no value on it."""
@@ -60,10 +61,10 @@ class Grid:
 def solve(plain: Mapping[str, Any], axes: Axes, show: Show) -> Grid:
     """Everything that has a closed form, in one go."""
     grid = _solved(plain, axes, show)
-    share = len(grid.left) / grid.values.size
-    if len(grid.left) <= MOST_RUNS:
+    runs = MOST_WITH_EFFECTS if plain.get("effects") else MOST_RUNS
+    if len(grid.left) <= runs:
         return grid
-    most = MOST_RUNS / share
+    most = runs * grid.values.size / len(grid.left)
     side = math.isqrt(int(most)) if len(axes) == 2 else int(most)
     fewer = tuple((target, _thinned(values, side)) for target, values in axes)
     coarse = _solved(plain, fewer, show)
