@@ -8,12 +8,19 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from html import unescape
+from xml.etree.ElementTree import Element
 
 from markdown import Markdown
+from markdown.treeprocessors import Treeprocessor
+from markdown.util import AMP_SUBSTITUTE
+
+_LAST = -5  # when all addresses are made
 
 _ONE_PARAGRAPH = re.compile(r"<p>((?:(?!<p>).)*)</p>", re.DOTALL)
 _PAGE_LINK = re.compile(r'(<a href="(?![a-z]+:|#)[^":]*)\.md(["#])')
-_UNSAFE = re.compile(r'(href|src)="\s*(?!https?:|mailto:|#)[^"/?#]*:[^"]*"', re.IGNORECASE)
+_SCHEME = re.compile(r"([a-z][a-z0-9+.-]*):", re.IGNORECASE)
+_SAFE = ("http", "https", "mailto")
 
 
 def to_html(text: str) -> str:
@@ -22,8 +29,7 @@ def to_html(text: str) -> str:
         return ""
     md = _markdown()
     md.reset()
-    made = _PAGE_LINK.sub(r"\1.html\2", md.convert(text))
-    return _UNSAFE.sub(r'\1="#"', made)
+    return _PAGE_LINK.sub(r"\1.html\2", md.convert(text))
 
 
 def to_inline(text: str) -> str:
@@ -44,4 +50,23 @@ def _markdown() -> Markdown:
     )
     md.preprocessors.deregister("html_block")
     md.inlinePatterns.deregister("html")
+    md.treeprocessors.register(_SafeAddresses(md), "carts_safe_addresses", _LAST)
     return md
+
+
+class _SafeAddresses(Treeprocessor):
+    """Takes addresses away that a browser would run: javascript:, data: and their like."""
+
+    def run(self, root: Element) -> None:
+        for element in root.iter():
+            for name in ("href", "src"):
+                address = element.get(name)
+                if address is not None and not _is_safe(address):
+                    element.attrib.pop(name)
+
+
+def _is_safe(address: str) -> bool:
+    # What a browser makes of it: entities read, white space and control characters left out.
+    plain = unescape(address.replace(AMP_SUBSTITUTE, "&"))
+    scheme = _SCHEME.match("".join(c for c in plain if c.isprintable() and not c.isspace()))
+    return scheme is None or scheme[1].lower() in _SAFE

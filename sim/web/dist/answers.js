@@ -329,22 +329,19 @@
     async take(student, found2) {
       await this.ready;
       if (!this.all) return 0;
-      const store = forStudent(this.all, student);
-      let changed = 0;
-      for (const [key, entry] of found2) {
-        const old = await store.get(key);
-        const both = merged(old, entry);
-        if (JSON.stringify(both) === JSON.stringify(old)) continue;
-        await this.all.put(student ? `@${student}/${key}` : key, both);
-        changed += 1;
-        if (student === this.student) this.#tell(key);
-      }
+      const { all } = this;
+      const here = new Map(await forStudent(all, student).entries());
+      const changed = found2.map(([key, entry]) => ({ key, old: here.get(key), both: merged(here.get(key), entry) })).filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
+      await Promise.all(
+        changed.map(({ key, both }) => all.put(student ? `@${student}/${key}` : key, both))
+      );
+      if (student === this.student) for (const { key } of changed) this.#tell(key);
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
       for (const [key] of student === this.student ? found2 : []) {
         this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
       }
-      return changed;
+      return changed.length;
     }
     /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered without a code */
     async become(code, carry = false) {
