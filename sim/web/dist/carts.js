@@ -3960,6 +3960,7 @@
         /** @type {HTMLCanvasElement} */
         html("canvas", "carts-map-canvas")
       );
+      canvas.setAttribute("aria-hidden", "true");
       const [left, top, right, bottom] = this.facts.plot;
       const [width, height] = this.facts.size;
       canvas.style.left = `${100 * left / width}%`;
