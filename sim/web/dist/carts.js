@@ -3852,11 +3852,11 @@
   function between(values, lines2, count, factor, next, line) {
     const fine = (count - 1) * factor + 1;
     const found2 = new Float64Array(lines2 * fine);
-    for (let k = 0; k < fine; k += 1) {
-      const left = Math.min(Math.floor(k / factor), count - 2);
-      const part = (k - left * factor) / factor;
-      for (let i = 0; i < lines2; i += 1) {
+    for (let i = 0; i < lines2; i += 1) {
+      for (let k = 0; k < fine; k += 1) {
+        const left = Math.min(Math.floor(k / factor), count - 2);
         const at = i * line + left * next;
+        const part = (k - left * factor) / factor;
         found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
     }
@@ -3880,19 +3880,18 @@
   function lines(bands, width, { count, zero }) {
     const places = bands.slice();
     const line = 2 * count + 1;
-    for (let at = 0; at < bands.length; at += 1) {
+    const compare = (at, other) => {
       const own2 = Number(bands[at]);
-      const others = [];
-      if ((at + 1) % width) others.push(at + 1);
-      if (at + width < bands.length) others.push(at + width);
-      for (const other of others) {
-        const next = Number(bands[other]);
-        if (next === own2 || own2 === count) continue;
-        if (next !== count && own2 >= zero !== next >= zero) {
-          places[at] = line;
-          places[other] = line;
-        } else if (places[at] !== line) places[at] = count + 1 + own2;
-      }
+      const next = Number(bands[other]);
+      if (next === own2 || own2 === count) return;
+      if (next !== count && own2 >= zero !== next >= zero) {
+        places[at] = line;
+        places[other] = line;
+      } else if (places[at] !== line) places[at] = count + 1 + own2;
+    };
+    for (let at = 0; at < bands.length; at += 1) {
+      if ((at + 1) % width) compare(at, at + 1);
+      if (at + width < bands.length) compare(at, at + width);
     }
     return places;
   }
