@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.scene.controls import Control, read_controls
+from sim.scene.effect_controls import Switch, read_switches
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, read_predict
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
+from sim.scene.read_effects import listed_effects
 from sim.scene.tables import mapping, unknown_keys
 
 FENCE_KEYS = ("id", "show", "with", "controls", "predict", "forces", "slow", "view", "packages")
@@ -32,6 +34,7 @@ class Fence:
     show: tuple[str, ...]
     opened: tuple[str, ...]  # views beside the graphs, in the fence “with”
     controls: tuple[Control, ...]
+    switches: tuple[Switch, ...]  # among the controls: which effects a reader may turn on and off
     predict: Predict | None
     forces: str  # shown | hidden
     slow: str  # auto | never
@@ -68,7 +71,13 @@ def read_fence(plain: object) -> Fence:
     forces = _choice("forces", table, ("shown", "hidden"), problems)
     slow = _choice("slow", table, ("auto", "never"), problems)
     speed = _view(table.get("view"), problems)
-    controls = () if scene is None else read_controls(table.get("controls", []), scene, problems)
+    controls: tuple[Control, ...] = ()
+    switches: tuple[Switch, ...] = ()
+    if scene is not None:
+        names = [cart.name for cart in scene.carts]
+        effects = listed_effects(table.get("effects", []), names, scene.track, [])
+        controls = read_controls(table.get("controls", []), scene, problems, effects)
+        switches = read_switches(table.get("controls", []), effects, problems)
     predict = None
     if "predict" in table and scene is not None:
         predict = read_predict(table["predict"], scene, problems)
@@ -81,6 +90,7 @@ def read_fence(plain: object) -> Fence:
         show=show,
         opened=opened,
         controls=controls,
+        switches=switches,
         predict=predict,
         forces=forces,
         slow=slow,
