@@ -177,7 +177,7 @@ def test_a_map_costs_little_html(site: Path) -> None:
         (site / "physics" / "map.html").read_text(encoding="utf-8"),
         re.DOTALL,
     )
-    assert len(maps) == 3
+    assert len(maps) == 4
     assert max(len(text.encode()) for text in maps) <= MOST_HTML_PER_MAP
 
 

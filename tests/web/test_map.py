@@ -112,6 +112,26 @@ def test_a_map_shows_and_runs_the_values_of_its_points(site: Path, open_page: Op
     assert "greater than 0" in refused
 
 
+@pytest.mark.browser
+@pytest.mark.slow
+def test_a_map_of_runs_fills_while_the_reader_watches(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / "physics" / "map.html", folder=site)
+    opened(page, "map-middle")
+    seen = on_map(page, "await el.complete; return [...el.grid.values]", "map-middle")
+    best = max(range(len(seen)), key=seen.__getitem__)
+    masses = on_map(page, "return el.grid.axes[0]", "map-middle")
+    assert masses[best] == 2.0  # the geometric mean of 4 kg and 1 kg
+    # A slider that moves on drops the runs that are under way.
+    late = on_map(
+        page,
+        'el.set({"A.mass": 3}); await el.set({"A.mass": 9}); await el.complete;'
+        "return [...el.grid.values]",
+        "map-middle",
+    )
+    assert masses[max(range(len(late)), key=late.__getitem__)] == 3.0
+    assert not any(map(math.isnan, late))
+
+
 def test_the_page_paints_what_the_generator_draws() -> None:
     columns, values = 5, [0.07 * k - 0.4 if k != 12 else math.nan for k in range(20)]
     scale = scale_for(-0.4, 0.93)

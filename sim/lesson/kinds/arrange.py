@@ -20,7 +20,7 @@ from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
 from sim.scene.tables import unknown_keys
 
-_PAIR_KEYS = (
+PAIR_KEYS = (
     Key("left", "what stands on the left", "force on A by B", TEXT, True),
     Key("right", "what belongs to it", "force on B by A", TEXT, True),
 )
@@ -109,7 +109,7 @@ class Matching(Question):
     KEYS: ClassVar[tuple[Key, ...]] = (
         Key("pairs", "what belongs together", "[{left: force on A by B, right: force on B by A}]",
             {"type": "array", "minItems": 2, "items": {"type": "object",
-             "properties": {key.name: key.schema for key in _PAIR_KEYS},
+             "properties": {key.name: key.schema for key in PAIR_KEYS},
              "required": ["left", "right"], "additionalProperties": False}}, True),
         Key("others", "more on the right that belongs to nothing", "[force on A by the Earth]",
             TEXTS),
@@ -134,7 +134,7 @@ class Matching(Question):
                 message = "a pair has a left and a right"
                 problems.append(Problem((*here, k), "not-a-table", message, hint))
                 continue
-            unknown_keys(entry, keys.names(_PAIR_KEYS), (*here, k), problems)
+            unknown_keys(entry, keys.names(PAIR_KEYS), (*here, k), problems)
             left.append(keys.needed(entry, "left", (*here, k), problems, hint))
             right.append(keys.needed(entry, "right", (*here, k), problems, hint))
         right += keys.texts(table, "others", path, problems, "others: [something else]")

@@ -106,7 +106,7 @@
   };
 
   // src/answers/entry.js
-  var MOST_EARLIER = 40;
+  var MOST_EARLIER = 500;
   function isEmpty(value) {
     if (typeof value === "string") return !value.trim();
     if (value === null || value === void 0) return true;

@@ -1147,7 +1147,7 @@
   };
 
   // src/answers/entry.js
-  var MOST_EARLIER = 40;
+  var MOST_EARLIER = 500;
   function isEmpty(value) {
     if (typeof value === "string") return !value.trim();
     if (value === null || value === void 0) return true;
@@ -3960,6 +3960,7 @@
         /** @type {HTMLCanvasElement} */
         html("canvas", "carts-map-canvas")
       );
+      canvas.setAttribute("aria-hidden", "true");
       const [left, top, right, bottom] = this.facts.plot;
       const [width, height] = this.facts.size;
       canvas.style.left = `${100 * left / width}%`;
@@ -4025,6 +4026,25 @@
     return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
   }
 
+  // src/map-settings.js
+  function showSettings(map, controls, settings) {
+    for (const { set, per, step } of controls) {
+      const value = settings[set];
+      const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
+      if (typeof value !== "number" || !root) continue;
+      const shown = Number((value / per).toPrecision(12));
+      const box2 = (
+        /** @type {HTMLInputElement} */
+        need(root, ".carts-number-box")
+      );
+      need(root, ".carts-slider").valueAsNumber = shown;
+      if (box2 !== document.activeElement) {
+        const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
+        box2.value = fixed(shown, decimals).replace("−", "-");
+      }
+    }
+  }
+
   // src/map-table.js
   var COLUMNS = 6;
   var ROWS2 = 11;
@@ -4077,6 +4097,8 @@
       #generation = 0;
       /** @type {Promise<void> | null} */
       #opening = null;
+      /** @type {Promise<void>} */
+      #filling = Promise.resolve();
       connectedCallback() {
         if (this.#facts) return;
         const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
@@ -4121,6 +4143,10 @@
       /** The value at the chosen point, in SI; NaN where there is none. */
       get value() {
         return this.#valueAt(this.#places);
+      }
+      /** Resolves when no point is left to be run. */
+      get complete() {
+        return this.#filling;
       }
       /** Resolves when the map is live; never rejects: a failure is told in the map. */
       open() {
@@ -4176,7 +4202,7 @@
         note.hidden = !message;
       }
       /**
-       * Asks for the whole map; where points have to be run one by one, slice after slice.
+       * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
        * @param {Record<string, number | string>} settings @param {number} at
        */
       async #compute(settings, at) {
@@ -4186,14 +4212,21 @@
         if (generation !== this.#generation) return;
         if (!first.header.ok) throw refusal2(first.header.problems ?? []);
         this.#settings = settings;
-        this.#showSettings();
+        showSettings(this, this.#facts?.controls ?? [], settings);
         const { axes, rows, columns, why, runs } = first.header;
         this.#draw({ axes, rows, columns, why, values: first.numbers });
         await frame2();
         performance.measure("carts:map", { start: at, end: performance.now() });
-        let done = first.header.done;
+        this.#filling = this.#fill(settings, first.header.done, runs, generation);
+      }
+      /**
+       * The points that have to be run one by one, slice after slice, drawn as they come.
+       * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
+       * @param {number} generation
+       */
+      async #fill(settings, done, runs, generation) {
         while (done < runs) {
-          this.#tell(`${done} of ${runs} runs`);
+          this.#progress(done, runs);
           const { header, numbers } = await this.#ask(settings, done);
           if (generation !== this.#generation || !header.ok || !this.#grid) return;
           const half = numbers.length / 2;
@@ -4203,26 +4236,17 @@
           done = header.done;
           this.#draw(this.#grid);
         }
-        this.#tell("");
+        this.#progress(1, 1);
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
       }
-      /** The further sliders follow what a program has set; what a reader typed stays as typed. */
-      #showSettings() {
-        for (const { set, per, step } of this.#facts?.controls ?? []) {
-          const value = this.#settings[set];
-          const root = this.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
-          if (typeof value !== "number" || !root) continue;
-          const shown = Number((value / per).toPrecision(12));
-          const box2 = (
-            /** @type {HTMLInputElement} */
-            need(root, ".carts-number-box")
-          );
-          need(root, ".carts-slider").valueAsNumber = shown;
-          if (box2 !== document.activeElement) {
-            const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
-            box2.value = fixed(shown, decimals).replace("−", "-");
-          }
-        }
+      /** @param {number} done @param {number} runs */
+      #progress(done, runs) {
+        const bar2 = (
+          /** @type {HTMLProgressElement} */
+          need(this, ".carts-map-progress")
+        );
+        bar2.value = done / runs;
+        bar2.style.visibility = done < runs ? "visible" : "hidden";
       }
       /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
       #ask(settings, from) {

@@ -5,8 +5,8 @@ import { need, say } from "./dom.js";
 import { AxisControl } from "./map-axis.js";
 import { MapFigure } from "./map-figure.js";
 import { figures } from "./map-figures.js";
+import { showSettings } from "./map-settings.js";
 import { fillTable } from "./map-table.js";
-import { decimalsOf, fixed } from "./numbers.js";
 
 /** @typedef {import("./map-types.js").MapFacts} MapFacts */
 /** @typedef {import("./map-types.js").Grid} Grid */
@@ -32,6 +32,8 @@ export function mapElement(client) {
     #generation = 0;
     /** @type {Promise<void> | null} */
     #opening = null;
+    /** @type {Promise<void>} */
+    #filling = Promise.resolve();
 
     connectedCallback() {
       if (this.#facts) return;
@@ -77,6 +79,11 @@ export function mapElement(client) {
     /** The value at the chosen point, in SI; NaN where there is none. */
     get value() {
       return this.#valueAt(this.#places);
+    }
+
+    /** Resolves when no point is left to be run. */
+    get complete() {
+      return this.#filling;
     }
 
     /** Resolves when the map is live; never rejects: a failure is told in the map. */
@@ -132,7 +139,7 @@ export function mapElement(client) {
     }
 
     /**
-     * Asks for the whole map; where points have to be run one by one, slice after slice.
+     * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
      * @param {Record<string, number | string>} settings @param {number} at
      */
     async #compute(settings, at) {
@@ -142,14 +149,22 @@ export function mapElement(client) {
       if (generation !== this.#generation) return;
       if (!first.header.ok) throw refusal(first.header.problems ?? []);
       this.#settings = settings;
-      this.#showSettings();
+      showSettings(this, this.#facts?.controls ?? [], settings);
       const { axes, rows, columns, why, runs } = first.header;
       this.#draw({ axes, rows, columns, why, values: first.numbers });
       await frame();
       performance.measure("carts:map", { start: at, end: performance.now() });
-      let done = first.header.done;
+      this.#filling = this.#fill(settings, first.header.done, runs, generation);
+    }
+
+    /**
+     * The points that have to be run one by one, slice after slice, drawn as they come.
+     * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
+     * @param {number} generation
+     */
+    async #fill(settings, done, runs, generation) {
       while (done < runs) {
-        this.#tell(`${done} of ${runs} runs`);
+        this.#progress(done, runs);
         const { header, numbers } = await this.#ask(settings, done);
         if (generation !== this.#generation || !header.ok || !this.#grid) return;
         const half = numbers.length / 2;
@@ -159,24 +174,15 @@ export function mapElement(client) {
         done = header.done;
         this.#draw(this.#grid);
       }
-      this.#tell("");
+      this.#progress(1, 1);
       this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
     }
 
-    /** The further sliders follow what a program has set; what a reader typed stays as typed. */
-    #showSettings() {
-      for (const { set, per, step } of this.#facts?.controls ?? []) {
-        const value = this.#settings[set];
-        const root = this.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
-        if (typeof value !== "number" || !root) continue;
-        const shown = Number((value / per).toPrecision(12));
-        const box = /** @type {HTMLInputElement} */ (need(root, ".carts-number-box"));
-        /** @type {HTMLInputElement} */ (need(root, ".carts-slider")).valueAsNumber = shown;
-        if (box !== document.activeElement) {
-          const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
-          box.value = fixed(shown, decimals).replace("−", "-");
-        }
-      }
+    /** @param {number} done @param {number} runs */
+    #progress(done, runs) {
+      const bar = /** @type {HTMLProgressElement} */ (need(this, ".carts-map-progress"));
+      bar.value = done / runs;
+      bar.style.visibility = done < runs ? "visible" : "hidden";
     }
 
     /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */

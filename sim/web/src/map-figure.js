@@ -56,6 +56,7 @@ export class MapFigure {
   /** The canvas lies between the picture, which it hides, and the cross. */
   #laid() {
     const canvas = /** @type {HTMLCanvasElement} */ (html("canvas", "carts-map-canvas"));
+    canvas.setAttribute("aria-hidden", "true");
     const [left, top, right, bottom] = this.facts.plot;
     const [width, height] = this.facts.size;
     canvas.style.left = `${(100 * left) / width}%`;
