@@ -24,6 +24,9 @@ from sim.dynamics.trajectory import PER_STRETCH, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 
 PROTOCOL = 1
+MOST_STEPS_DRAWN = 5_000
+"""Steps of contacts that push each other: a few seconds in a page."""
+
 MOST_EVENTS_DRAWN = 20_000
 """A page stops a run here: more events than this can neither be drawn nor listed."""
 
@@ -40,7 +43,7 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return refusal(identity, [problem])
     try:
         plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
-        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN)
+        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
     except SceneError as error:
         return refusal(identity, error.problems)
     except UnsolvedError as error:
