@@ -25,6 +25,9 @@ from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.read_effects import listed_effects
 
 PROTOCOL = 1
+MOST_STEPS_DRAWN = 5_000
+"""Steps of contacts that push each other: a few seconds in a page."""
+
 MOST_EVENTS_DRAWN = 20_000
 """A page stops a run here: more events than this can neither be drawn nor listed."""
 
@@ -41,7 +44,7 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return refusal(identity, [problem])
     try:
         plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
-        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN)
+        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
     except SceneError as error:
         return refusal(identity, error.problems)
     except UnsolvedError as error:
