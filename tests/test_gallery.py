@@ -16,6 +16,7 @@ FOLDER = Path(__file__).parents[1] / "docs" / "gallery"
 PAGES = sorted(FOLDER.glob("*.md"))
 VELOCITY = re.compile(r"([A-Za-z][\w-]*): ([+−]?)(\d+(?:\.\d+)?) m/s")
 WARMED = re.compile(r"Warmed the bumpers: (\d+(?:\.\d+)?) J")
+WORK = re.compile(r"Work of (\w+): ([+−])(\d+(?:\.\d+)?) J")
 
 
 def sections() -> dict[str, str]:
@@ -82,6 +83,11 @@ def test_the_expected_result_is_what_comes_out(name: str) -> None:
         assert abs(v - value) <= tolerance(figures), (cart.name, v, draft(name))
     (warmed,) = WARMED.findall(text)
     assert abs(done.ledger.warmed - float(warmed)) <= tolerance(warmed), draft(name)
+    works = done.ledger.works
+    assert {kind for kind, _, _ in WORK.findall(text)} == set(works), works
+    for kind, sign, figures in WORK.findall(text):
+        value = float(figures) * (-1 if sign == "−" else 1)
+        assert abs(works[kind] - value) <= tolerance(figures), (kind, works)
 
 
 @pytest.mark.parametrize("name", sorted(SECTIONS))

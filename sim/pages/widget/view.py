@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.pages.bake import packages_of
 from sim.pages.widget import graph as g
 from sim.pages.widget.contacts import touches
 from sim.pages.widget.exits import exits
@@ -56,7 +57,7 @@ def scene_view(
     return {
         "id": fence.id,
         "title": header.get("title") or "Carts on an air track",
-        "packages": " ".join(sorted(fence.packages)),
+        "packages": " ".join(sorted({*fence.packages, *packages_of(header)})),
         "warnings": header["warnings"],
         "stages": stages,
         "torn": stages[0]["torn"],
