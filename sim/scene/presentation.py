@@ -42,8 +42,11 @@ class Fence:
     packages: tuple[str, ...]
 
 
-def read_fence(plain: object) -> Fence:
-    """The fence that `plain` describes; raises SceneError with every problem."""
+def read_fence(plain: object, *, named: bool = True) -> Fence:
+    """The fence that `plain` describes; raises SceneError with every problem.
+
+    A scene file is a fence that need not be `named`: it may have an id, or go without.
+    """
     problems: list[Problem] = []
     table = mapping(plain, (), problems, "a scene is a table of keys, for example “carts:”")
     if table is None:
@@ -51,7 +54,7 @@ def read_fence(plain: object) -> Fence:
     unknown_keys(table, (*FENCE_KEYS, *SCENE_KEYS), (), problems)
     scene_part = {key: value for key, value in table.items() if key in SCENE_KEYS}
     scene = collect_scene(scene_part, problems)
-    identity = table.get("id")
+    identity = table.get("id", None if named else "file")
     if not isinstance(identity, str) or not ID.fullmatch(identity):
         path: Path = ("id",) if "id" in table else ()
         code = "bad-name" if "id" in table else "missing"
