@@ -11,7 +11,11 @@ import click
 
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import read_scene_text
+from sim.pages.yaml_source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
+
+MOST_BYTES = 4 * MAX_CHARACTERS
+"""Never read more: a path may lead to a film, or to a device without an end."""
 
 
 def read(name: str) -> Scene:
@@ -43,7 +47,10 @@ def fail(findings: Iterable[Finding]) -> NoReturn:
 
 
 def _text(name: str, shown: str) -> str:
-    data = sys.stdin.buffer.read() if name == "-" else _bytes(name)
+    data = sys.stdin.buffer.read(MOST_BYTES) if name == "-" else _bytes(name)
+    if len(data) == MOST_BYTES:
+        what, hint = "this is more than a scene can be", "a scene is short: is this the right file?"
+        fail([Finding(shown, 1, 1, "too-long", what, hint)])
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -55,7 +62,8 @@ def _text(name: str, shown: str) -> str:
 def _bytes(name: str) -> bytes:
     """Raises click's usage error: a wrong path is a wrong call."""
     try:
-        return Path(name).read_bytes()
+        with Path(name).open("rb") as file:
+            return file.read(MOST_BYTES)
     except FileNotFoundError:
         raise click.UsageError(f"There is no file “{name}”.") from None
     except IsADirectoryError:
