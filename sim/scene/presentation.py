@@ -37,7 +37,7 @@ class Fence:
     switches: tuple[Switch, ...]  # among the controls: which effects a reader may turn on and off
     predict: Predict | None
     forces: str  # shown | hidden
-    slow: str  # auto | never
+    slow: str  # auto | never | stops
     view_speed: float  # m/s, of the camera; 0: at rest on the track
     packages: tuple[str, ...]
 
@@ -72,7 +72,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     opened = _choices("with", table, (), VIEWS, problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
     forces = _choice("forces", table, ("shown", "hidden"), problems)
-    slow = _choice("slow", table, ("auto", "never"), problems)
+    slow = _choice("slow", table, ("auto", "never", "stops"), problems)
     speed = _view(table.get("view"), problems)
     controls: tuple[Control, ...] = ()
     switches: tuple[Switch, ...] = ()

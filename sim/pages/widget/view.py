@@ -66,7 +66,7 @@ def scene_view(
         "description": _description(header, scales, camera),
         "time": _timeline(header, contacts, until),
         "speed": _opening_speed(until),
-        "slow": fence.slow == "auto" and any(c["stiffness"] for c in header["contacts"]),
+        "slow": fence.slow != "never" and any(c["stiffness"] for c in header["contacts"]),
         "predict_view": _predict_view(fence, header, scales),
         "cards": cards(
             header, fence.controls, scales, run, camera=camera, forces=forces, told=told

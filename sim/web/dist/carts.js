@@ -1459,22 +1459,29 @@
   };
 
   // src/choose.js
+  var STOPS = "stops at touch, greatest force and parting";
   var FORCES = ["F", "a"];
   var Choose = class {
     /**
      * @param {HTMLElement} root @param {import("./types.js").Baked} baked
      * @param {Choice[]} views
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void}} acts
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
      */
     constructor(root, baked, views, acts) {
       const place2 = need(root, ".carts-choices");
-      const { show, forces: forces2 } = baked.fence;
+      const { show, forces: forces2, slow } = baked.fence;
       const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
         key: quantity,
         label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
         seen: show.includes(quantity)
       }));
-      place2.replaceChildren(group("Graphs", graphs, acts.graph), group("Views", views, acts.view));
+      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
+      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
+      place2.replaceChildren(
+        group("Graphs", graphs, acts.graph),
+        group("Views", views, acts.view),
+        group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
+      );
     }
   };
   function group(title, choices, act) {
@@ -2347,6 +2354,9 @@
     until = 1;
     /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
     /** @type {number[]} */
     stops = [];
     #frame = 0;
@@ -2410,10 +2420,12 @@
       this.#last = now;
       const before = this.time;
       this.own += seconds;
-      this.#move(advance(before, seconds, this.speed, this.#parts, this.until));
-      if (this.time >= this.until) this.playing = false;
+      const next = advance(before, seconds, this.speed, this.#parts, this.until);
+      const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
       this.changed(before, true);
-      if (this.playing) this.#frame = requestAnimationFrame((next) => this.#tick(next));
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
     /** @param {number} t */
     #move(t) {
@@ -2472,9 +2484,10 @@
   };
 
   // src/pushes.js
-  var PER_CHARACTER = 6.6;
+  var PER_CHARACTER = 7.8;
   var ROW = 19;
   var GAP = 8;
+  var EDGE2 = 6;
   var Pushes = class {
     /** @type {Push[]} */
     #pushes = [];
@@ -2513,6 +2526,7 @@
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
+      const told = [];
       for (const push of this.#pushes) {
         const { t: times, F, dF } = run.trajectory;
         const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
@@ -2521,70 +2535,93 @@
         const y = layout.track - PUSH;
         const [left, right] = push.bodies;
         const ends = [face(left, "right"), face(right, "left")];
-        const touching = this.#windows.some(
-          (w) => w.pair === push.pair && t >= w.start && t <= w.end
-        );
         const draw = isCut(size, view.force) ? cutArrow : blockArrow;
         push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
         });
-        this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
+        if (this.#windows.some((w) => w.pair === push.pair && t >= w.start && t <= w.end)) {
+          told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2 });
+        }
+      }
+      this.#names(told);
+    }
+    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
+    #names(told) {
+      const [only] = told;
+      for (const { pair, groups } of this.#pushes) {
+        const on = told.some(({ push }) => push.pair === pair);
+        for (const group2 of groups) {
+          put(need(group2, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
+        }
+      }
+      if (told.length === 1 && only && this.#inFull(only)) return;
+      const taken = [];
+      const [low, high] = this.#between();
+      for (const { push, size, x } of told) {
+        const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
+        if (!text || !other) continue;
+        const label = `${this.#value(size)} on each`;
+        const half = label.length * PER_CHARACTER / 2;
+        const at = Math.min(Math.max(x, low + half), high - half);
+        const free = [...new Set(this.layout.rows)].find(
+          (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
+        );
+        put(other, "visibility", "hidden");
+        if (free === void 0) put(text, "visibility", "hidden");
+        else {
+          taken.push([free, at - half, at + half]);
+          write2(text, label, at, free, "middle");
+        }
       }
     }
-    /** Both names on the beam, left and right of the contact, clear of each other and of the edges. */
-    /** @param {Push} push @param {number} size @param {number} x @param {boolean} visible */
-    #names(push, size, x, visible) {
-      const texts = push.groups.map((group2) => need(group2, '[data-part="text"]'));
-      for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
-      if (!visible) return;
-      const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
-      const value = `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
+    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
+    #inFull({ push, size, x }) {
+      const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief(on)} by ${brief(by)}: ${value}`;
+        return `on ${brief(on)} by ${brief(by)}: ${this.#value(size)}`;
       });
-      const wall = push.bodies.findIndex(isWall);
-      if (wall >= 0) return this.#beside(texts, labels, push.row, x, wall === 0 ? 1 : -1);
-      const widths = labels.map((label) => label.length * PER_CHARACTER);
-      const [first, second] = [Number(widths[0]), Number(widths[1])];
-      const [low, high] = this.#between(first + second + 2 * GAP);
-      const right = Math.min(Math.max(x + GAP, low + first + 2 * GAP), high - second);
-      const left = Math.min(x - GAP, right - 2 * GAP);
-      texts.forEach((text, side) => {
-        put(text, "x", px(side === 0 ? left : right));
-        put(text, "y", px(push.row));
-        put(text, "text-anchor", side === 0 ? "end" : "start");
-        say(text, labels[side] ?? "");
-      });
+      const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
+      if (!first || !second || !left || !right) return false;
+      const [low, high] = this.#between();
+      if (high - low >= left + right + 2 * GAP && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP, low + left + 2 * GAP), high - right);
+        write2(first, labels[0] ?? "", Math.min(x - GAP, begin - 2 * GAP), push.row, "end");
+        write2(second, labels[1] ?? "", begin, push.row, "start");
+        return true;
+      }
+      const longest = Math.max(left, right);
+      if (this.layout.beam < 2 * ROW || high - low < longest) return false;
+      const top = Math.min(...this.layout.rows);
+      const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
+      const start = Math.min(Math.max(x - way * longest, low), high - longest);
+      write2(first, labels[0] ?? "", start, top, "start");
+      write2(second, labels[1] ?? "", start, top + ROW, "start");
+      return true;
     }
-    /**
-     * Where names may stand: between the walls where there is room, else in the picture.
-     * @param {number} needed in units @returns {[number, number]}
-     */
-    #between(needed) {
+    /** Where names may stand: between the walls. @returns {[number, number]} */
+    #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
-      const low = track?.left === "wall" ? Math.max(6, origin + 4) : 6;
-      const end = origin + (track?.length ?? 0) * scale - 4;
-      const high = track?.right === "wall" ? Math.min(width - 6, end) : width - 6;
-      return high - low >= needed ? [low, high] : [6, width - 6];
+      const end = origin + (track?.length ?? 0) * scale;
+      return [
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP) : width - EDGE2
+      ];
     }
-    /**
-     * The names of a contact with a wall stand one above the other on the track, clear of the wall.
-     * @param {Element[]} texts @param {string[]} labels @param {number} row @param {number} x @param {1 | -1} way
-     */
-    #beside(texts, labels, row, x, way) {
-      const longest = Math.max(...labels.map((label) => label.length)) * PER_CHARACTER;
-      const at = Math.min(Math.max(x + way * GAP, way < 0 ? longest : 6), this.layout.width - 6);
-      texts.forEach((text, side) => {
-        put(text, "x", px(at));
-        put(text, "y", px(row + side * ROW));
-        put(text, "text-anchor", way > 0 ? "start" : "end");
-        say(text, labels[side] ?? "");
-      });
+    /** @param {number} size in N */
+    #value(size) {
+      const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
+      return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
+  function write2(text, label, x, y, anchor) {
+    put(text, "x", px(x));
+    put(text, "y", px(y));
+    put(text, "text-anchor", anchor);
+    say(text, label);
+  }
 
   // src/stage.js
   var Stage = class {
@@ -3364,6 +3401,7 @@
   };
 
   // src/scene-view.js
+  var HALTS = /* @__PURE__ */ new Set(["contact", "peak", "separate", "stick", "release"]);
   var SceneView = class {
     /** @type {Run} */
     run;
@@ -3384,6 +3422,7 @@
         root.querySelectorAll(".carts-stage")
       );
       this.stages = [...stages].map((stage) => new Stage(stage, baked));
+      this.player.halting = baked.fence.slow === "stops";
       this.seek = seek;
       const graphs = (
         /** @type {NodeListOf<HTMLElement>} */
@@ -3393,7 +3432,10 @@
       this.views = new Views(root, baked);
       new Choose(root, baked, this.views.choices, {
         graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
-        view: (key, seen) => this.views.choose(key, seen)
+        view: (key, seen) => this.views.choose(key, seen),
+        halting: (on) => {
+          this.player.halting = on;
+        }
       });
       this.readouts = new Readouts(root, baked);
       this.timeline = new Timeline(root, seek);
@@ -3417,6 +3459,7 @@
       this.player.until = header.until;
       this.player.parts = slowParts(this.#windows);
       this.player.stops = header.events.map((event) => event.t);
+      this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
       this.#offerWindows();
       for (const stage of this.stages) stage.show(run, this.#windows);
       this.#tellTorn();
@@ -3839,7 +3882,7 @@
   // src/map-paint.js
   var STEP_SLACK2 = 1e-9;
   var FINE2 = 400;
-  var EDGE2 = 0.72;
+  var EDGE3 = 0.72;
   function band2(value, { low, step, count }) {
     if (Number.isNaN(value)) return count;
     const place2 = Math.floor((value - low) / step + STEP_SLACK2);
@@ -3908,7 +3951,7 @@
     context.putImageData(image, 0, 0);
   }
   function palette({ colours, none, line }) {
-    const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE2 * part)));
+    const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE3 * part)));
     const all = [...colours, none, ...edges, line];
     return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => 255 << 24 | b << 16 | g << 8 | r);
   }
@@ -4500,11 +4543,11 @@
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write2(zip.writable.getWriter(), parts);
+    const written = write3(zip.writable.getWriter(), parts);
     const [module] = await Promise.all([compiled, written]);
     return module;
   }
-  async function write2(writer, parts) {
+  async function write3(writer, parts) {
     for (const part of parts) await writer.write(await part);
     await writer.close();
   }

@@ -19,6 +19,8 @@ import { brief } from "./words.js";
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./windows.js").Touch} Touch */
 
+const HALTS = new Set(["contact", "peak", "separate", "stick", "release"]);
+
 export class SceneView {
   /** @type {Run} */
   run;
@@ -37,6 +39,7 @@ export class SceneView {
     };
     const stages = /** @type {NodeListOf<SVGElement>} */ (root.querySelectorAll(".carts-stage"));
     this.stages = [...stages].map((stage) => new Stage(stage, baked));
+    this.player.halting = baked.fence.slow === "stops";
     this.seek = seek;
     const graphs = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-graph"));
     this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
@@ -44,6 +47,9 @@ export class SceneView {
     new Choose(root, baked, this.views.choices, {
       graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
       view: (key, seen) => this.views.choose(key, seen),
+      halting: (on) => {
+        this.player.halting = on;
+      },
     });
     this.readouts = new Readouts(root, baked);
     this.timeline = new Timeline(root, seek);
@@ -67,6 +73,7 @@ export class SceneView {
     this.player.until = header.until;
     this.player.parts = slowParts(this.#windows);
     this.player.stops = header.events.map((event) => event.t);
+    this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
     this.#offerWindows();
     for (const stage of this.stages) stage.show(run, this.#windows);
     this.#tellTorn();
