@@ -11,13 +11,17 @@ from sim.scene.controls import Control, read_controls
 from sim.scene.effect_controls import Switch, read_switches
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, read_predict
+from sim.scene.presets import read_presets
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.read_effects import listed_effects
 from sim.scene.tables import mapping, unknown_keys
 
-FENCE_KEYS = ("id", "show", "with", "controls", "predict", "forces", "slow", "view", "packages")
+FENCE_KEYS = (
+    *("id", "show", "with", "controls", "presets", "predict"),
+    *("forces", "slow", "view", "packages"),
+)
 SHOWS = ("x", "v", "a", "F", "p", "energy")
 VIEWS = ("free-body", "lens", "bars")
 PACKAGES = ("numpy", "scipy")
@@ -35,6 +39,7 @@ class Fence:
     opened: tuple[str, ...]  # views beside the graphs, in the fence “with”
     controls: tuple[Control, ...]
     switches: tuple[Switch, ...]  # among the controls: which effects a reader may turn on and off
+    presets: Mapping[str, Mapping[str, Any]]  # changes to the scene, by the name on the button
     predict: Predict | None
     forces: str  # shown | hidden
     slow: str  # auto | never | stops
@@ -76,11 +81,13 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     speed = _view(table.get("view"), problems)
     controls: tuple[Control, ...] = ()
     switches: tuple[Switch, ...] = ()
+    presets: dict[str, dict[str, Any]] = {}
     if scene is not None:
         names = [cart.name for cart in scene.carts]
         effects = listed_effects(table.get("effects", []), names, scene.track, [])
         controls = read_controls(table.get("controls", []), scene, problems, effects)
         switches = read_switches(table.get("controls", []), effects, problems)
+        presets = read_presets(table.get("presets", {}), scene_part, problems)
     predict = None
     if "predict" in table and scene is not None:
         predict = read_predict(table["predict"], scene, problems)
@@ -94,6 +101,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         opened=opened,
         controls=controls,
         switches=switches,
+        presets=presets,
         predict=predict,
         forces=forces,
         slow=slow,

@@ -97,6 +97,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
             }
             for c in fence.controls
         ],
+        "presets": {name: dict(changes) for name, changes in fence.presets.items()},
         "predict": None
         if predict is None
         else {

@@ -72,6 +72,7 @@ def scene_view(
             header, fence.controls, scales, run, camera=camera, forces=forces, told=told
         ),
         "has_controls": bool(fence.controls),
+        "presets": list(fence.presets),
         "windows": [
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
         ],

@@ -3,6 +3,7 @@
 import { Announcer } from "./announcer.js";
 import { Choose, emptyGraph } from "./choose.js";
 import { html, need, put } from "./dom.js";
+import { Drag } from "./drag.js";
 import { GraphView } from "./graph-view.js";
 import { fixed } from "./numbers.js";
 import { Player } from "./player.js";
@@ -86,10 +87,15 @@ export class SceneView {
     this.player.seek(this.player.time);
   }
 
+  /** Lets the reader pull carts and velocity arrows. @param {ConstructorParameters<typeof Drag>[3]} acts */
+  draggable(acts) {
+    for (const stage of this.stages) new Drag(stage.root, stage.layout, this.baked, acts);
+  }
+
   /** Lets the reader move the time. @param {boolean} on */
   enable(on) {
     const parts =
-      ".carts-reset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+      ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
     for (const part of this.root.querySelectorAll(parts)) {
       /** @type {HTMLButtonElement} */ (part).disabled = !on;
     }
