@@ -103,6 +103,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
         else {
             "kind": predict.kind,
             "ask": predict.ask,
+            "talk": predict.talk,
             "pairs": [list(pair) for pair in predict.pairs],
             "cart": predict.cart,
             "options": list(predict.options),

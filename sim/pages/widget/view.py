@@ -242,6 +242,7 @@ def _predict_view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict
     return {
         "kind": predict.kind,
         "ask": predict.ask,
+        "talk": predict.talk,
         "arrows": arrows,
         "full": plain(full),
         "step": plain(nice_above(full / 100)),

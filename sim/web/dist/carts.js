@@ -813,6 +813,11 @@
     get value() {
       return this.#rows.map(({ pair, on, size }) => ({ pair, on, size }));
     }
+    /** @returns {string} */
+    get said() {
+      const rows = this.#rows.filter(({ size }) => size !== null);
+      return rows.map((row) => `${name(row)}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
+    }
     set value(value) {
       for (const saved of Array.isArray(value) ? value : []) {
         const row = this.#rows.find(({ pair, on }) => pair === saved.pair && on === saved.on);
@@ -1026,6 +1031,10 @@
     get value() {
       return this.#heights;
     }
+    /** @returns {string} */
+    get said() {
+      return `heights ${this.#heights.map((height) => height ?? "–").join(", ")}`;
+    }
     set value(value) {
       if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
       this.#draw();
@@ -1065,6 +1074,7 @@
           Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
           true
         ],
+        ["goes up once and down once", hills(mine) === 1, hills(forces2.map(Number)) === 1],
         ["is zero again at the end", mine[4] === 0, Number(forces2[FINE]) < 0.02 * top]
       ];
       const list = html("ul");
@@ -1101,6 +1111,48 @@
       put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
     }
   };
+  function hills(heights) {
+    let found2 = 0;
+    let rising = false;
+    heights.forEach((height, k) => {
+      const before = heights[k - 1] ?? 0;
+      if (height > before) rising = true;
+      if (height < before && rising) {
+        found2 += 1;
+        rising = false;
+      }
+    });
+    return found2 + (rising ? 1 : 0);
+  }
+
+  // src/predict-talk.js
+  var Talk = class {
+    /** @param {HTMLElement} root of the prediction @param {{change: () => void, run: () => void}} acts */
+    constructor(root, { change: change2, run }) {
+      this.box = need(root, ".carts-talk");
+      need(this.box, ".carts-talk-change").addEventListener("click", change2);
+      need(this.box, ".carts-talk-run").addEventListener("click", run);
+    }
+    /** @param {boolean} on whether it is time to talk @param {boolean} asked by the reader just now */
+    show(on, asked) {
+      this.box.hidden = !on;
+      if (on && asked) need(this.box, ".carts-talk-run").focus();
+    }
+  };
+  var Why = class {
+    /** @param {HTMLElement} root of the prediction @param {(text: string) => void} changed */
+    constructor(root, changed) {
+      this.line = need(root, ".carts-why");
+      this.box = /** @type {HTMLTextAreaElement} */
+      need(this.line, "textarea");
+      this.box.addEventListener("input", () => changed(this.box.value));
+    }
+    /** @param {string} text */
+    show(text) {
+      this.line.hidden = false;
+      if (this.box.value !== text) this.box.value = text;
+    }
+  };
 
   // src/predict-words.js
   var ChoiceForm = class {
@@ -1114,6 +1166,11 @@
     }
     get value() {
       return this.radios.find((radio) => radio.checked)?.value ?? null;
+    }
+    /** @returns {string} the words of the option */
+    get said() {
+      const radio = this.radios.find((one) => one.checked);
+      return radio?.closest("label")?.textContent?.trim() ?? "";
     }
     set value(value) {
       for (const radio of this.radios) radio.checked = radio.value === value;
@@ -1138,6 +1195,10 @@
     }
     get value() {
       return this.box.value;
+    }
+    /** @returns {string} */
+    get said() {
+      return this.box.value.trim();
     }
     set value(value) {
       this.box.value = String(value ?? "");
@@ -1354,6 +1415,12 @@
       };
       this.form = forms[spec.kind]();
       this.button.addEventListener("click", () => void this.#lock());
+      this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
+      this.why = new Why(root, (text) => {
+        this.#entry.why = text;
+        this.#told();
+        void this.#keep();
+      });
       this.again = new Again(root, async () => {
         if (await this.#forget()) forgotten();
       });
@@ -1379,8 +1446,11 @@
         this.form.value = found2.value;
         say(this.saved, "Saved.");
       }
-      this.form.enable(!this.isLocked);
-      this.button.disabled = this.isLocked;
+      const talking = Boolean(this.#entry.talk) && !this.#entry.before;
+      this.form.enable(!this.isLocked && !talking);
+      this.button.disabled = this.isLocked || talking;
+      this.talk.show(!this.isLocked && talking, false);
+      if (this.#entry.before) this.#showAgain();
       if (!this.isLocked) return;
       this.again.offer();
       this.locked(false);
@@ -1389,7 +1459,13 @@
     compare(run) {
       const place3 = need(this.root, ".carts-compared");
       place3.replaceChildren(...this.form.compare(run));
+      const { before, why } = this.#entry;
+      if (before) {
+        const both = `First you said: ${before.said}. After talking you said: ${this.form.said}.`;
+        place3.append(html("p", "", both));
+      }
       place3.hidden = false;
+      this.why.show(why ?? "");
       this.again.offer();
       say(need(this.root, ".carts-heading"), "Your prediction");
       this.root.classList.add("carts-locked");
@@ -1411,7 +1487,7 @@
       const now = (/* @__PURE__ */ new Date()).toISOString();
       this.#entry.value = this.form.value;
       this.#entry.asked = this.spec.ask;
-      this.#entry.said = this.spec.options[Number(this.form.value)] ?? "";
+      this.#told();
       this.#entry.first ??= now;
       this.#entry.last = now;
       this.#entry.tries += 1;
@@ -1422,13 +1498,40 @@
       const problem = this.form.problem();
       if (problem) return this.complain(problem);
       this.#entry.value = this.form.value;
-      this.#entry.locked = (/* @__PURE__ */ new Date()).toISOString();
       this.form.enable(false);
       this.button.disabled = true;
       this.complain("");
+      if (!this.spec.talk || this.#entry.talk) return this.#finish();
+      this.#entry.talk = (/* @__PURE__ */ new Date()).toISOString();
+      await this.#keep();
+      this.talk.show(true, true);
+    }
+    /** After talking: once more, and then the run. */
+    #change() {
+      this.#entry.before = { value: this.#entry.value, said: this.form.said };
+      this.talk.show(false, true);
+      this.form.enable(true);
+      this.#showAgain();
+      this.button.disabled = false;
+      void this.#keep();
+    }
+    #showAgain() {
+      say(this.button, "Lock the changed prediction and show the run");
+    }
+    async #finish() {
+      this.#entry.locked = (/* @__PURE__ */ new Date()).toISOString();
+      this.talk.show(false, true);
       await this.#keep();
       this.again.offer();
       this.locked(true);
+    }
+    /** The prediction in words, as the list of answers shows it. */
+    #told() {
+      const { before, why } = this.#entry;
+      const parts = [this.form.said];
+      if (before) parts.push(`First: ${before.said}`);
+      if (why) parts.push(`Why: ${why}`);
+      this.#entry.said = parts.filter(Boolean).join(" · ");
     }
     /** @returns {Promise<boolean>} whether the prediction is gone */
     async #forget() {
