@@ -193,7 +193,7 @@
   // src/trajectory.js
   function fromWire(header, numbers) {
     const { rows, columns, events } = header;
-    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, events };
+    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
     columns.forEach(([quantity, ...key], k) => {
       const column = numbers.subarray(k * rows, (k + 1) * rows);
       const name2 = String(quantity);
@@ -207,7 +207,7 @@
   }
   function fromBaked(numbers, events) {
     const parts = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF"]) {
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
       parts[quantity] = {};
       for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
         parts[quantity][key] = Float64Array.from(
@@ -297,6 +297,48 @@
     const factor = 10 ** decimals;
     const rounded = Math.floor(value * factor + 0.5) / factor;
     return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // src/switches.js
+  var Switches = class {
+    /** @type {Map<string, HTMLInputElement>} */
+    #boxes = /* @__PURE__ */ new Map();
+    /**
+     * @param {HTMLElement} root @param {{set: string, value: boolean}[]} switches
+     * @param {(target: string, value: boolean, at: number) => void} change `at`: time of the input
+     */
+    constructor(root, switches, change2) {
+      for (const { set } of switches) {
+        const box2 = (
+          /** @type {HTMLInputElement | null} */
+          root.querySelector(`[data-switch="${CSS.escape(set)}"]`)
+        );
+        if (!box2) continue;
+        this.#boxes.set(set, box2);
+        box2.addEventListener("change", (event) => change2(set, box2.checked, event.timeStamp));
+      }
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      for (const box2 of this.#boxes.values()) box2.disabled = !on;
+    }
+    /** Shows what acts in the run on screen. @param {Header} header */
+    show(header) {
+      for (const [set, box2] of this.#boxes) {
+        const effect = effectOf(set, header);
+        if (effect) box2.checked = effect.active;
+      }
+    }
+  };
+  function effectOf(target, { effects }) {
+    const owner = target.slice(0, target.lastIndexOf("."));
+    return effects.find(
+      ({ kind, index }) => [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner)
+    );
+  }
+  function effectValue(header, target) {
+    const key = target.slice(target.lastIndexOf(".") + 1);
+    return effectOf(target, header)?.numbers[key] ?? null;
   }
 
   // src/typed.js
@@ -424,7 +466,7 @@
     /** @param {Change} change @param {number} at */
     #typed(change2, at) {
       const read = readTyped(this.box.value);
-      const { low, high, unit, label } = this.control;
+      const { low, high, unit, label: label2 } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
@@ -432,7 +474,7 @@
       }
       if (read.value < low || read.value > high) {
         const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
-        return this.complain(`${label}: ${range}, please.`);
+        return this.complain(`${label2}: ${range}, please.`);
       }
       this.#accept(read.value);
       return change2(this.control.set, this.#asked(read.value), at);
@@ -467,7 +509,7 @@
       const values = new Set(header.contacts.map((contact) => contact[key]));
       return values.size === 1 ? [...values][0] ?? null : null;
     }
-    return null;
+    return effectValue(header, target);
   }
 
   // src/answers/outline.js
@@ -547,7 +589,7 @@
   var PUSH = 15.5;
   var FACE = 22;
   function box(body2, view, layout, lift) {
-    const width = Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
+    const width = bodyWidth(body2);
     const wanted = REFERENCE_HEIGHT * body2.mass / width / view.perHeight;
     const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
@@ -562,6 +604,9 @@
       label: named ? mass : `${body2.name}: ${mass}`,
       labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
+  }
+  function bodyWidth(body2) {
+    return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
   }
   function lane(i, tallest, layout) {
     const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
@@ -703,11 +748,11 @@
       case "stick":
         return `${pair} stay together.${after}`;
       case "stop":
-        return `${pair} stops.`;
+        return names[1] ? `${pair} stop: the track holds them.` : `${pair} stops: the track holds it.`;
       case "start":
-        return `${pair} starts to move.`;
+        return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
       case "release":
-        return `${pair} are released.${after}`;
+        return `The exploder between ${pair} releases.${shown}${after}`;
       case "end":
         return "End of the run.";
       default:
@@ -741,8 +786,8 @@
     const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
     const last = leftOut.pop();
     if (last !== void 0) {
-      const listed = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
-      sentences.push(`Left out of this model: ${listed}.`);
+      const listed2 = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
+      sentences.push(`Left out of this model: ${listed2}.`);
     }
     return sentences;
   }
@@ -1598,14 +1643,14 @@
   function group(title, choices, act) {
     const set = document.createElement("fieldset");
     set.append(html("legend", "", title));
-    for (const { key, label, seen } of choices) {
+    for (const { key, label: label2, seen } of choices) {
       const line = html("label");
       const box2 = document.createElement("input");
       box2.type = "checkbox";
       box2.checked = seen;
       box2.dataset.choice = key;
       box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label}`);
+      line.append(box2, ` ${label2}`);
       set.append(line);
     }
     set.hidden = choices.length === 0;
@@ -1708,6 +1753,141 @@
   function onStep(value, { low, high, step }) {
     const near = low + Math.round((value - low) / step) * step;
     return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
+  }
+
+  // src/effects-forces.js
+  var ON_ONE = ["incline", "push", "friction", "drag"];
+  var FEW = 3;
+  var AGENTS = { friction: "the track", drag: "the air", incline: "the Earth" };
+  function agent({ kind, by }) {
+    return AGENTS[kind] ?? by ?? "";
+  }
+  function actsAt({ kind, active, numbers }, t) {
+    if (!active) return false;
+    const { from = 0, until = Infinity } = numbers;
+    return kind !== "push" || t >= from && t < until;
+  }
+  function forcesAt({ header, trajectory }, t, always = false) {
+    const found2 = [];
+    for (const kind of ON_ONE) {
+      const acting = header.effects.filter(
+        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
+      );
+      for (const { name: name2 } of header.bodies) {
+        const own2 = acting.filter((effect) => effect.carts.includes(name2));
+        const column = trajectory.E[`${kind} ${name2}`];
+        if (!own2.length || !column?.length) continue;
+        const peak = greatest2(column);
+        const on = own2.some((effect) => actsAt(effect, t));
+        const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
+        const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
+        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
+        found2.push({ kind, on: name2, by: [...new Set(own2.map(agent))].join(" and "), value, size });
+      }
+    }
+    return found2;
+  }
+  function label({ kind, on, by, size }) {
+    return `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`;
+  }
+  function linkKind({ effects }, pair) {
+    const link = effects.find(
+      ({ kind, active, between: between2 }) => active && (kind === "spring" || kind === "magnets") && between2?.join("-") === pair
+    );
+    return link?.kind ?? "";
+  }
+  var known = /* @__PURE__ */ new WeakMap();
+  function greatest2(column) {
+    const before = known.get(column);
+    if (before !== void 0) return before;
+    let most = 0;
+    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
+    known.set(column, most);
+    return most;
+  }
+
+  // src/effects-words.js
+  var LEFT_OUT = {
+    friction: "friction",
+    incline: "a slope",
+    drag: "air resistance",
+    push: "pushes from outside",
+    spring: "springs between the carts",
+    magnets: "magnets",
+    release: "exploders"
+  };
+  function actingSentences(header, numbers) {
+    if (!header.effects.length) return "";
+    const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
+    const inside = acting.length ? acting.join("; ") : "nothing but the contacts between the carts";
+    const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2);
+    const outside = leftOut.length ? ` Left out: ${leftOut.join(", ")}.` : "";
+    return `In this model: ${inside}.${outside}`;
+  }
+  function phrase(effect, header, numbers) {
+    const { kind, numbers: n, carts, between: between2 } = effect;
+    const names = between2 ?? carts;
+    const on = carts.length === header.bodies.length ? "" : ` on ${listed(carts)}`;
+    const both = listed(names.map(body));
+    const told = (text) => numbers ? `, ${text}` : "";
+    const value = (key) => n[key] ?? 0;
+    switch (kind) {
+      case "friction": {
+        const held = n.static ?? value("coefficient");
+        const rest = held > value("coefficient") ? ` (at rest up to ${short(held)})` : "";
+        return `friction${on} by the track${told(`μ = ${short(value("coefficient"))}${rest}`)}`;
+      }
+      case "incline":
+        return `a slope${on}, ${slopeText(value("angle"))}`;
+      case "drag": {
+        const parts = [
+          ["linear", "m/s"],
+          ["quadratic", "(m/s)²"]
+        ].filter(([key]) => value(String(key))).map(([key, unit]) => `${short(value(String(key)))} N per ${unit}`);
+        return `drag${on} by the air${told(parts.join(" and ") || "0 N")}`;
+      }
+      case "push":
+        return `a push on ${names[0]} by ${agent(effect)}${told(pushText(value("force")))}${pushTimes(effect)}`;
+      case "spring": {
+        const damped = n.damping ? ", damped" : "";
+        const stiff = `${short(value("stiffness"))} N/m, natural length ${short(value("length"))} m`;
+        return `a spring between ${both}${damped}${told(stiff)}`;
+      }
+      case "magnets":
+        return `magnets on ${both}, like poles facing`;
+      default:
+        return `an exploder between ${both}${told(`${short(value("energy"))} J`)}, at ${short(value("at"))} s`;
+    }
+  }
+  function pushText(force) {
+    return `${short(Math.abs(force))} N to the ${force >= 0 ? "right" : "left"}`;
+  }
+  function pushTimes({ numbers }) {
+    const { from = 0, until } = numbers;
+    const start = from || until !== void 0 ? `, from ${short(from)} s` : "";
+    return start + (until === void 0 ? "" : ` to ${short(until)} s`);
+  }
+  function slopeText(angle) {
+    const size = short(Math.abs(angle) * 180 / Math.PI);
+    if (size === "0") return "0°: the track is level";
+    return `${size}° down to the ${angle > 0 ? "right" : "left"}`;
+  }
+  function pushMarks({ effects, until }, forces2) {
+    const marks2 = [];
+    for (const effect of effects) {
+      if (effect.kind !== "push" || !effect.active) continue;
+      const who = `The push on ${effect.carts[0]} by ${agent(effect)}`;
+      const { from = 0, until: end, force = 0 } = effect.numbers;
+      const size = forces2 ? `: ${pushText(force)}` : "";
+      if (from <= until) marks2.push({ t: from, sentence: `${who} begins${size}.` });
+      if (end !== void 0 && from < end && end <= until) {
+        marks2.push({ t: end, sentence: `${who} ends.` });
+      }
+    }
+    return marks2;
+  }
+  function listed(names) {
+    return names.length > 1 ? `${names.slice(0, -1).join(", ")} and ${names.at(-1)}` : String(names[0]);
   }
 
   // src/scales.js
@@ -1842,10 +2022,12 @@
   // src/forces.js
   function contactForce({ trajectory }, pair, t, zero) {
     const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
-    return force < zero ? 0 : force;
+    return Math.abs(force) < zero ? 0 : force;
   }
   function contactForces(run, name2, t, zero) {
-    return run.header.contacts.filter(({ bodies, stiffness }) => stiffness && bodies.includes(name2)).map(({ pair, bodies: [left, right] }) => {
+    return run.header.contacts.filter(
+      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkKind(run.header, pair))
+    ).map(({ pair, bodies: [left, right] }) => {
       const size = contactForce(run, pair, t, zero);
       const isLeft = left === name2;
       const by = isLeft ? right : left;
@@ -1868,11 +2050,32 @@
       };
     }).sort((a, b) => a.side < b.side ? -1 : 1);
   }
+  function effectForces(run, name2, t) {
+    return forcesAt(run, t, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
+      const face = value < 0 ? "right" : "left";
+      const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
+      return {
+        name: `force on ${on} by ${by}${kind === "incline" ? ", along the slope" : ""}`,
+        on,
+        by,
+        way: "along",
+        side: kind === "push" ? face : side,
+        value,
+        size
+      };
+    });
+  }
   function verticalForces({ header }, name2) {
     const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
-    const weight = mass * header.gravity;
+    const slope = header.effects.filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name2)).reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
+    const weight = mass * header.gravity * Math.cos(slope);
+    const pull = slope ? ", across the track" : "";
     return [
-      { name: `weight of ${name2}: force on ${name2} by the Earth`, by: "Earth", value: -weight },
+      {
+        name: `weight of ${name2}: force on ${name2} by the Earth${pull}`,
+        by: "Earth",
+        value: -weight
+      },
       { name: `support: force on ${name2} by the track`, by: "track", value: weight }
     ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
   }
@@ -2027,9 +2230,14 @@
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
-      const force = run.F[contact.pair];
-      const slope = run.dF[contact.pair];
-      if (!force || !slope || !Array.prototype.some.call(force, (f) => f > 0)) continue;
+      let force = run.F[contact.pair];
+      let slope = run.dF[contact.pair];
+      if (!force || !slope || !Array.prototype.some.call(force, (f) => f !== 0)) continue;
+      if (!signed) {
+        const pulls = Array.from(force, (f) => f < 0);
+        slope = Float64Array.from(slope, (s, k) => pulls[k] ? -s : s);
+        force = Float64Array.from(force, Math.abs);
+      }
       const [left, right] = contact.bodies;
       curves.push({
         label: `on ${brief(left)} by ${brief(right)}`,
@@ -2154,10 +2362,10 @@
     }
     /** @param {ArrayLike<number>} times @param {number} t in s */
     at(times, t) {
-      this.entries.forEach(({ label, values }, i) => {
+      this.entries.forEach(({ label: label2, values }, i) => {
         const now = Math.max(0, valueAt(times, values, null, t));
         const text = this.key.children[i]?.querySelector("b");
-        if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
+        if (text) say(text, `${label2}: ${fixed(now, this.decimals)} J`);
       });
     }
   };
@@ -2209,7 +2417,7 @@
       head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
-      const scale = greatest2(curves);
+      const scale = greatest3(curves);
       const rows = tableTimes(run).map((t) => {
         const row = html("tr");
         row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
@@ -2232,7 +2440,7 @@
     cell.setAttribute("scope", "col");
     return cell;
   }
-  function greatest2(curves) {
+  function greatest3(curves) {
     let found2 = 0;
     for (const { values } of curves) {
       for (let k = 0; k < values.length; k += 1) found2 = Math.max(found2, Math.abs(Number(values[k])));
@@ -2380,7 +2588,7 @@
       const times = timeMarks(this.#plane);
       const rows = valueMarks(this.#plane);
       marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
-        const { at, label } = (
+        const { at, label: label2 } = (
           /** @type {{at: string, label: string}} */
           times[i]
         );
@@ -2389,10 +2597,10 @@
         put(text, "class", "carts-tick-x");
         put(text, "x", at);
         put(text, "y", String(BOTTOM2 + 14));
-        say(text, label);
+        say(text, label2);
       });
       marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
-        const { at, textY, label, zero } = (
+        const { at, textY, label: label2, zero } = (
           /** @type {(typeof rows)[number]} */
           rows[i]
         );
@@ -2401,7 +2609,7 @@
         put(text, "class", "carts-tick-y");
         put(text, "x", String(LEFT2 - 5));
         put(text, "y", textY);
-        say(text, label);
+        say(text, label2);
       });
     }
     #cursor() {
@@ -2658,10 +2866,268 @@
     }
   };
 
-  // src/pushes.js
-  var PER_CHARACTER = 7.8;
-  var ROW = 19;
+  // src/effects-props.js
+  var TURNS = 9;
+  var LEAD = 5;
+  var COIL = 7;
+  var TOOTH = 4;
+  var POLE = 12;
+  var STEEPEST = 22;
+  var WEDGE = { wide: 120, narrow: 90 };
+  function props(header, layout, t, face, centre) {
+    return header.effects.filter(({ active }) => active).flatMap((effect) => {
+      const key = `${effect.kind} ${effect.index}`;
+      const y = layout.track;
+      const [a, b] = effect.between ?? ["", ""];
+      switch (effect.kind) {
+        case "friction":
+          return rough(effect, header, layout, key, face, centre);
+        case "incline":
+          return tilt(effect, layout, key);
+        case "push":
+          return actsAt(effect, t) ? [hand(effect, header, layout, key, centre)] : [];
+        case "spring":
+          return springCoil(effect, layout, key, face(a, "right"), face(b, "left"));
+        case "magnets":
+          return [
+            ...magnet(`${key} ${a}`, face(a, "right"), y, -1),
+            ...magnet(`${key} ${b}`, face(b, "left"), y, 1)
+          ];
+        case "release":
+          if (t >= (effect.numbers.at ?? 0)) return [];
+          return exploder(key, (face(a, "right") + face(b, "left")) / 2, y);
+        default:
+          return [];
+      }
+    });
+  }
+  function coil(start, end, y, turns = TURNS, high = COIL) {
+    const span3 = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span3 / 4);
+    const step = (span3 - 2 * lead) / turns;
+    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+    for (let k = 0; k < turns; k += 1) {
+      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+    }
+    return `${d}L${px(start + span3 - lead)} ${px(y)}L${px(start + span3)} ${px(y)}`;
+  }
+  function springCoil(effect, layout, key, start, end) {
+    const length = (effect.numbers.length ?? 0) * layout.scale;
+    const [a, b] = effect.between ?? ["", ""];
+    const middle = (start + end) / 2;
+    const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+    const y = layout.track - PUSH - COIL - 5;
+    return [
+      { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+      {
+        key: `${key} natural`,
+        cls: "carts-natural",
+        d: `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`
+      }
+    ];
+  }
+  function magnet(key, x, y, way) {
+    const top = y - 40;
+    return [
+      ["N", "carts-north"],
+      ["S", "carts-south"]
+    ].flatMap(([pole, cls], k) => {
+      const start = x + way * k * POLE;
+      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
+      return [
+        { key: `${key} ${pole}`, cls: String(cls), d },
+        {
+          key: `${key} ${pole} letter`,
+          cls: "carts-pole",
+          text: String(pole),
+          x: px(start + way * POLE / 2),
+          y: px(top + 12),
+          anchor: "middle"
+        }
+      ];
+    });
+  }
+  function hand({ carts: [name2 = ""], numbers }, { bodies }, layout, key, centre) {
+    const y = layout.track;
+    const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
+    const body2 = bodies.find((one) => one.name === name2);
+    const x = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+    const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+    return { key, cls: "carts-hand", d };
+  }
+  function exploder(key, x, y) {
+    const low = y - 34;
+    return [
+      { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 5) },
+      {
+        key: `${key} latch`,
+        cls: "carts-latch",
+        d: `M${px(x - 10)} ${px(low + 8)}v-18h20v18`
+      }
+    ];
+  }
+  function rough({ carts }, { bodies, track }, layout, key, face, centre) {
+    const cls = "carts-rough";
+    if (carts.length < bodies.length) {
+      return carts.map((name2) => {
+        const length = (bodies.find((body2) => body2.name === name2)?.length ?? 0) * layout.scale;
+        const d = teeth(centre(name2) - length / 2, length, layout.track);
+        return { key: `${key} ${name2}`, cls, d };
+      });
+    }
+    const start = track.left === "wall" ? face("left", "right") : -layout.width;
+    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const tooth = 2 * TOOTH;
+    const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
+    return [{ key, cls, d: teeth(first, Math.min(end, layout.width) - first, layout.track) }];
+  }
+  function teeth(x, length, y) {
+    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+  }
+  function tilt({ numbers }, layout, key) {
+    const angle = numbers.angle ?? 0;
+    const slope = Math.abs(Math.tan(angle));
+    const longest = WEDGE[layout.kind] ?? 0;
+    const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
+    const [x, y, rise] = [12, layout.tilt, length * slope];
+    const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
+    const words = angle ? `track tilted ${slopeText(angle)}` : "the track is level: 0°";
+    const text = angle > 0 ? `${words} →` : angle < 0 ? `← ${words}` : words;
+    return [
+      {
+        key,
+        cls: "carts-wedge",
+        d: `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`
+      },
+      {
+        key: `${key} words`,
+        cls: "carts-tilt",
+        text,
+        x: px(x + length + 10),
+        y: px(y),
+        anchor: "start"
+      }
+    ];
+  }
+
+  // src/effects.js
+  var PER_CHARACTER = 7.2;
+  var SLIVER = 1.5;
   var GAP = 8;
+  var BEHIND = ["carts-rough", "carts-wedge", "carts-tilt", "carts-hand"];
+  var Effects = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {Map<string, SVGElement>} */
+    #drawn = /* @__PURE__ */ new Map();
+    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
+    constructor(root, layout, full, forces2) {
+      this.layout = layout;
+      this.full = full;
+      this.forces = forces2;
+      this.behind = need(root, '[data-part="effects-behind"]');
+      this.front = need(root, '[data-part="effects-front"]');
+      for (const group2 of [this.behind, this.front]) {
+        for (const element of group2.querySelectorAll("[data-key]")) {
+          this.#drawn.set(
+            element.getAttribute("data-key") ?? "",
+            /** @type {SVGElement} */
+            element
+          );
+        }
+      }
+    }
+    /** @param {Run} run */
+    show(run) {
+      this.#run = run;
+    }
+    /** @param {number} t in s @param {import("./effects-props.js").Face} face @param {Centre} centre */
+    at(t, face, centre) {
+      const run = this.#run;
+      if (!run?.header.effects.length) return;
+      const pieces = props(run.header, this.layout, t, face, centre);
+      if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
+      const seen = new Set(pieces.map(({ key }) => key));
+      for (const [key, element] of this.#drawn) {
+        if (!seen.has(key)) {
+          element.remove();
+          this.#drawn.delete(key);
+        }
+      }
+      for (const piece of pieces) this.#draw(piece);
+    }
+    /** @param {Piece} piece */
+    #draw({ key, cls, d, text, x, y, anchor }) {
+      let element = this.#drawn.get(key);
+      if (!element) {
+        element = svg(d === void 0 ? "text" : "path", { "data-key": key, class: cls });
+        const group2 = BEHIND.includes(cls) ? this.behind : this.front;
+        if (cls.startsWith("carts-leader")) group2.prepend(element);
+        else group2.append(element);
+        this.#drawn.set(key, element);
+      }
+      if (d !== void 0) return put(element, "d", d);
+      put(element, "x", x ?? "0");
+      put(element, "y", y ?? "0");
+      put(element, "text-anchor", anchor ?? "start");
+      say(element, text ?? "");
+    }
+  };
+  function arrows(run, layout, full, t, centre) {
+    const styles = new Map(run.header.bodies.map(({ name: name2 }, i) => [name2, `carts-${styleOf(i)}`]));
+    const named = run.header.bodies.length <= FEW;
+    const pieces = [];
+    const lowest = /* @__PURE__ */ new Map();
+    for (const force of forcesAt(run, t)) {
+      const key = `${force.kind} ${force.on}`;
+      const x = centre(force.on);
+      const y = layout.slots[key] ?? layout.track;
+      const exact = arrowLength(force.value, full, layout.force);
+      const length = Math.abs(exact) < SLIVER ? 0 : exact;
+      const cut = isCut(force.value, full);
+      const style = styles.get(force.on);
+      lowest.set(force.on, Math.max(y, lowest.get(force.on) ?? y));
+      const d = (cut ? cutArrow : blockArrow)(x, y, length);
+      pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
+      const row = `row ${force.kind}`;
+      if (named) {
+        const told = label(force) + (cut ? ", arrow cut" : "");
+        const fit2 = fits(x, length, told, layout.width);
+        const text = fit2 ? told : told.slice(told.indexOf("by "));
+        const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
+        const cls = `carts-acts-name ${style}`;
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
+      } else if (!pieces.some((piece) => piece.key === row)) {
+        const text = `by ${force.by}`;
+        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
+      }
+    }
+    const leaders = [...lowest].map(([name2, y]) => ({
+      key: `leader ${name2}`,
+      cls: `carts-leader carts-acts ${styles.get(name2)}`,
+      d: `M${px(centre(name2))} ${px(layout.track)}V${px(y)}`
+    }));
+    return [...leaders, ...pieces];
+  }
+  function fits(x, length, text, picture2) {
+    const needed = text.length * PER_CHARACTER + GAP + 4;
+    return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture2 - needed;
+  }
+  function beside(x, length, width, picture2) {
+    const left = Math.min(x, x + length) - GAP;
+    const right = Math.max(x, x + length) + GAP;
+    const toLeft = left - width >= 4;
+    const toRight = right + width <= picture2 - 4;
+    if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
+    if (toRight) return [right, "start"];
+    return left > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
+  }
+
+  // src/pushes.js
+  var PER_CHARACTER2 = 7.8;
+  var ROW = 19;
+  var GAP2 = 8;
   var EDGE2 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -2705,8 +3171,9 @@
       for (const push of this.#pushes) {
         const { t: times, F, dF } = run.trajectory;
         const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
-        const size = Math.max(0, force < 1e-9 * view.force ? 0 : force);
-        const length = Math.abs(arrowLength(size, view.force, layout.force));
+        const signed = Math.abs(force) < 1e-9 * view.force ? 0 : force;
+        const size = Math.abs(signed);
+        const length = arrowLength(signed, view.force, layout.force);
         const y = layout.track - PUSH;
         const [left, right] = push.bodies;
         const ends = [face(left, "right"), face(right, "left")];
@@ -2715,8 +3182,12 @@
           const way = side === 0 ? -1 : 1;
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
         });
-        if (this.#windows.some((w) => w.pair === push.pair && t >= w.start && t <= w.end)) {
-          told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2 });
+        const touching = this.#windows.some(
+          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+        );
+        const link = touching ? "" : linkKind(run.header, push.pair);
+        if (touching || link && size > 0) {
+          told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
       this.#names(told);
@@ -2736,8 +3207,8 @@
       for (const { push, size, x } of told) {
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
-        const label = `${this.#value(size)} on each`;
-        const half = label.length * PER_CHARACTER / 2;
+        const label2 = `${this.#value(size)} on each`;
+        const half = label2.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
           (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
@@ -2746,28 +3217,29 @@
         if (free === void 0) put(text, "visibility", "hidden");
         else {
           taken.push([free, at - half, at + half]);
-          write2(text, label, at, free, "middle");
+          write2(text, label2, at, free, "middle");
         }
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-    #inFull({ push, size, x }) {
+    #inFull({ push, size, x, link }) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief(on)} by ${brief(by)}: ${this.#value(size)}`;
+        return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
       });
-      const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
+      const [left, right] = labels.map((label2) => label2.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x + GAP, low + left + 2 * GAP), high - right);
-        write2(first, labels[0] ?? "", Math.min(x - GAP, begin - 2 * GAP), push.row, "end");
+      if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
+        write2(first, labels[0] ?? "", Math.min(x - GAP2, begin - 2 * GAP2), push.row, "end");
         write2(second, labels[1] ?? "", begin, push.row, "start");
         return true;
       }
       const longest = Math.max(left, right);
-      if (this.layout.beam < 2 * ROW || high - low < longest) return false;
+      const taken = new Set(Object.values(this.layout.slots)).size;
+      if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
       const start = Math.min(Math.max(x - way * longest, low), high - longest);
@@ -2781,8 +3253,8 @@
       const track = this.#run?.header.track;
       const end = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE2, origin + GAP) : EDGE2,
-        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP) : width - EDGE2
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP2) : width - EDGE2
       ];
     }
     /** @param {number} size in N */
@@ -2791,11 +3263,11 @@
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function write2(text, label, x, y, anchor) {
+  function write2(text, label2, x, y, anchor) {
     put(text, "x", px(x));
     put(text, "y", px(y));
     put(text, "text-anchor", anchor);
-    say(text, label);
+    say(text, label2);
   }
 
   // src/stage.js
@@ -2806,6 +3278,8 @@
     #carts = [];
     /** @type {Pushes} */
     #pushes;
+    /** @type {Effects} */
+    #effects;
     /** @param {SVGElement} root @param {Baked} baked */
     constructor(root, baked) {
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
@@ -2817,6 +3291,7 @@
       this.camera = baked.fence.camera;
       this.#run = baked.run;
       this.#pushes = new Pushes(root, layout, baked.view);
+      this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
     /** Takes a run: boxes for its masses. @param {Run} run @param {import("./windows.js").Touch[]} windows */
     show(run, windows) {
@@ -2845,6 +3320,7 @@
         };
       });
       this.#pushes.show(run, windows);
+      this.#effects.show(run);
     }
     /** Draws the instant t. @param {number} t in s */
     at(t) {
@@ -2885,7 +3361,7 @@
         );
         this.#velocity(cart, header.bodies[i]?.name ?? "", centre, t);
       });
-      this.#pushes.at(t, (name2, side) => {
+      const face = (name2, side) => {
         const i = header.bodies.findIndex((body2) => body2.name === name2);
         if (i < 0) {
           const wall = name2 === "left" ? 0 : header.track.length ?? 0;
@@ -2894,7 +3370,13 @@
         const half = this.#carts[i]?.half ?? 0;
         const centre = Number(centres[i]);
         return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
-      });
+      };
+      this.#pushes.at(t, face);
+      this.#effects.at(
+        t,
+        face,
+        (name2) => Number(centres[header.bodies.findIndex((body2) => body2.name === name2)])
+      );
     }
     /**
      * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
@@ -2903,7 +3385,7 @@
     guess(guesses) {
       const { header } = this.#run;
       const group2 = need(this.root, '[data-part="guess"]');
-      const arrows = guesses.map(({ pair, on, side, size }) => {
+      const arrows2 = guesses.map(({ pair, on, side, size }) => {
         const i = header.bodies.findIndex((body3) => body3.name === on);
         const body2 = header.bodies[i];
         const half = (body2?.length ?? 0) / 2;
@@ -2920,7 +3402,7 @@
           "data-on": on
         });
       });
-      group2.replaceChildren(...arrows);
+      group2.replaceChildren(...arrows2);
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
@@ -3050,6 +3532,7 @@
       const decimals = this.view.decimals.v ?? 2;
       const laws = lawsOf(header.contacts);
       this.told = [
+        ...isTold(run) ? pushMarks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
           t: event.t,
           sentence: eventSentence(event, this.telling, laws)
@@ -3096,7 +3579,9 @@
       this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
     }
     /** @param {import("./types.js").Run} run @param {import("./windows.js").Touch[]} windows */
-    show({ header }, windows) {
+    show(run, windows) {
+      const { header } = run;
+      const pushes = isTold(run) ? pushMarks(header, false) : [];
       const at = (t) => `${px(100 * t / header.until, 3)}%`;
       this.bands.replaceChildren(
         ...windows.map(
@@ -3110,7 +3595,8 @@
         )
       );
       this.marks.replaceChildren(
-        ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").map(
+        .../** @type {{t: number, kind: string}[]} */
+        header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes.map(({ t }) => ({ t, kind: "push" }))).map(
           (event) => svg("line", {
             class: `carts-event carts-event-${event.kind}`,
             x1: at(event.t),
@@ -3329,7 +3815,7 @@
       say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
       const room = this.#vertical ? this.#roomFor(run) : 0;
       for (const { name: name2, mass } of run.header.bodies) {
-        const along = contactForces(run, name2, t, this.zero);
+        const along = [...contactForces(run, name2, t, this.zero), ...effectForces(run, name2, t)];
         this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times, v, a } = run.trajectory;
@@ -3385,8 +3871,8 @@
       put(picture2, "height", String(HEIGHT + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
-    #sentence({ name: name2, way, value }, cut) {
-      const size = `${fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
+    #sentence({ name: name2, way, value, size: written }, cut) {
+      const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
       const ways = way === "up" ? ["down", "up"] : ["to the left", "to the right"];
       const where = value === 0 ? "" : ` ${ways[value < 0 ? 0 : 1]}`;
       return `${name2}: ${size}${where}${cut ? ", arrow cut" : ""}`;
@@ -3397,6 +3883,9 @@
       const middle = (BOX.top + BOX.bottom) / 2;
       return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
     }
+    if (side === "middle") return [MIDDLE, AXIS];
+    if (side === "below") return [MIDDLE, BOX.bottom];
+    if (side === "above") return [MIDDLE, BOX.top];
     return [side === "left" ? BOX.left : BOX.right, AXIS];
   }
 
@@ -3633,7 +4122,11 @@
       this.#windows = touches(header.events, header.until);
       this.player.until = header.until;
       this.player.parts = slowParts(this.#windows);
-      this.player.stops = header.events.map((event) => event.t);
+      const pushes = isTold(run) ? pushMarks(header, false) : [];
+      this.player.stops = [...header.events, ...pushes].map(({ t }) => t).sort((a, b) => a - b);
+      const acting = this.root.querySelector(".carts-acting");
+      const numbers = isTold(run) && this.baked.fence.forces === "shown";
+      if (acting) say(acting, actingSentences(header, numbers));
       this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
       this.#offerWindows();
       for (const stage of this.stages) stage.show(run, this.#windows);
@@ -3828,8 +4321,8 @@ ${lines2.join("\n")}
     const columns = [["t in s", trajectory.t]];
     for (const quantity of quantities) {
       const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+      for (const { label: label2, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        const name2 = quantity === "F" ? `F ${label2}` : `${symbol} of ${label2}`;
         columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
       }
     }
@@ -3866,7 +4359,7 @@ ${lines2.join("\n")}
     "height"
   ];
   var WIDTH4 = 720;
-  var GAP2 = 12;
+  var GAP3 = 12;
   var LINE2 = 20;
   var PIXELS = 2;
   function picture(scene) {
@@ -3875,7 +4368,7 @@ ${lines2.join("\n")}
     const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH4 });
     const sheet = svg("rect", { width: WIDTH4, fill: paper });
     whole.append(sheet);
-    let y = GAP2;
+    let y = GAP3;
     const write4 = (text, x, at, weight) => {
       const line = svg("text", {
         x,
@@ -3888,7 +4381,7 @@ ${lines2.join("\n")}
       line.textContent = text;
       whole.append(line);
     };
-    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP2, y + 12, "700");
+    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP3, y + 12, "700");
     y += LINE2 + 4;
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
@@ -3896,7 +4389,7 @@ ${lines2.join("\n")}
       const height = place2(drawn, 0, y, WIDTH4);
       const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
       whole.append(svg("rect", { y, width: WIDTH4, height, fill: sky }), drawn);
-      y += height + GAP2;
+      y += height + GAP3;
     }
     const graphs = [...scene.querySelectorAll(".carts-graph")];
     const half = WIDTH4 / 2;
@@ -3906,9 +4399,9 @@ ${lines2.join("\n")}
         const plot = graph.querySelector(".carts-plot");
         if (!plot) return;
         const x = column * half;
-        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP2, y + 12, "700");
+        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP3, y + 12, "700");
         const drawn = alone2(plot);
-        const height = place2(drawn, x, y + LINE2, half - GAP2);
+        const height = place2(drawn, x, y + LINE2, half - GAP3);
         whole.append(drawn);
         const entries = [...graph.querySelectorAll(".carts-key > span")];
         entries.forEach((entry, i) => {
@@ -3916,14 +4409,14 @@ ${lines2.join("\n")}
           const sample = entry.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
-            place2(swatch, x + GAP2, at - 10, 26);
+            place2(swatch, x + GAP3, at - 10, 26);
             whole.append(swatch);
           }
-          write4(entry.textContent ?? "", x + GAP2 + 34, at, "400");
+          write4(entry.textContent ?? "", x + GAP3 + 34, at, "400");
         });
         tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
       });
-      y += tallest + GAP2;
+      y += tallest + GAP3;
     }
     for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y)));
     whole.setAttribute("viewBox", `0 0 ${WIDTH4} ${Math.ceil(y)}`);
@@ -4143,6 +4636,8 @@ ${lines2.join("\n")}
       #baked = null;
       /** @type {Controls | null} */
       #controls = null;
+      /** @type {Switches | null} */
+      #switches = null;
       /** @type {Predict | null} */
       #predict = null;
       /** @type {Run | null} the run that “reset” goes back to */
@@ -4176,6 +4671,12 @@ ${lines2.join("\n")}
         this.#view = view;
         this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
           this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+        });
+        this.#switches = new Switches(this, baked.fence.switches, (target, value, at) => {
+          this.set({ [target]: value }, at).catch((error) => {
+            this.#switches?.show(view.run.header);
+            this.#complain(target, error);
+          });
         });
         new TakeAlong(this, baked, () => ({
           run: view.run,
@@ -4212,6 +4713,7 @@ ${lines2.join("\n")}
         view.show(baked.run);
         view.enable(!this.#predict);
         this.#controls.enable(!this.#predict);
+        this.#switches.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
         this.#follow();
       }
@@ -4301,6 +4803,7 @@ ${lines2.join("\n")}
       #draw(run) {
         this.#view?.show(run);
         this.#controls?.show(this.#values.good, run.header);
+        this.#switches?.show(run.header);
         const undo = this.querySelector(".carts-undo");
         if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
       }
@@ -4350,6 +4853,7 @@ ${lines2.join("\n")}
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#controls?.enable(false);
+        this.#switches?.enable(false);
         const note = need(this, ".carts-note");
         note.hidden = false;
         const still = this.#told ? "The prepared run still plays; values cannot be changed." : "Your prediction is kept; the run cannot be shown.";
@@ -4372,6 +4876,7 @@ ${lines2.join("\n")}
           this.#draw(run);
           this.#view?.enable(true);
           this.#controls?.enable(true);
+          this.#switches?.enable(true);
           this.#predict?.compare(run);
           if (now) this.#tell();
         } catch (error) {
@@ -4467,13 +4972,13 @@ ${lines2.join("\n")}
     }
     /** @param {(place: number) => void} chosen */
     #typed(chosen) {
-      const { low, high, unit, label, per, decimals } = this.axis;
+      const { low, high, unit, label: label2, per, decimals } = this.axis;
       const read = readTyped(this.box.value);
       if ("problem" in read) return this.#complain(read.problem);
-      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+      if ("text" in read) return this.#complain(`${label2}: a number in ${unit}, please.`);
       if (read.value < low || read.value > high) {
         const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
-        return this.#complain(`${label}: ${range}, please.`);
+        return this.#complain(`${label2}: ${range}, please.`);
       }
       return chosen(this.nearest(read.value, per));
     }
@@ -5091,8 +5596,8 @@ ${lines2.join("\n")}
     });
   }
   function loadIndex(base) {
-    const known = indexes.get(base);
-    if (known) return known;
+    const known2 = indexes.get(base);
+    if (known2) return known2;
     const loading = patiently(runScript(`${base}index.js`, "index.js")).then(() => {
       const index = page.__cartsRuntime;
       delete page.__cartsRuntime;

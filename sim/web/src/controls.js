@@ -2,6 +2,7 @@
 
 import { need, put, say } from "./dom.js";
 import { decimalsOf, fixed } from "./numbers.js";
+import { effectValue } from "./switches.js";
 import { readTyped } from "./typed.js";
 
 /** @typedef {import("./types.js").Control} Control */
@@ -165,5 +166,5 @@ export function valueIn(header, target) {
     const values = new Set(header.contacts.map((contact) => contact[key]));
     return values.size === 1 ? ([...values][0] ?? null) : null;
   }
-  return null;
+  return effectValue(header, target);
 }

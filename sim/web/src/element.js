@@ -6,6 +6,7 @@ import { need, say } from "./dom.js";
 import { Predict } from "./predict.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./share.js";
+import { Switches } from "./switches.js";
 import { TakeAlong } from "./take-along.js";
 import { fromWire } from "./trajectory.js";
 import { Values } from "./values.js";
@@ -25,6 +26,8 @@ export function sceneElement(client) {
     #baked = null;
     /** @type {Controls | null} */
     #controls = null;
+    /** @type {Switches | null} */
+    #switches = null;
     /** @type {Predict | null} */
     #predict = null;
     /** @type {Run | null} the run that “reset” goes back to */
@@ -59,6 +62,12 @@ export function sceneElement(client) {
       this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
         this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
       });
+      this.#switches = new Switches(this, baked.fence.switches, (target, value, at) => {
+        this.set({ [target]: value }, at).catch((error) => {
+          this.#switches?.show(view.run.header);
+          this.#complain(target, error);
+        });
+      });
       new TakeAlong(this, baked, () => ({
         run: view.run,
         settings: this.#values.good,
@@ -91,6 +100,7 @@ export function sceneElement(client) {
       view.show(baked.run);
       view.enable(!this.#predict);
       this.#controls.enable(!this.#predict);
+      this.#switches.enable(!this.#predict);
       this.#restored = this.#predict?.restore() ?? Promise.resolve();
       this.#follow();
     }
@@ -196,6 +206,7 @@ export function sceneElement(client) {
     #draw(run) {
       this.#view?.show(run);
       this.#controls?.show(this.#values.good, run.header);
+      this.#switches?.show(run.header);
       const undo = this.querySelector(".carts-undo");
       if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
     }
@@ -247,6 +258,7 @@ export function sceneElement(client) {
       this.dataset.state = "failed";
       this.dataset.reason = error.reason ?? "failed";
       this.#controls?.enable(false);
+      this.#switches?.enable(false);
       const note = need(this, ".carts-note");
       note.hidden = false;
       const still = this.#told
@@ -272,6 +284,7 @@ export function sceneElement(client) {
         this.#draw(run);
         this.#view?.enable(true);
         this.#controls?.enable(true);
+        this.#switches?.enable(true);
         this.#predict?.compare(run);
         if (now) this.#tell();
       } catch (error) {
