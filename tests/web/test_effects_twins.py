@@ -15,6 +15,8 @@ from sim.pages.widget.effects_words import acting_sentences, push_marks
 from sim.pages.widget.layout import lay_out
 from sim.pages.widget.run import from_wire, value_at
 from sim.pages.widget.scale_of import read_scales
+from sim.pages.yaml_source import load
+from sim.scene import apply_changes, read_fence, read_scene
 from tests import registry
 from tests.web.widget_site import baked, in_node
 
@@ -134,3 +136,23 @@ def test_what_is_switched_off_is_not_drawn() -> None:
     view = effects_view(header, run, layout, scales.force, told=True, forces=True)
     assert view == {"behind": [], "front": []}
     assert layout.slots  # its row is there: the picture keeps its size when it is turned on
+
+
+def test_a_link_and_a_copied_block_keep_what_is_switched() -> None:
+    fence = {"id": "crowd", **CROWD, "controls": [{"switch": "spring"}]}
+    changes = {"friction.coefficient": 0.05, "effects.4.active": True, "push.active": False}
+    described = read_fence(fence)
+    facts = {
+        "id": "crowd", "scene": dict(described.plain), "show": ["x"], "slow": "auto",
+        "forces": "shown", "camera": 0, "controls": [], "switches": [{"set": "spring.active"}],
+    }  # fmt: skip
+    block, back = in_node(
+        """const s = await import(source + "/share.js");
+        give([s.sceneBlock(data.fence, data.changes),
+          s.readLink(s.linkTo("crowd", data.changes, 0), "crowd").settings]);""",
+        {"fence": facts, "changes": changes},
+    )
+    assert back == changes
+    copied = read_fence(dict(load(block.removeprefix("```scene\n").removesuffix("```\n")).plain))
+    assert copied.scene == read_scene(apply_changes(dict(described.plain), changes))
+    assert copied.switches[0].value is True

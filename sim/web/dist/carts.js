@@ -303,6 +303,8 @@
   var Switches = class {
     /** @type {Map<string, HTMLInputElement>} */
     #boxes = /* @__PURE__ */ new Map();
+    /** @type {Header | null} of the run on screen */
+    #header = null;
     /**
      * @param {HTMLElement} root @param {{set: string, value: boolean}[]} switches
      * @param {(target: string, value: boolean, at: number) => void} change `at`: time of the input
@@ -324,10 +326,30 @@
     }
     /** Shows what acts in the run on screen. @param {Header} header */
     show(header) {
+      this.#header = header;
       for (const [set, box2] of this.#boxes) {
         const effect = effectOf(set, header);
         if (effect) box2.checked = effect.active;
+        need(
+          /** @type {Element} */
+          box2.closest(".carts-switch"),
+          ".carts-error"
+        ).hidden = true;
       }
+    }
+    /** A switch that was refused goes back, and says why. @param {string} target @param {string} message @returns {boolean} whether there is such a switch */
+    complain(target, message) {
+      const box2 = this.#boxes.get(target);
+      if (!box2) return false;
+      if (this.#header) this.show(this.#header);
+      const error = need(
+        /** @type {Element} */
+        box2.closest(".carts-switch"),
+        ".carts-error"
+      );
+      say(error, message);
+      error.hidden = false;
+      return true;
     }
   };
   function effectOf(target, { effects }) {
@@ -339,6 +361,13 @@
   function effectValue(header, target) {
     const key = target.slice(target.lastIndexOf(".") + 1);
     return effectOf(target, header)?.numbers[key] ?? null;
+  }
+  function effectPath({ effects }, keys) {
+    if (!Array.isArray(effects)) return null;
+    const kind = keys[0] === "effects" ? "" : String(keys[0]);
+    const index = kind ? effects.findIndex((entry2) => kind in entry2) : Number(keys[1]);
+    const entry = effects[index];
+    return entry && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry)[0]), String(keys.at(-1))] : null;
   }
 
   // src/typed.js
@@ -368,8 +397,9 @@
   var Controls = class {
     /** @type {Map<string, ControlView>} */
     #views = /* @__PURE__ */ new Map();
-    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change */
-    constructor(root, controls, change2) {
+    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("./types.js").Fence["switches"]} switches */
+    constructor(root, controls, change2, switches = []) {
+      this.switches = new Switches(root, switches, change2);
       for (const control of controls) {
         const element = (
           /** @type {HTMLElement | null} */
@@ -381,9 +411,11 @@
     /** @param {boolean} on */
     enable(on) {
       for (const view of this.#views.values()) view.enable(on);
+      this.switches.enable(on);
     }
     /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("./types.js").Header} header */
     show(settings, header) {
+      this.switches.show(header);
       for (const [target, view] of this.#views) {
         const value = target in settings ? settings[target] : view.control.value;
         const number = valueIn(header, target) ?? Number(value) * view.control.per;
@@ -397,7 +429,7 @@
     /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
     complain(target, message) {
       this.#views.get(target)?.complain(message);
-      return this.#views.has(target);
+      return this.#views.has(target) || this.switches.complain(target, message);
     }
   };
   var ControlView = class {
@@ -1321,7 +1353,7 @@
   }
   async function openOnce(site) {
     try {
-      return indexed(await open(`carts:${site}`));
+      return indexed(await reopening(`carts:${site}`));
     } catch {
       return textStore(site) ?? memory();
     }
@@ -1330,27 +1362,44 @@
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name2, 1);
       request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-      request.onsuccess = () => resolve(request.result);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
       setTimeout(() => reject(new Error("no answer")), PATIENCE);
     });
   }
-  function indexed(base) {
-    const read = (ask) => new Promise((resolve, reject) => {
-      const request = ask(base.transaction(STORE).objectStore(STORE));
-      request.onsuccess = () => resolve(request.result);
-      request.onerror = () => reject(request.error);
-    });
+  async function reopening(name2) {
+    let base = await open(name2);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name2);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  function indexed(begin) {
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
     return {
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value) => write(base, (answers) => {
+      put: (key, value) => write(begin, (answers) => {
         const request = answers.get(key);
         request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
-      remove: (key) => write(base, (answers) => answers.delete(key)),
+      remove: (key) => write(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
           read((answers) => answers.getAllKeys()),
@@ -1361,18 +1410,18 @@
     };
   }
   var settling;
-  async function write(base, act) {
-    await transaction(base, act, "relaxed");
+  async function write(begin, act) {
+    await transaction(begin, act, "relaxed");
     clearTimeout(settling);
     settling = setTimeout(() => {
       const mark = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(base, mark, "strict").catch(() => {
+      transaction(begin, mark, "strict").catch(() => {
       });
     }, SETTLE_AFTER);
   }
-  function transaction(base, act, durability) {
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
     return new Promise((resolve, reject) => {
-      const work = base.transaction(STORE, "readwrite", { durability });
       act(work.objectStore(STORE));
       work.oncomplete = () => resolve();
       work.onerror = () => reject(work.error);
@@ -4242,6 +4291,7 @@
         return { problem: "This link is damaged: it was not used." };
       }
       if (key === "t") t = Number(value);
+      else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
       else settings[key] = Number.isFinite(Number(value)) ? Number(value) : value;
     }
     return { settings, t: Number.isFinite(t) ? Math.max(0, t) : 0 };
@@ -4285,11 +4335,13 @@
     if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
     if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
     if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
-    if (fence.controls.length) lines2.push("controls:");
+    const switches = fence.switches ?? [];
+    if (fence.controls.length || switches.length) lines2.push("controls:");
     for (const { set, low, high, step, unit } of fence.controls) {
       const part = (value) => `${value} ${unit}`.trim();
       lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
     }
+    for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
     return `\`\`\`scene
 ${lines2.join("\n")}
 \`\`\`
@@ -4297,7 +4349,7 @@ ${lines2.join("\n")}
   }
   function change(scene, target, value) {
     const keys = target.split(".");
-    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : keys;
+    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : effectPath(scene, keys) ?? keys;
     let place3 = scene;
     for (const key of path2.slice(0, -1)) {
       place3[key] ??= {};
@@ -4636,8 +4688,6 @@ ${lines2.join("\n")}
       #baked = null;
       /** @type {Controls | null} */
       #controls = null;
-      /** @type {Switches | null} */
-      #switches = null;
       /** @type {Predict | null} */
       #predict = null;
       /** @type {Run | null} the run that “reset” goes back to */
@@ -4669,15 +4719,9 @@ ${lines2.join("\n")}
         const view = new SceneView(this, baked);
         this.#baked = baked;
         this.#view = view;
-        this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
-          this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
-        });
-        this.#switches = new Switches(this, baked.fence.switches, (target, value, at) => {
-          this.set({ [target]: value }, at).catch((error) => {
-            this.#switches?.show(view.run.header);
-            this.#complain(target, error);
-          });
-        });
+        const { controls, switches } = baked.fence;
+        const change2 = (target, value, at) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+        this.#controls = new Controls(this, controls, change2, switches);
         new TakeAlong(this, baked, () => ({
           run: view.run,
           settings: this.#values.good,
@@ -4713,7 +4757,6 @@ ${lines2.join("\n")}
         view.show(baked.run);
         view.enable(!this.#predict);
         this.#controls.enable(!this.#predict);
-        this.#switches.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
         this.#follow();
       }
@@ -4803,7 +4846,6 @@ ${lines2.join("\n")}
       #draw(run) {
         this.#view?.show(run);
         this.#controls?.show(this.#values.good, run.header);
-        this.#switches?.show(run.header);
         const undo = this.querySelector(".carts-undo");
         if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
       }
@@ -4853,7 +4895,6 @@ ${lines2.join("\n")}
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#controls?.enable(false);
-        this.#switches?.enable(false);
         const note = need(this, ".carts-note");
         note.hidden = false;
         const still = this.#told ? "The prepared run still plays; values cannot be changed." : "Your prediction is kept; the run cannot be shown.";
@@ -4876,7 +4917,6 @@ ${lines2.join("\n")}
           this.#draw(run);
           this.#view?.enable(true);
           this.#controls?.enable(true);
-          this.#switches?.enable(true);
           this.#predict?.compare(run);
           if (now) this.#tell();
         } catch (error) {

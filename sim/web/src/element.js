@@ -6,7 +6,6 @@ import { need, say } from "./dom.js";
 import { Predict } from "./predict.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./share.js";
-import { Switches } from "./switches.js";
 import { TakeAlong } from "./take-along.js";
 import { fromWire } from "./trajectory.js";
 import { Values } from "./values.js";
@@ -26,8 +25,6 @@ export function sceneElement(client) {
     #baked = null;
     /** @type {Controls | null} */
     #controls = null;
-    /** @type {Switches | null} */
-    #switches = null;
     /** @type {Predict | null} */
     #predict = null;
     /** @type {Run | null} the run that “reset” goes back to */
@@ -59,15 +56,13 @@ export function sceneElement(client) {
       const view = new SceneView(this, baked);
       this.#baked = baked;
       this.#view = view;
-      this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
-        this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
-      });
-      this.#switches = new Switches(this, baked.fence.switches, (target, value, at) => {
-        this.set({ [target]: value }, at).catch((error) => {
-          this.#switches?.show(view.run.header);
-          this.#complain(target, error);
-        });
-      });
+      const { controls, switches } = baked.fence;
+      const change = (
+        /** @type {string} */ target,
+        /** @type {any} */ value,
+        /** @type {number} */ at,
+      ) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+      this.#controls = new Controls(this, controls, change, switches);
       new TakeAlong(this, baked, () => ({
         run: view.run,
         settings: this.#values.good,
@@ -100,7 +95,6 @@ export function sceneElement(client) {
       view.show(baked.run);
       view.enable(!this.#predict);
       this.#controls.enable(!this.#predict);
-      this.#switches.enable(!this.#predict);
       this.#restored = this.#predict?.restore() ?? Promise.resolve();
       this.#follow();
     }
@@ -206,7 +200,6 @@ export function sceneElement(client) {
     #draw(run) {
       this.#view?.show(run);
       this.#controls?.show(this.#values.good, run.header);
-      this.#switches?.show(run.header);
       const undo = this.querySelector(".carts-undo");
       if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
     }
@@ -258,7 +251,6 @@ export function sceneElement(client) {
       this.dataset.state = "failed";
       this.dataset.reason = error.reason ?? "failed";
       this.#controls?.enable(false);
-      this.#switches?.enable(false);
       const note = need(this, ".carts-note");
       note.hidden = false;
       const still = this.#told
@@ -284,7 +276,6 @@ export function sceneElement(client) {
         this.#draw(run);
         this.#view?.enable(true);
         this.#controls?.enable(true);
-        this.#switches?.enable(true);
         this.#predict?.compare(run);
         if (now) this.#tell();
       } catch (error) {
