@@ -66,7 +66,8 @@ export class Pushes {
     const told = [];
     for (const push of this.#pushes) {
       const { t: times, F, dF } = run.trajectory;
-      const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
+      const [column, slopes] = [F[push.pair], dF[push.pair]]; // none where the two never touch
+      const force = column && slopes ? valueAt(times, column, slopes, t) : 0;
       const signed = Math.abs(force) < 1e-9 * view.force ? 0 : force; // springs pull: below 0
       const size = Math.abs(signed);
       const length = arrowLength(signed, view.force, layout.force);
