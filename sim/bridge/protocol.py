@@ -77,7 +77,7 @@ def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> 
 def describe(finished: Run, per_stretch: int = PER_STRETCH) -> Answer:
     """Header and numbers of a finished run."""
     scene = finished.scene
-    samples = trajectory(finished, max(2, per_stretch))
+    samples = trajectory(finished, max(1, per_stretch))
     numbers = array("d")
     for column in samples.columns.values():
         numbers.extend(column)

@@ -1,8 +1,9 @@
-"""`carts run`: a scene, run exactly."""
+"""`carts run`: a scene, run exactly; or by a stepping method, to see what that makes of it."""
 
 from __future__ import annotations
 
 import json
+from typing import TYPE_CHECKING
 
 import click
 
@@ -11,11 +12,35 @@ from sim.cli.progress import run_on_terminal
 from sim.cli.tables import columns_as_csv, run_as_text
 from sim.dynamics.report import report
 from sim.dynamics.run import MOST_EVENTS
+from sim.dynamics.trajectory import trajectory
+from sim.pages.findings import Finding
+
+if TYPE_CHECKING:
+    from sim.dynamics.stepping.recorded import SteppedRun
+    from sim.scene import Scene
+
+METHODS = ("exact", "euler", "semi-implicit", "verlet", "rk4", "rk4-events", "adaptive")
 
 
 @click.command("run")
 @click.argument("scene", metavar="SCENE.yml")
-@click.option("--method", type=click.Choice(["exact"]), default="exact", show_default=True)
+@click.option(
+    "--method",
+    type=click.Choice(METHODS),
+    default="exact",
+    show_default=True,
+    help="How to compute it; any other than exact holds for the whole run.",
+)
+@click.option(
+    "--step",
+    type=click.FloatRange(min=0, min_open=True),
+    help="Step in s of a stepping method.  [default: 0.001]",
+)
+@click.option(
+    "--rtol",
+    type=click.FloatRange(min=1e-13, max=0.1),
+    help="Relative tolerance of the method adaptive.  [default: 1e-9]",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object, for programs.")
 @click.option("--csv", "as_csv", is_flag=True, help="Print the motion as columns: t, x, v, a, F.")
 @click.option(
@@ -27,7 +52,14 @@ from sim.dynamics.run import MOST_EVENTS
 )
 @click.option("--no-events", is_flag=True, help="Count events per kind instead of listing them.")
 def command(
-    scene: str, method: str, as_json: bool, as_csv: bool, max_events: int, no_events: bool
+    scene: str,
+    method: str,
+    step: float | None,
+    rtol: float | None,
+    as_json: bool,
+    as_csv: bool,
+    max_events: int,
+    no_events: bool,
 ) -> None:
     """Run a scene and say what happened.
 
@@ -37,7 +69,26 @@ def command(
     """
     if as_json and as_csv:
         raise click.UsageError("--json and --csv exclude each other.")
+    if step is not None and method in ("exact", "adaptive"):
+        raise click.UsageError(f"--step does not go with --method {method}: it has no fixed step.")
+    if rtol is not None and method != "adaptive":
+        raise click.UsageError("--rtol goes with --method adaptive.")
     description = scene_file.read(scene)
+    if method != "exact":
+        from sim.dynamics.stepping.recorded import stepped_report
+
+        result = _stepped(scene, description, method, step, rtol, keep_events=not no_events)
+        if as_json:
+            click.echo(json.dumps(stepped_report(result), allow_nan=False, ensure_ascii=False))
+        elif as_csv:
+            click.echo(columns_as_csv(result.samples), nl=False)
+        else:
+            click.echo(run_as_text(result.run))
+            click.echo(
+                f"\nStepped with {method}: {result.steps} steps, {result.evaluations} evaluations. "
+                f"Not accounted for: {result.lost_energy:.3g} J, {result.lost_momentum:.3g} N s."
+            )
+        return
     finished = run_on_terminal(
         scene,
         description,
@@ -48,6 +99,34 @@ def command(
     if as_json:
         click.echo(json.dumps(report(finished), allow_nan=False, ensure_ascii=False))
     elif as_csv:
-        click.echo(columns_as_csv(finished), nl=False)
+        click.echo(columns_as_csv(trajectory(finished)), nl=False)
     else:
         click.echo(run_as_text(finished))
+
+
+def _stepped(
+    name: str,
+    description: Scene,
+    method: str,
+    step: float | None,
+    rtol: float | None,
+    *,
+    keep_events: bool,
+) -> SteppedRun:
+    """The run by a stepping method; what it cannot do goes to standard error."""
+    from sim.dynamics.outcome import UnsolvedError
+    from sim.dynamics.stepping.adaptive_events import RTOL
+    from sim.dynamics.stepping.methods import MOST_STEPS, STEP, Way
+    from sim.dynamics.stepping.recorded import stepped
+
+    way = Way("adaptive", rtol=rtol or RTOL) if method == "adaptive" else Way(method, step or STEP)
+    if way.step and description.until / way.step > MOST_STEPS:
+        raise click.UsageError(
+            f"{description.until:g} s in steps of {way.step:g} s are more than {MOST_STEPS} steps. "
+            "Choose a longer step, or an earlier end of the scene (until)."
+        )
+    try:
+        return stepped(description, way, keep_events=keep_events)
+    except UnsolvedError as error:
+        place = scene_file.shown_name(name), 1, 1
+        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])

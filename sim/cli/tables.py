@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from sim.dynamics.finished import Run
 from sim.dynamics.report import energy_parts
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.trajectory import Trajectory
 from sim.dynamics.warnings import warnings
 
 UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N"}
@@ -106,9 +106,9 @@ def _events(run: Run) -> str:
     return f"{text}\n… and {more} more (--json lists them all)" if more > 0 else text
 
 
-def columns_as_csv(run: Run) -> str:
+def columns_as_csv(samples: Trajectory) -> str:
     """The sampled motion, one column each, unit in the header; lines end as RFC 4180 says."""
-    columns = {name: values for name, values in trajectory(run).columns.items() if name[0] in UNITS}
+    columns = {name: values for name, values in samples.columns.items() if name[0] in UNITS}
     header = ",".join(f"{' '.join(name)} ({UNITS[name[0]]})" for name in columns)
     lines = (",".join(repr(value) for value in row) for row in zip(*columns.values(), strict=True))
     return "\r\n".join([header, *lines, ""])

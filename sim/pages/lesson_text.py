@@ -23,6 +23,7 @@ _LINK = re.compile(r"(?<!!)\[[^\]\n]+\]\(([^)\s]+)[^)]*\)")
 _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
+_OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
 _STATED = re.compile(r"\A---\s*\n(?:.*\n)*?minutes:[ \t]*(\d+)[ \t]*\n")
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 
@@ -31,6 +32,7 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     """Everything that is wrong with the text of a lesson, apart from its blocks."""
     prose = without_code(text)
     found = [*_pictures(prose), *_formulas(prose), *_minutes(text, prose)]
+    found += _minutes_of_questions(prose)
     if lesson.scene_folders:  # where the lesson lies is known
         found += _links(prose, lesson)
     made = []
@@ -117,6 +119,17 @@ def _minutes(text: str, prose: str) -> Iterator[_Found]:
         message = f"the parts of this lesson take {sum(parts)} minutes, not {stated[1]}"
         hint = "change data-minutes of the headings, or minutes: above"
         yield stated.start(1), "minutes", message, hint
+
+
+def _minutes_of_questions(prose: str) -> Iterator[_Found]:
+    """Questions that take longer than the part of the lesson in which they stand."""
+    parts = [*_MINUTES.finditer(prose)]
+    ends = [part.start() for part in parts[1:]] + [len(prose)]
+    for part, end in zip(parts, ends, strict=False):
+        taken = sum(int(m[1]) for m in _OWN_MINUTES.finditer(prose, part.end(), end))
+        if taken > int(part[1]):
+            message = f"the questions of this part take {taken} minutes, the part only {part[1]}"
+            yield part.start(), "minutes", message, "change one of them"
 
 
 def _links(prose: str, lesson: Lesson) -> Iterator[_Found]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from sim.scene.model import Scene
@@ -18,7 +18,8 @@ class Predict:
 
     arrows: length of the force arrow on each cart of the `pairs` at greatest compression.
     curve: the contact force on `cart` during the contact. choice: one of `options`.
-    text: a sentence. `ask` is the question shown above.
+    text: a sentence. `ask` is the question shown above. `talk`: after the lock two students
+    compare, and each may change the prediction once before the run.
     """
 
     kind: Literal["arrows", "curve", "choice", "text"]
@@ -26,16 +27,26 @@ class Predict:
     pairs: tuple[tuple[str, str], ...] = ()
     cart: str | None = None
     options: tuple[str, ...] = ()
+    talk: bool = False
 
 
 def read_predict(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
     """The prediction, or None and a problem. Exactly one of the kinds is named."""
+    found = _read_kind(value, scene, problems)
+    talk = value.get("talk", False) if isinstance(value, dict) else False
+    if not isinstance(talk, bool):
+        path: Path = ("predict", "talk")
+        problems.append(Problem(path, "not-a-choice", "talk is true or false", "talk: true"))
+    return found and replace(found, talk=talk is True)
+
+
+def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
     path: Path = ("predict",)
     hint = "predict: {arrows: [A-B]}, {curve: F.A}, {ask: …, choice: [“…”, “…”]} or {text: “…”}"
     table = mapping(value, path, problems, hint)
     if table is None:
         return None
-    unknown_keys(table, (*KINDS, "ask"), path, problems)
+    unknown_keys(table, (*KINDS, "ask", "talk"), path, problems)
     kinds = [kind for kind in KINDS if kind in table]
     if len(kinds) != 1:
         problems.append(Problem(path, "not-a-choice", "predict names exactly one kind", hint))

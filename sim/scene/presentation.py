@@ -23,6 +23,7 @@ FENCE_KEYS = (
     *("forces", "slow", "view", "packages"),
 )
 SHOWS = ("x", "v", "a", "F", "p", "energy")
+FORCE_GRAPHS = ("F", "a")
 VIEWS = ("free-body", "lens", "bars")
 PACKAGES = ("numpy", "scipy")
 ID = re.compile(r"[a-z][a-z0-9-]{0,63}", re.ASCII)
@@ -77,6 +78,8 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     opened = _choices("with", table, (), VIEWS, problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
     forces = _choice("forces", table, ("shown", "hidden"), problems)
+    if forces == "hidden":
+        _no_hidden_graphs(table, show, problems)
     slow = _choice("slow", table, ("auto", "never", "stops"), problems)
     speed = _view(table.get("view"), problems)
     controls: tuple[Control, ...] = ()
@@ -108,6 +111,22 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         view_speed=speed,
         packages=packages,
     )
+
+
+def _no_hidden_graphs(
+    table: Mapping[str, Any], show: tuple[str, ...], problems: list[Problem]
+) -> None:
+    """A graph that would tell the forces is an error where they are hidden, if it was asked for."""
+    telling = [quantity for quantity in show if quantity in FORCE_GRAPHS]
+    if "show" in table and telling:
+        problems.append(
+            Problem(
+                ("show",),
+                "hidden-forces",
+                f"the forces are hidden, so there can be no graph of {' or '.join(telling)}",
+                f"leave {' and '.join(telling)} out of show, or write forces: shown",
+            )
+        )
 
 
 def _choice(

@@ -191,6 +191,11 @@ def test_a_fence_knows_how_it_is_shown():
         ({"predict": {"curve": "F.Z"}}, "predict.curve"),
         ({"predict": {"choice": ["one"]}}, "predict.choice"),
         ({"predict": {}}, "predict"),
+        ({"predict": {"text": "why?", "talk": "perhaps"}}, "predict.talk"),
+        ({"with": ["lense"]}, "with"),
+        ({"forces": "hidden", "show": ["x", "F"]}, "show"),
+        ({"presets": {"heavy": {"A.weight": 1}}}, "presets.heavy"),
+        ({"presets": {"heavy": {"A.mass": -1}}}, "presets.heavy"),
     ],
 )
 def test_a_fence_has_its_own_mistakes(extra, where):

@@ -228,6 +228,24 @@ def test_where_nothing_can_be_kept_the_page_says_so_and_still_saves_a_file(
     assert [item["value"] for item in items] == ["only here"]
 
 
+def test_a_database_that_the_browser_closed_is_opened_anew(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.evaluate("""() => {
+      const begin = IDBDatabase.prototype.transaction;
+      IDBDatabase.prototype.transaction = function (...all) {
+        if (window.first === undefined) window.first = this;
+        if (window.first === this) throw new DOMException("closed", "InvalidStateError");
+        return begin.apply(this, all);
+      };
+    }""")
+    page.locator("#why textarea").fill("kept all the same")
+    saved(page, "why")
+    page.reload()
+    expect(page.locator("#why textarea")).to_have_value("kept all the same")
+
+
 def test_answers_to_a_changed_question_are_shown_beside_the_new_one(
     open_page: OpenPage, question_site: Path, tmp_path: Path
 ) -> None:

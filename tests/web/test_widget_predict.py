@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import live, on_scene, widget_site
+from tests.web.widget_site import CHOICE, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -225,3 +225,30 @@ def test_without_python_a_prediction_is_kept_and_the_reader_told(
     expect(page.locator("#choice .carts-saved")).to_have_text("Saved.")
     page.locator("#choice .carts-lock").click()
     expect(page.locator("#choice .carts-predict-error")).to_contain_text("prediction is kept")
+
+
+def test_after_talking_a_prediction_is_changed_once_and_explained(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    talk = {**CHOICE, "id": "talk", "predict": {**CHOICE["predict"], "talk": True}}
+    path = write_page(widget_site, "talk", talk)
+    page = live(open_page(path), "talk")
+    scene = page.locator("#talk")
+    scene.locator("input[type=radio]").first.check()
+    scene.locator(".carts-lock").click()
+    expect(scene.locator(".carts-talk")).to_be_visible()
+    expect(scene.locator(".carts-results")).to_be_hidden()  # nothing is told yet
+    expect(scene.locator("input[type=radio]").first).to_be_disabled()
+    expect(scene.locator(".carts-saved")).to_have_text("Saved.")
+    page.reload()
+    live(page, "talk")
+    scene.locator(".carts-talk-change").click()
+    scene.locator("input[type=radio]").nth(1).check()
+    scene.locator(".carts-lock").click()
+    expect(scene.locator(".carts-compared")).to_contain_text(
+        "First you said: It stops. After talking you said: It turns back."
+    )
+    scene.locator(".carts-why textarea").fill("B pushes A to the left.")
+    expect(scene.locator(".carts-saved")).to_have_text("Saved.")
+    page.reload()
+    expect(scene.locator(".carts-why textarea")).to_have_value("B pushes A to the left.")

@@ -119,7 +119,7 @@ def test_texts_of_authors_cannot_become_markup() -> None:
 
 
 def test_hidden_forces_appear_nowhere() -> None:
-    text = render(*baked({**MEETING, "id": "secret", "forces": "hidden", "show": ["x", "v", "F"]}))
+    text = render(*baked({**MEETING, "id": "secret", "forces": "hidden"}))
     picture = text.split('<script type="application/json"')[0]
     assert 'class="carts-push' not in picture
     assert 'data-quantity="F"' not in picture
@@ -171,6 +171,7 @@ def test_carts_with_velcro_stay_together_in_words() -> None:
 @pytest.mark.parametrize("forces", ["shown", "hidden"])
 def test_carts_that_go_on_with_one_velocity_do_not_separate_in_words(forces: str) -> None:
     soft = {**STICKY, "contact": {"law": "bumper", "restitution": 0}, "forces": forces}
+    soft |= {"show": ["x", "v"]}
     ended = (
         "The push between A and B has ended; they go on together at 0.200\u00a0m/s to the right."
     )

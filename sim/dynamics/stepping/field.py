@@ -21,6 +21,7 @@ from typing import Any
 
 from sim.dynamics.effects import Link, Pull, acting
 from sim.dynamics.laws import finite_law
+from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.stepping.contact_force import ContactForce, Mode, contact_force
 from sim.scene.model import Contact, Scene
 
@@ -176,6 +177,13 @@ class Field:
 
     def _link(self, link: Link, d: Any, rate: Any) -> Any:
         if not self.lanes:
+            if d >= 0.0 and link.kind == "magnets":
+                raise UnsolvedError(
+                    "a step took two carts through each other, where magnets have no force",
+                    "a shorter step",
+                    0.0,
+                    (),
+                )
             return link.force(-d, -rate)
         import numpy as np
 

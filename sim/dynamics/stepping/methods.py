@@ -25,6 +25,9 @@ NAMES = (*FIXED, "rk4-events", "adaptive")
 STEP = 1e-3
 """s, where nobody says otherwise."""
 
+MOST_STEPS = 10_000_000
+"""Of one run; about a minute."""
+
 ROUND = 1e-9
 """Of a step. A last step shorter than this is rounding, and goes with the one before."""
 

@@ -15,7 +15,7 @@ from . import pins
 from .cache import Cache, key_of
 from .node import INSIDE, code_key, run_script, tools_key
 from .ours import ENTRY, Ours
-from .stdlib import Used, append_selection, compile_archives, used_files
+from .stdlib import NO_DOCSTRINGS, Used, append_selection, compile_archives, used_files
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,9 @@ def make_start(core: Path, stdlib: Path, ours: Ours, cache: Cache) -> Start:
     def make(folder: Path) -> None:
         source, wheel = folder / "source.zip", folder / ours.wheel_name
         ours.write_wheel(source)
-        archive = {"from": str(source), "to": str(wheel), "optimize": 0, "wheel": True}
+        archive = {
+            "from": str(source), "to": str(wheel), "optimize": NO_DOCSTRINGS, "wheel": True
+        }  # fmt: skip
         compile_archives(core, [archive], folder)
         source.unlink()
         used = used_files(

@@ -15,12 +15,14 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from sim.pages.widget.effects_forces import ROW, rows_of, slots
 from sim.pages.widget.reach import picture_window
 from sim.pages.widget.scale_of import Scales
 
 LANE = 20.0
 ABOVE = 34.0  # from the top of the tallest box to the lowest velocity arrow
 BEAM_ROW = 19.0
+TILT = 24.0  # for a wedge that shows the slope, between ruler and legend
 SIGN = 56.0  # a mass takes at most so much width in any font, such as “A: 0.25 kg”
 MOST_RANKS = 3
 STAGGER = 15.0  # from one line of masses to the next, clear in any font
@@ -45,6 +47,8 @@ class Layout:
     beam: float  # height of the beam
     force: float  # length of an arrow of the full force scale
     velocity: float  # length of an arrow of the full velocity scale
+    slots: Mapping[str, float]  # y of the forces of effects, by “kind cart”
+    tilt: float  # y of the foot of the wedge that shows a slope
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values for the page."""
@@ -78,11 +82,13 @@ def lay_out(
     walled = wall_contacts(header)
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
     row_count = (2 if crowded else 1) if forces and scales.force else 0
-    beam = BEAM_ROW * row_count if row_count else 8.0
+    acting = slots(header, top + BEAM_ROW * row_count) if forces and scales.force else {}
+    beam = (BEAM_ROW * row_count + ROW * rows_of(acting)) or 8.0
+    tilted = any(effect["kind"] == "incline" for effect in header["effects"])
     return Layout(
         kind=kind,
         width=width,
-        height=top + beam + 34.0 + 22.0,
+        height=top + beam + 34.0 + 22.0 + (TILT if tilted else 0.0),
         origin=left - low * scale,
         scale=scale,
         low=low,
@@ -98,6 +104,8 @@ def lay_out(
         beam=beam,
         force=force,
         velocity=velocity,
+        slots=acting,
+        tilt=top + beam + 34.0 + TILT - 10.0,
     )
 
 

@@ -9,6 +9,7 @@ from sim.pages.widget.markers import MARKERS
 from sim.pages.widget.numbers import decimals_of, fixed, short, speed_unit
 from sim.pages.widget.run import Run
 from sim.pages.widget.scale_of import Scales
+from sim.scene.effects import KINDS
 
 UNTOLD = "–"  # stands for a number until the prediction is locked
 
@@ -38,11 +39,12 @@ def cards(
                 "style": f"b{i % 8}",
                 "marker": MARKERS[f"b{i % 8}"],
                 "readouts": _readouts(body, scales, start, camera, forces=forces, told=told),
-                "controls": [_control(c, f" of {body['name']}") for c in own],
+                "controls": [control_view(c, f" of {body['name']}") for c in own],
             }
         )
     contact = [c for c in controls if c.set.startswith("contact.")]
-    rest = [c for c in controls if c not in contact and c.set.partition(".")[0] not in names]
+    elsewhere = (*names, "effects", *KINDS)
+    rest = [c for c in controls if c not in contact and c.set.partition(".")[0] not in elsewhere]
     for title, own in (("Contact", contact), ("Scene", rest)):
         if own:
             made.append(
@@ -51,7 +53,7 @@ def cards(
                     "body": "",
                     "style": "",
                     "readouts": [],
-                    "controls": [_control(c, "") for c in own],
+                    "controls": [control_view(c, "") for c in own],
                 }
             )
     return made
@@ -91,7 +93,8 @@ def _readouts(
     return [dict(zip(keys, row, strict=True)) for row in rows]
 
 
-def _control(control: Any, suffix: str) -> dict[str, Any]:
+def control_view(control: Any, suffix: str) -> dict[str, Any]:
+    """A slider as the template writes it; `suffix` of its label is told by the card already."""
     low, high, step, value = map(
         control.shown, (control.low, control.high, control.step, control.value)
     )

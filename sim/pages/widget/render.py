@@ -70,7 +70,7 @@ def _untold(header: Mapping[str, Any]) -> dict[str, Any]:
 def _rounded(run: Run, digits: int) -> Run:
     """The run with the digits that the page gets, so that Python and the page draw the same."""
     table = run.as_dict(digits)
-    return Run(table["t"], table["x"], table["v"], table["a"], table["F"], table["dF"])
+    return Run(*(table[name] for name in ("t", "x", "v", "a", "F", "dF", "E")))
 
 
 def _fence_facts(fence: Any) -> dict[str, Any]:
@@ -97,12 +97,14 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
             }
             for c in fence.controls
         ],
+        "switches": [{"set": s.set, "value": s.value} for s in fence.switches],
         "presets": {name: dict(changes) for name, changes in fence.presets.items()},
         "predict": None
         if predict is None
         else {
             "kind": predict.kind,
             "ask": predict.ask,
+            "talk": predict.talk,
             "pairs": [list(pair) for pair in predict.pairs],
             "cart": predict.cart,
             "options": list(predict.options),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 Columns = Mapping[str, Sequence[float]]
@@ -16,7 +16,10 @@ Columns = Mapping[str, Sequence[float]]
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """Times in s; x, v, a per cart in SI; F (N, positive pushes) and its rate per pair."""
+    """Times in s; x, v, a per cart in SI; F (N, positive pushes) and its rate per pair.
+
+    `effects`: forces of effects on one cart (N, + right), by “kind cart”; called E on the wire.
+    """
 
     t: Sequence[float]
     x: Columns
@@ -24,6 +27,7 @@ class Run:
     a: Columns
     F: Columns
     rate: Columns  # dF/dt, called dF on the wire
+    effects: Columns = field(default_factory=dict)
 
     def as_dict(self, digits: int) -> dict[str, Any]:
         """The numbers for the page, rounded to so many significant digits."""
@@ -34,6 +38,7 @@ class Run:
 
         table: dict[str, Any] = {"t": short(self.t)}
         parts = {"x": self.x, "v": self.v, "a": self.a, "F": self.F, "dF": self.rate}
+        parts["E"] = self.effects
         for name, columns in parts.items():
             table[name] = {key: short(column) for key, column in columns.items()}
         return table
@@ -47,14 +52,14 @@ class Run:
 def from_wire(header: Mapping[str, Any], numbers: Sequence[float]) -> Run:
     """The run of a header and its numbers, column after column."""
     rows = int(header["rows"])
-    parts: dict[str, Any] = {"x": {}, "v": {}, "a": {}, "F": {}, "dF": {}, "t": []}
+    parts: dict[str, Any] = {"x": {}, "v": {}, "a": {}, "F": {}, "dF": {}, "E": {}, "t": []}
     for k, (quantity, *key) in enumerate(header["columns"]):
         column = list(numbers[k * rows : (k + 1) * rows])
         if key:
             parts.setdefault(quantity, {})[" ".join(key)] = column
         else:
             parts[quantity] = column
-    return Run(parts["t"], parts["x"], parts["v"], parts["a"], parts["F"], parts["dF"])
+    return Run(*(parts[name] for name in ("t", "x", "v", "a", "F", "dF", "E")))
 
 
 def value_at(

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sim.pages.widget.effects_scale import greatest_force
 from sim.pages.widget.numbers import decimals_for, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
@@ -43,6 +44,7 @@ def read_scales(
     reached = max(b["mass"] / body_width(b) for variant in variants for b in variant["bodies"])
     tallest = REFERENCE_HEIGHT * min(TALLEST, reached / per_height)
     force = _reachable_force(header, variants, run)
+    force = max(force, greatest_force(header, controls, run))
     speed = max(abs(b["velocity"] - camera) for variant in variants for b in variant["bodies"])
     speed = max(speed, abs(camera))
     if run is not None:

@@ -89,8 +89,11 @@ def _forces(header: Mapping[str, Any], run: Run, signed: bool) -> list[Series]:
     curves = []
     for contact in header["contacts"]:
         force, slope = run.F.get(contact["pair"]), run.rate.get(contact["pair"])
-        if force is None or slope is None or max(force) <= 0:
+        if force is None or slope is None or not any(force):
             continue
+        if not signed:  # sizes: a spring pulls with less than 0
+            slope = [-s if f < 0 else s for f, s in zip(force, slope, strict=True)]
+            force = [abs(f) for f in force]
         left, right = contact["bodies"]
         curves.append(
             Series(

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.pages.widget import shapes
+from sim.pages.widget.effects_forces import linked_pairs
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.numbers import fixed, px, short, speed_unit
 from sim.pages.widget.scale_of import Scales
@@ -125,8 +126,9 @@ def _pushes(header: Mapping[str, Any], layout: Layout) -> list[dict[str, Any]]:
     faces["left"] = (0.0, layout.at(0.0))
     faces["right"] = (layout.at(length), 0.0)
     pushes = []
+    linked = linked_pairs(header)
     for contact in header["contacts"]:
-        if not contact["stiffness"]:
+        if not contact["stiffness"] and contact["pair"] not in linked:
             continue
         left, right = contact["bodies"]
         for on, by, face in ((left, right, faces[left][1]), (right, left, faces[right][0])):

@@ -8,6 +8,10 @@ from typing import Any
 from sim.pages.bake import packages_of
 from sim.pages.widget import graph as g
 from sim.pages.widget.contacts import touches
+from sim.pages.widget.effects_controls import effect_cards
+from sim.pages.widget.effects_links import linked_pushes
+from sim.pages.widget.effects_view import effects_view
+from sim.pages.widget.effects_words import acting_sentences, push_marks
 from sim.pages.widget.exits import exits
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.markers import MARKERS
@@ -51,9 +55,13 @@ def scene_view(
     until = float(header["until"])
     contacts = touches(header["events"], until)
     shown = [q for q in fence.show if forces or q not in FORCE_QUANTITIES]
-    stages = [
-        stage_view(header, scales, layout, camera=camera, forces=forces) for layout in layouts
-    ]
+    stages = []
+    for layout in layouts:
+        stage = stage_view(header, scales, layout, camera=camera, forces=forces)
+        if told:
+            stage["pushes"] = linked_pushes(stage["pushes"], header, run, layout, scales)
+        acting = effects_view(header, run, layout, scales.force, told=told, forces=forces)
+        stages.append({**stage, "effects": acting})
     return {
         "id": fence.id,
         "title": header.get("title") or "Carts on an air track",
@@ -63,15 +71,17 @@ def scene_view(
         "torn": stages[0]["torn"],
         "may_tear": scales.may_tear,
         "camera_text": _camera_text(camera),
+        "acting": acting_sentences(header, numbers=told and forces),
         "description": _description(header, scales, camera),
-        "time": _timeline(header, contacts, until),
+        "time": _timeline(header, contacts, until, told=told),
         "speed": _opening_speed(until),
         "slow": fence.slow != "never" and any(c["stiffness"] for c in header["contacts"]),
         "predict_view": _predict_view(fence, header, scales),
         "cards": cards(
             header, fence.controls, scales, run, camera=camera, forces=forces, told=told
         ),
-        "has_controls": bool(fence.controls),
+        "effect_cards": effect_cards(fence, header),
+        "has_controls": bool(fence.controls or fence.switches),
         "presets": list(fence.presets),
         "windows": [
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
@@ -143,8 +153,11 @@ def _empty_graph() -> dict[str, Any]:
     return {**empty, **lists, **{key: int(value) for key, value in frame.items()}}
 
 
-def _timeline(header: Mapping[str, Any], contacts: Sequence[Any], until: float) -> dict[str, Any]:
+def _timeline(
+    header: Mapping[str, Any], contacts: Sequence[Any], until: float, *, told: bool
+) -> dict[str, Any]:
     axis = span(0.0, until, 6)
+    pushes = push_marks(header, forces=False) if told else []
     return {
         "until": plain(until),
         "contacts": [
@@ -155,7 +168,8 @@ def _timeline(header: Mapping[str, Any], contacts: Sequence[Any], until: float) 
             {"x": px(100 * e["t"] / until, 3), "kind": e["kind"]}
             for e in header["events"][:MOST_EVENTS]
             if e["kind"] != "end"
-        ],
+        ]
+        + [{"x": px(100 * t / until, 3), "kind": "push"} for t, _ in pushes],
         "numbers": [
             {"x": px(100 * t / until, 3), "label": fixed(t, axis.decimals)} for t in axis.ticks()
         ],
@@ -192,6 +206,7 @@ def _story(
         (gone.t, exit_sentence(gone.name, gone.side, gone.velocity, decimals["v"], scale))
         for gone in exits(header, run, layout.low, layout.high, camera)
     ]
+    told = push_marks(header, forces=forces) + told
     told.sort(key=lambda entry: entry[0])
     return [
         {"t": plain(t), "time": fixed(t, decimals["t"]), "sentence": sentence}
@@ -242,6 +257,7 @@ def _predict_view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict
     return {
         "kind": predict.kind,
         "ask": predict.ask,
+        "talk": predict.talk,
         "arrows": arrows,
         "full": plain(full),
         "step": plain(nice_above(full / 100)),

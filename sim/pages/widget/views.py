@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.pages.widget.effects_forces import agent, linked_pairs
 from sim.pages.widget.numbers import speed_unit
 from sim.pages.widget.scale_of import Scales
 from sim.pages.widget.words import body
@@ -21,7 +22,8 @@ def views_view(
     """What the views template needs; `opened` are the views that are seen at first."""
     unit = speed_unit(scales.velocity)[1]
     styles = {b["name"]: f"b{i % 8}" for i, b in enumerate(header["bodies"])}
-    lasting = [c["bodies"] for c in header["contacts"] if c["stiffness"]]
+    linked = linked_pairs(header)
+    lasting = [c["bodies"] for c in header["contacts"] if c["stiffness"] or c["pair"] in linked]
     carts = [
         {
             "name": name,
@@ -32,6 +34,11 @@ def views_view(
                 if name in pair
                 for other in pair
                 if other != name
+            ]
+            + [
+                f"force on {name} by {agent(effect)}"
+                for effect in header["effects"]
+                if effect["active"] and not effect["between"] and name in effect["carts"]
             ],
         }
         for name, style in styles.items()

@@ -28,6 +28,7 @@ BOTH_FORCES = (
     "Each contact has one force in the program: it pushes both bodies, equally hard, "
     "away from each other. So the program assumes Newton’s third law; it cannot prove it."
 )
+HELD = "the track holds it"
 NO_FORCE = "no contact force in this run"
 IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”"
 JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw"
@@ -103,11 +104,11 @@ def event_sentence(
     if kind == "stick":
         return f"{pair} stay together.{after}"
     if kind == "stop":
-        return f"{pair} stops."
+        return f"{pair} stop: the track holds them." if names[1:] else f"{pair} stops: {HELD}."
     if kind == "start":
-        return f"{pair} starts to move."
+        return f"{pair} {'start' if names[1:] else 'starts'} to slide."
     if kind == "release":
-        return f"{pair} are released.{after}"
+        return f"The exploder between {pair} releases.{shown_impulse}{after}"
     return "End of the run." if kind == "end" else f"{kind}: {pair}."
 
 

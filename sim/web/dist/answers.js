@@ -180,7 +180,7 @@
   }
   async function openOnce(site) {
     try {
-      return indexed(await open(`carts:${site}`));
+      return indexed(await reopening(`carts:${site}`));
     } catch {
       return textStore(site) ?? memory();
     }
@@ -189,27 +189,44 @@
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name, 1);
       request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-      request.onsuccess = () => resolve(request.result);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
       setTimeout(() => reject(new Error("no answer")), PATIENCE);
     });
   }
-  function indexed(base) {
-    const read = (ask) => new Promise((resolve, reject) => {
-      const request = ask(base.transaction(STORE).objectStore(STORE));
-      request.onsuccess = () => resolve(request.result);
-      request.onerror = () => reject(request.error);
-    });
+  async function reopening(name) {
+    let base = await open(name);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  function indexed(begin) {
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
     return {
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value) => write(base, (answers) => {
+      put: (key, value) => write(begin, (answers) => {
         const request = answers.get(key);
         request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
-      remove: (key) => write(base, (answers) => answers.delete(key)),
+      remove: (key) => write(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
           read((answers) => answers.getAllKeys()),
@@ -220,18 +237,18 @@
     };
   }
   var settling;
-  async function write(base, act) {
-    await transaction(base, act, "relaxed");
+  async function write(begin, act) {
+    await transaction(begin, act, "relaxed");
     clearTimeout(settling);
     settling = setTimeout(() => {
       const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(base, mark2, "strict").catch(() => {
+      transaction(begin, mark2, "strict").catch(() => {
       });
     }, SETTLE_AFTER);
   }
-  function transaction(base, act, durability) {
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
     return new Promise((resolve, reject) => {
-      const work = base.transaction(STORE, "readwrite", { durability });
       act(work.objectStore(STORE));
       work.oncomplete = () => resolve();
       work.onerror = () => reject(work.error);

@@ -193,7 +193,7 @@
   // src/trajectory.js
   function fromWire(header, numbers) {
     const { rows, columns, events } = header;
-    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, events };
+    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
     columns.forEach(([quantity, ...key], k) => {
       const column = numbers.subarray(k * rows, (k + 1) * rows);
       const name2 = String(quantity);
@@ -207,7 +207,7 @@
   }
   function fromBaked(numbers, events) {
     const parts = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF"]) {
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
       parts[quantity] = {};
       for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
         parts[quantity][key] = Float64Array.from(
@@ -299,6 +299,77 @@
     return String(rounded === 0 ? 0 : rounded);
   }
 
+  // src/switches.js
+  var Switches = class {
+    /** @type {Map<string, HTMLInputElement>} */
+    #boxes = /* @__PURE__ */ new Map();
+    /** @type {Header | null} of the run on screen */
+    #header = null;
+    /**
+     * @param {HTMLElement} root @param {{set: string, value: boolean}[]} switches
+     * @param {(target: string, value: boolean, at: number) => void} change `at`: time of the input
+     */
+    constructor(root, switches, change2) {
+      for (const { set } of switches) {
+        const box2 = (
+          /** @type {HTMLInputElement | null} */
+          root.querySelector(`[data-switch="${CSS.escape(set)}"]`)
+        );
+        if (!box2) continue;
+        this.#boxes.set(set, box2);
+        box2.addEventListener("change", (event) => change2(set, box2.checked, event.timeStamp));
+      }
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      for (const box2 of this.#boxes.values()) box2.disabled = !on;
+    }
+    /** Shows what acts in the run on screen. @param {Header} header */
+    show(header) {
+      this.#header = header;
+      for (const [set, box2] of this.#boxes) {
+        const effect = effectOf(set, header);
+        if (effect) box2.checked = effect.active;
+        need(
+          /** @type {Element} */
+          box2.closest(".carts-switch"),
+          ".carts-error"
+        ).hidden = true;
+      }
+    }
+    /** A switch that was refused goes back, and says why. @param {string} target @param {string} message @returns {boolean} whether there is such a switch */
+    complain(target, message) {
+      const box2 = this.#boxes.get(target);
+      if (!box2) return false;
+      if (this.#header) this.show(this.#header);
+      const error = need(
+        /** @type {Element} */
+        box2.closest(".carts-switch"),
+        ".carts-error"
+      );
+      say(error, message);
+      error.hidden = false;
+      return true;
+    }
+  };
+  function effectOf(target, { effects }) {
+    const owner = target.slice(0, target.lastIndexOf("."));
+    return effects.find(
+      ({ kind, index }) => [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner)
+    );
+  }
+  function effectValue(header, target) {
+    const key = target.slice(target.lastIndexOf(".") + 1);
+    return effectOf(target, header)?.numbers[key] ?? null;
+  }
+  function effectPath({ effects }, keys) {
+    if (!Array.isArray(effects)) return null;
+    const kind = keys[0] === "effects" ? "" : String(keys[0]);
+    const index = kind ? effects.findIndex((entry2) => kind in entry2) : Number(keys[1]);
+    const entry = effects[index];
+    return entry && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry)[0]), String(keys.at(-1))] : null;
+  }
+
   // src/typed.js
   var LONGEST = 40;
   function readTyped(typed) {
@@ -326,8 +397,9 @@
   var Controls = class {
     /** @type {Map<string, ControlView>} */
     #views = /* @__PURE__ */ new Map();
-    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change */
-    constructor(root, controls, change2) {
+    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("./types.js").Fence["switches"]} switches */
+    constructor(root, controls, change2, switches = []) {
+      this.switches = new Switches(root, switches, change2);
       for (const control of controls) {
         const element = (
           /** @type {HTMLElement | null} */
@@ -339,9 +411,11 @@
     /** @param {boolean} on */
     enable(on) {
       for (const view of this.#views.values()) view.enable(on);
+      this.switches.enable(on);
     }
     /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("./types.js").Header} header */
     show(settings, header) {
+      this.switches.show(header);
       for (const [target, view] of this.#views) {
         const value = target in settings ? settings[target] : view.control.value;
         const number = valueIn(header, target) ?? Number(value) * view.control.per;
@@ -355,7 +429,7 @@
     /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
     complain(target, message) {
       this.#views.get(target)?.complain(message);
-      return this.#views.has(target);
+      return this.#views.has(target) || this.switches.complain(target, message);
     }
   };
   var ControlView = class {
@@ -424,7 +498,7 @@
     /** @param {Change} change @param {number} at */
     #typed(change2, at) {
       const read = readTyped(this.box.value);
-      const { low, high, unit, label } = this.control;
+      const { low, high, unit, label: label2 } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
@@ -432,7 +506,7 @@
       }
       if (read.value < low || read.value > high) {
         const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
-        return this.complain(`${label}: ${range}, please.`);
+        return this.complain(`${label2}: ${range}, please.`);
       }
       this.#accept(read.value);
       return change2(this.control.set, this.#asked(read.value), at);
@@ -467,7 +541,7 @@
       const values = new Set(header.contacts.map((contact) => contact[key]));
       return values.size === 1 ? [...values][0] ?? null : null;
     }
-    return null;
+    return effectValue(header, target);
   }
 
   // src/answers/outline.js
@@ -547,7 +621,7 @@
   var PUSH = 15.5;
   var FACE = 22;
   function box(body2, view, layout, lift) {
-    const width = Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
+    const width = bodyWidth(body2);
     const wanted = REFERENCE_HEIGHT * body2.mass / width / view.perHeight;
     const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
@@ -562,6 +636,9 @@
       label: named ? mass : `${body2.name}: ${mass}`,
       labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
+  }
+  function bodyWidth(body2) {
+    return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
   }
   function lane(i, tallest, layout) {
     const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
@@ -703,11 +780,11 @@
       case "stick":
         return `${pair} stay together.${after}`;
       case "stop":
-        return `${pair} stops.`;
+        return names[1] ? `${pair} stop: the track holds them.` : `${pair} stops: the track holds it.`;
       case "start":
-        return `${pair} starts to move.`;
+        return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
       case "release":
-        return `${pair} are released.${after}`;
+        return `The exploder between ${pair} releases.${shown}${after}`;
       case "end":
         return "End of the run.";
       default:
@@ -741,8 +818,8 @@
     const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
     const last = leftOut.pop();
     if (last !== void 0) {
-      const listed = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
-      sentences.push(`Left out of this model: ${listed}.`);
+      const listed2 = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
+      sentences.push(`Left out of this model: ${listed2}.`);
     }
     return sentences;
   }
@@ -812,6 +889,11 @@
     }
     get value() {
       return this.#rows.map(({ pair, on, size }) => ({ pair, on, size }));
+    }
+    /** @returns {string} */
+    get said() {
+      const rows = this.#rows.filter(({ size }) => size !== null);
+      return rows.map((row) => `${name(row)}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
     }
     set value(value) {
       for (const saved of Array.isArray(value) ? value : []) {
@@ -1026,6 +1108,10 @@
     get value() {
       return this.#heights;
     }
+    /** @returns {string} */
+    get said() {
+      return `heights ${this.#heights.map((height) => height ?? "–").join(", ")}`;
+    }
     set value(value) {
       if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
       this.#draw();
@@ -1065,6 +1151,7 @@
           Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
           true
         ],
+        ["goes up once and down once", hills(mine) === 1, hills(forces2.map(Number)) === 1],
         ["is zero again at the end", mine[4] === 0, Number(forces2[FINE]) < 0.02 * top]
       ];
       const list = html("ul");
@@ -1101,6 +1188,48 @@
       put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
     }
   };
+  function hills(heights) {
+    let found2 = 0;
+    let rising = false;
+    heights.forEach((height, k) => {
+      const before = heights[k - 1] ?? 0;
+      if (height > before) rising = true;
+      if (height < before && rising) {
+        found2 += 1;
+        rising = false;
+      }
+    });
+    return found2 + (rising ? 1 : 0);
+  }
+
+  // src/predict-talk.js
+  var Talk = class {
+    /** @param {HTMLElement} root of the prediction @param {{change: () => void, run: () => void}} acts */
+    constructor(root, { change: change2, run }) {
+      this.box = need(root, ".carts-talk");
+      need(this.box, ".carts-talk-change").addEventListener("click", change2);
+      need(this.box, ".carts-talk-run").addEventListener("click", run);
+    }
+    /** @param {boolean} on whether it is time to talk @param {boolean} asked by the reader just now */
+    show(on, asked) {
+      this.box.hidden = !on;
+      if (on && asked) need(this.box, ".carts-talk-run").focus();
+    }
+  };
+  var Why = class {
+    /** @param {HTMLElement} root of the prediction @param {(text: string) => void} changed */
+    constructor(root, changed) {
+      this.line = need(root, ".carts-why");
+      this.box = /** @type {HTMLTextAreaElement} */
+      need(this.line, "textarea");
+      this.box.addEventListener("input", () => changed(this.box.value));
+    }
+    /** @param {string} text */
+    show(text) {
+      this.line.hidden = false;
+      if (this.box.value !== text) this.box.value = text;
+    }
+  };
 
   // src/predict-words.js
   var ChoiceForm = class {
@@ -1114,6 +1243,11 @@
     }
     get value() {
       return this.radios.find((radio) => radio.checked)?.value ?? null;
+    }
+    /** @returns {string} the words of the option */
+    get said() {
+      const radio = this.radios.find((one) => one.checked);
+      return radio?.closest("label")?.textContent?.trim() ?? "";
     }
     set value(value) {
       for (const radio of this.radios) radio.checked = radio.value === value;
@@ -1138,6 +1272,10 @@
     }
     get value() {
       return this.box.value;
+    }
+    /** @returns {string} */
+    get said() {
+      return this.box.value.trim();
     }
     set value(value) {
       this.box.value = String(value ?? "");
@@ -1215,7 +1353,7 @@
   }
   async function openOnce(site) {
     try {
-      return indexed(await open(`carts:${site}`));
+      return indexed(await reopening(`carts:${site}`));
     } catch {
       return textStore(site) ?? memory();
     }
@@ -1224,27 +1362,44 @@
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name2, 1);
       request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-      request.onsuccess = () => resolve(request.result);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
       setTimeout(() => reject(new Error("no answer")), PATIENCE);
     });
   }
-  function indexed(base) {
-    const read = (ask) => new Promise((resolve, reject) => {
-      const request = ask(base.transaction(STORE).objectStore(STORE));
-      request.onsuccess = () => resolve(request.result);
-      request.onerror = () => reject(request.error);
-    });
+  async function reopening(name2) {
+    let base = await open(name2);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name2);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  function indexed(begin) {
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
     return {
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value) => write(base, (answers) => {
+      put: (key, value) => write(begin, (answers) => {
         const request = answers.get(key);
         request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
-      remove: (key) => write(base, (answers) => answers.delete(key)),
+      remove: (key) => write(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
           read((answers) => answers.getAllKeys()),
@@ -1255,18 +1410,18 @@
     };
   }
   var settling;
-  async function write(base, act) {
-    await transaction(base, act, "relaxed");
+  async function write(begin, act) {
+    await transaction(begin, act, "relaxed");
     clearTimeout(settling);
     settling = setTimeout(() => {
       const mark = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(base, mark, "strict").catch(() => {
+      transaction(begin, mark, "strict").catch(() => {
       });
     }, SETTLE_AFTER);
   }
-  function transaction(base, act, durability) {
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
     return new Promise((resolve, reject) => {
-      const work = base.transaction(STORE, "readwrite", { durability });
       act(work.objectStore(STORE));
       work.oncomplete = () => resolve();
       work.onerror = () => reject(work.error);
@@ -1354,6 +1509,12 @@
       };
       this.form = forms[spec.kind]();
       this.button.addEventListener("click", () => void this.#lock());
+      this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
+      this.why = new Why(root, (text) => {
+        this.#entry.why = text;
+        this.#told();
+        void this.#keep();
+      });
       this.again = new Again(root, async () => {
         if (await this.#forget()) forgotten();
       });
@@ -1379,8 +1540,11 @@
         this.form.value = found2.value;
         say(this.saved, "Saved.");
       }
-      this.form.enable(!this.isLocked);
-      this.button.disabled = this.isLocked;
+      const talking = Boolean(this.#entry.talk) && !this.#entry.before;
+      this.form.enable(!this.isLocked && !talking);
+      this.button.disabled = this.isLocked || talking;
+      this.talk.show(!this.isLocked && talking, false);
+      if (this.#entry.before) this.#showAgain();
       if (!this.isLocked) return;
       this.again.offer();
       this.locked(false);
@@ -1389,7 +1553,13 @@
     compare(run) {
       const place3 = need(this.root, ".carts-compared");
       place3.replaceChildren(...this.form.compare(run));
+      const { before, why } = this.#entry;
+      if (before) {
+        const both = `First you said: ${before.said}. After talking you said: ${this.form.said}.`;
+        place3.append(html("p", "", both));
+      }
       place3.hidden = false;
+      this.why.show(why ?? "");
       this.again.offer();
       say(need(this.root, ".carts-heading"), "Your prediction");
       this.root.classList.add("carts-locked");
@@ -1411,7 +1581,7 @@
       const now = (/* @__PURE__ */ new Date()).toISOString();
       this.#entry.value = this.form.value;
       this.#entry.asked = this.spec.ask;
-      this.#entry.said = this.spec.options[Number(this.form.value)] ?? "";
+      this.#told();
       this.#entry.first ??= now;
       this.#entry.last = now;
       this.#entry.tries += 1;
@@ -1422,13 +1592,40 @@
       const problem = this.form.problem();
       if (problem) return this.complain(problem);
       this.#entry.value = this.form.value;
-      this.#entry.locked = (/* @__PURE__ */ new Date()).toISOString();
       this.form.enable(false);
       this.button.disabled = true;
       this.complain("");
+      if (!this.spec.talk || this.#entry.talk) return this.#finish();
+      this.#entry.talk = (/* @__PURE__ */ new Date()).toISOString();
+      await this.#keep();
+      this.talk.show(true, true);
+    }
+    /** After talking: once more, and then the run. */
+    #change() {
+      this.#entry.before = { value: this.#entry.value, said: this.form.said };
+      this.talk.show(false, true);
+      this.form.enable(true);
+      this.#showAgain();
+      this.button.disabled = false;
+      void this.#keep();
+    }
+    #showAgain() {
+      say(this.button, "Lock the changed prediction and show the run");
+    }
+    async #finish() {
+      this.#entry.locked = (/* @__PURE__ */ new Date()).toISOString();
+      this.talk.show(false, true);
       await this.#keep();
       this.again.offer();
       this.locked(true);
+    }
+    /** The prediction in words, as the list of answers shows it. */
+    #told() {
+      const { before, why } = this.#entry;
+      const parts = [this.form.said];
+      if (before) parts.push(`First: ${before.said}`);
+      if (why) parts.push(`Why: ${why}`);
+      this.#entry.said = parts.filter(Boolean).join(" · ");
     }
     /** @returns {Promise<boolean>} whether the prediction is gone */
     async #forget() {
@@ -1495,14 +1692,14 @@
   function group(title, choices, act) {
     const set = document.createElement("fieldset");
     set.append(html("legend", "", title));
-    for (const { key, label, seen } of choices) {
+    for (const { key, label: label2, seen } of choices) {
       const line = html("label");
       const box2 = document.createElement("input");
       box2.type = "checkbox";
       box2.checked = seen;
       box2.dataset.choice = key;
       box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label}`);
+      line.append(box2, ` ${label2}`);
       set.append(line);
     }
     set.hidden = choices.length === 0;
@@ -1605,6 +1802,141 @@
   function onStep(value, { low, high, step }) {
     const near = low + Math.round((value - low) / step) * step;
     return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
+  }
+
+  // src/effects-forces.js
+  var ON_ONE = ["incline", "push", "friction", "drag"];
+  var FEW = 3;
+  var AGENTS = { friction: "the track", drag: "the air", incline: "the Earth" };
+  function agent({ kind, by }) {
+    return AGENTS[kind] ?? by ?? "";
+  }
+  function actsAt({ kind, active, numbers }, t) {
+    if (!active) return false;
+    const { from = 0, until = Infinity } = numbers;
+    return kind !== "push" || t >= from && t < until;
+  }
+  function forcesAt({ header, trajectory }, t, always = false) {
+    const found2 = [];
+    for (const kind of ON_ONE) {
+      const acting = header.effects.filter(
+        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
+      );
+      for (const { name: name2 } of header.bodies) {
+        const own2 = acting.filter((effect) => effect.carts.includes(name2));
+        const column = trajectory.E[`${kind} ${name2}`];
+        if (!own2.length || !column?.length) continue;
+        const peak = greatest2(column);
+        const on = own2.some((effect) => actsAt(effect, t));
+        const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
+        const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
+        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
+        found2.push({ kind, on: name2, by: [...new Set(own2.map(agent))].join(" and "), value, size });
+      }
+    }
+    return found2;
+  }
+  function label({ kind, on, by, size }) {
+    return `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`;
+  }
+  function linkKind({ effects }, pair) {
+    const link = effects.find(
+      ({ kind, active, between: between2 }) => active && (kind === "spring" || kind === "magnets") && between2?.join("-") === pair
+    );
+    return link?.kind ?? "";
+  }
+  var known = /* @__PURE__ */ new WeakMap();
+  function greatest2(column) {
+    const before = known.get(column);
+    if (before !== void 0) return before;
+    let most = 0;
+    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
+    known.set(column, most);
+    return most;
+  }
+
+  // src/effects-words.js
+  var LEFT_OUT = {
+    friction: "friction",
+    incline: "a slope",
+    drag: "air resistance",
+    push: "pushes from outside",
+    spring: "springs between the carts",
+    magnets: "magnets",
+    release: "exploders"
+  };
+  function actingSentences(header, numbers) {
+    if (!header.effects.length) return "";
+    const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
+    const inside = acting.length ? acting.join("; ") : "nothing but the contacts between the carts";
+    const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2);
+    const outside = leftOut.length ? ` Left out: ${leftOut.join(", ")}.` : "";
+    return `In this model: ${inside}.${outside}`;
+  }
+  function phrase(effect, header, numbers) {
+    const { kind, numbers: n, carts, between: between2 } = effect;
+    const names = between2 ?? carts;
+    const on = carts.length === header.bodies.length ? "" : ` on ${listed(carts)}`;
+    const both = listed(names.map(body));
+    const told = (text) => numbers ? `, ${text}` : "";
+    const value = (key) => n[key] ?? 0;
+    switch (kind) {
+      case "friction": {
+        const held = n.static ?? value("coefficient");
+        const rest = held > value("coefficient") ? ` (at rest up to ${short(held)})` : "";
+        return `friction${on} by the track${told(`μ = ${short(value("coefficient"))}${rest}`)}`;
+      }
+      case "incline":
+        return `a slope${on}, ${slopeText(value("angle"))}`;
+      case "drag": {
+        const parts = [
+          ["linear", "m/s"],
+          ["quadratic", "(m/s)²"]
+        ].filter(([key]) => value(String(key))).map(([key, unit]) => `${short(value(String(key)))} N per ${unit}`);
+        return `drag${on} by the air${told(parts.join(" and ") || "0 N")}`;
+      }
+      case "push":
+        return `a push on ${names[0]} by ${agent(effect)}${told(pushText(value("force")))}${pushTimes(effect)}`;
+      case "spring": {
+        const damped = n.damping ? ", damped" : "";
+        const stiff = `${short(value("stiffness"))} N/m, natural length ${short(value("length"))} m`;
+        return `a spring between ${both}${damped}${told(stiff)}`;
+      }
+      case "magnets":
+        return `magnets on ${both}, like poles facing`;
+      default:
+        return `an exploder between ${both}${told(`${short(value("energy"))} J`)}, at ${short(value("at"))} s`;
+    }
+  }
+  function pushText(force) {
+    return `${short(Math.abs(force))} N to the ${force >= 0 ? "right" : "left"}`;
+  }
+  function pushTimes({ numbers }) {
+    const { from = 0, until } = numbers;
+    const start = from || until !== void 0 ? `, from ${short(from)} s` : "";
+    return start + (until === void 0 ? "" : ` to ${short(until)} s`);
+  }
+  function slopeText(angle) {
+    const size = short(Math.abs(angle) * 180 / Math.PI);
+    if (size === "0") return "0°: the track is level";
+    return `${size}° down to the ${angle > 0 ? "right" : "left"}`;
+  }
+  function pushMarks({ effects, until }, forces2) {
+    const marks2 = [];
+    for (const effect of effects) {
+      if (effect.kind !== "push" || !effect.active) continue;
+      const who = `The push on ${effect.carts[0]} by ${agent(effect)}`;
+      const { from = 0, until: end, force = 0 } = effect.numbers;
+      const size = forces2 ? `: ${pushText(force)}` : "";
+      if (from <= until) marks2.push({ t: from, sentence: `${who} begins${size}.` });
+      if (end !== void 0 && from < end && end <= until) {
+        marks2.push({ t: end, sentence: `${who} ends.` });
+      }
+    }
+    return marks2;
+  }
+  function listed(names) {
+    return names.length > 1 ? `${names.slice(0, -1).join(", ")} and ${names.at(-1)}` : String(names[0]);
   }
 
   // src/scales.js
@@ -1739,10 +2071,12 @@
   // src/forces.js
   function contactForce({ trajectory }, pair, t, zero) {
     const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
-    return force < zero ? 0 : force;
+    return Math.abs(force) < zero ? 0 : force;
   }
   function contactForces(run, name2, t, zero) {
-    return run.header.contacts.filter(({ bodies, stiffness }) => stiffness && bodies.includes(name2)).map(({ pair, bodies: [left, right] }) => {
+    return run.header.contacts.filter(
+      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkKind(run.header, pair))
+    ).map(({ pair, bodies: [left, right] }) => {
       const size = contactForce(run, pair, t, zero);
       const isLeft = left === name2;
       const by = isLeft ? right : left;
@@ -1765,11 +2099,32 @@
       };
     }).sort((a, b) => a.side < b.side ? -1 : 1);
   }
+  function effectForces(run, name2, t) {
+    return forcesAt(run, t, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
+      const face = value < 0 ? "right" : "left";
+      const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
+      return {
+        name: `force on ${on} by ${by}${kind === "incline" ? ", along the slope" : ""}`,
+        on,
+        by,
+        way: "along",
+        side: kind === "push" ? face : side,
+        value,
+        size
+      };
+    });
+  }
   function verticalForces({ header }, name2) {
     const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
-    const weight = mass * header.gravity;
+    const slope = header.effects.filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name2)).reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
+    const weight = mass * header.gravity * Math.cos(slope);
+    const pull = slope ? ", across the track" : "";
     return [
-      { name: `weight of ${name2}: force on ${name2} by the Earth`, by: "Earth", value: -weight },
+      {
+        name: `weight of ${name2}: force on ${name2} by the Earth${pull}`,
+        by: "Earth",
+        value: -weight
+      },
       { name: `support: force on ${name2} by the track`, by: "track", value: weight }
     ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
   }
@@ -1924,9 +2279,14 @@
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
-      const force = run.F[contact.pair];
-      const slope = run.dF[contact.pair];
-      if (!force || !slope || !Array.prototype.some.call(force, (f) => f > 0)) continue;
+      let force = run.F[contact.pair];
+      let slope = run.dF[contact.pair];
+      if (!force || !slope || !Array.prototype.some.call(force, (f) => f !== 0)) continue;
+      if (!signed) {
+        const pulls = Array.from(force, (f) => f < 0);
+        slope = Float64Array.from(slope, (s, k) => pulls[k] ? -s : s);
+        force = Float64Array.from(force, Math.abs);
+      }
       const [left, right] = contact.bodies;
       curves.push({
         label: `on ${brief(left)} by ${brief(right)}`,
@@ -2051,10 +2411,10 @@
     }
     /** @param {ArrayLike<number>} times @param {number} t in s */
     at(times, t) {
-      this.entries.forEach(({ label, values }, i) => {
+      this.entries.forEach(({ label: label2, values }, i) => {
         const now = Math.max(0, valueAt(times, values, null, t));
         const text = this.key.children[i]?.querySelector("b");
-        if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
+        if (text) say(text, `${label2}: ${fixed(now, this.decimals)} J`);
       });
     }
   };
@@ -2106,7 +2466,7 @@
       head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
-      const scale = greatest2(curves);
+      const scale = greatest3(curves);
       const rows = tableTimes(run).map((t) => {
         const row = html("tr");
         row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
@@ -2129,7 +2489,7 @@
     cell.setAttribute("scope", "col");
     return cell;
   }
-  function greatest2(curves) {
+  function greatest3(curves) {
     let found2 = 0;
     for (const { values } of curves) {
       for (let k = 0; k < values.length; k += 1) found2 = Math.max(found2, Math.abs(Number(values[k])));
@@ -2277,7 +2637,7 @@
       const times = timeMarks(this.#plane);
       const rows = valueMarks(this.#plane);
       marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
-        const { at, label } = (
+        const { at, label: label2 } = (
           /** @type {{at: string, label: string}} */
           times[i]
         );
@@ -2286,10 +2646,10 @@
         put(text, "class", "carts-tick-x");
         put(text, "x", at);
         put(text, "y", String(BOTTOM2 + 14));
-        say(text, label);
+        say(text, label2);
       });
       marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
-        const { at, textY, label, zero } = (
+        const { at, textY, label: label2, zero } = (
           /** @type {(typeof rows)[number]} */
           rows[i]
         );
@@ -2298,7 +2658,7 @@
         put(text, "class", "carts-tick-y");
         put(text, "x", String(LEFT2 - 5));
         put(text, "y", textY);
-        say(text, label);
+        say(text, label2);
       });
     }
     #cursor() {
@@ -2555,10 +2915,268 @@
     }
   };
 
-  // src/pushes.js
-  var PER_CHARACTER = 7.8;
-  var ROW = 19;
+  // src/effects-props.js
+  var TURNS = 9;
+  var LEAD = 5;
+  var COIL = 7;
+  var TOOTH = 4;
+  var POLE = 12;
+  var STEEPEST = 22;
+  var WEDGE = { wide: 120, narrow: 90 };
+  function props(header, layout, t, face, centre) {
+    return header.effects.filter(({ active }) => active).flatMap((effect) => {
+      const key = `${effect.kind} ${effect.index}`;
+      const y = layout.track;
+      const [a, b] = effect.between ?? ["", ""];
+      switch (effect.kind) {
+        case "friction":
+          return rough(effect, header, layout, key, face, centre);
+        case "incline":
+          return tilt(effect, layout, key);
+        case "push":
+          return actsAt(effect, t) ? [hand(effect, header, layout, key, centre)] : [];
+        case "spring":
+          return springCoil(effect, layout, key, face(a, "right"), face(b, "left"));
+        case "magnets":
+          return [
+            ...magnet(`${key} ${a}`, face(a, "right"), y, -1),
+            ...magnet(`${key} ${b}`, face(b, "left"), y, 1)
+          ];
+        case "release":
+          if (t >= (effect.numbers.at ?? 0)) return [];
+          return exploder(key, (face(a, "right") + face(b, "left")) / 2, y);
+        default:
+          return [];
+      }
+    });
+  }
+  function coil(start, end, y, turns = TURNS, high = COIL) {
+    const span3 = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span3 / 4);
+    const step = (span3 - 2 * lead) / turns;
+    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+    for (let k = 0; k < turns; k += 1) {
+      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+    }
+    return `${d}L${px(start + span3 - lead)} ${px(y)}L${px(start + span3)} ${px(y)}`;
+  }
+  function springCoil(effect, layout, key, start, end) {
+    const length = (effect.numbers.length ?? 0) * layout.scale;
+    const [a, b] = effect.between ?? ["", ""];
+    const middle = (start + end) / 2;
+    const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+    const y = layout.track - PUSH - COIL - 5;
+    return [
+      { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+      {
+        key: `${key} natural`,
+        cls: "carts-natural",
+        d: `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`
+      }
+    ];
+  }
+  function magnet(key, x, y, way) {
+    const top = y - 40;
+    return [
+      ["N", "carts-north"],
+      ["S", "carts-south"]
+    ].flatMap(([pole, cls], k) => {
+      const start = x + way * k * POLE;
+      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
+      return [
+        { key: `${key} ${pole}`, cls: String(cls), d },
+        {
+          key: `${key} ${pole} letter`,
+          cls: "carts-pole",
+          text: String(pole),
+          x: px(start + way * POLE / 2),
+          y: px(top + 12),
+          anchor: "middle"
+        }
+      ];
+    });
+  }
+  function hand({ carts: [name2 = ""], numbers }, { bodies }, layout, key, centre) {
+    const y = layout.track;
+    const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
+    const body2 = bodies.find((one) => one.name === name2);
+    const x = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+    const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+    return { key, cls: "carts-hand", d };
+  }
+  function exploder(key, x, y) {
+    const low = y - 34;
+    return [
+      { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 5) },
+      {
+        key: `${key} latch`,
+        cls: "carts-latch",
+        d: `M${px(x - 10)} ${px(low + 8)}v-18h20v18`
+      }
+    ];
+  }
+  function rough({ carts }, { bodies, track }, layout, key, face, centre) {
+    const cls = "carts-rough";
+    if (carts.length < bodies.length) {
+      return carts.map((name2) => {
+        const length = (bodies.find((body2) => body2.name === name2)?.length ?? 0) * layout.scale;
+        const d = teeth(centre(name2) - length / 2, length, layout.track);
+        return { key: `${key} ${name2}`, cls, d };
+      });
+    }
+    const start = track.left === "wall" ? face("left", "right") : -layout.width;
+    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const tooth = 2 * TOOTH;
+    const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
+    return [{ key, cls, d: teeth(first, Math.min(end, layout.width) - first, layout.track) }];
+  }
+  function teeth(x, length, y) {
+    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+  }
+  function tilt({ numbers }, layout, key) {
+    const angle = numbers.angle ?? 0;
+    const slope = Math.abs(Math.tan(angle));
+    const longest = WEDGE[layout.kind] ?? 0;
+    const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
+    const [x, y, rise] = [12, layout.tilt, length * slope];
+    const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
+    const words = angle ? `track tilted ${slopeText(angle)}` : "the track is level: 0°";
+    const text = angle > 0 ? `${words} →` : angle < 0 ? `← ${words}` : words;
+    return [
+      {
+        key,
+        cls: "carts-wedge",
+        d: `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`
+      },
+      {
+        key: `${key} words`,
+        cls: "carts-tilt",
+        text,
+        x: px(x + length + 10),
+        y: px(y),
+        anchor: "start"
+      }
+    ];
+  }
+
+  // src/effects.js
+  var PER_CHARACTER = 7.2;
+  var SLIVER = 1.5;
   var GAP = 8;
+  var BEHIND = ["carts-rough", "carts-wedge", "carts-tilt", "carts-hand"];
+  var Effects = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {Map<string, SVGElement>} */
+    #drawn = /* @__PURE__ */ new Map();
+    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
+    constructor(root, layout, full, forces2) {
+      this.layout = layout;
+      this.full = full;
+      this.forces = forces2;
+      this.behind = need(root, '[data-part="effects-behind"]');
+      this.front = need(root, '[data-part="effects-front"]');
+      for (const group2 of [this.behind, this.front]) {
+        for (const element of group2.querySelectorAll("[data-key]")) {
+          this.#drawn.set(
+            element.getAttribute("data-key") ?? "",
+            /** @type {SVGElement} */
+            element
+          );
+        }
+      }
+    }
+    /** @param {Run} run */
+    show(run) {
+      this.#run = run;
+    }
+    /** @param {number} t in s @param {import("./effects-props.js").Face} face @param {Centre} centre */
+    at(t, face, centre) {
+      const run = this.#run;
+      if (!run?.header.effects.length) return;
+      const pieces = props(run.header, this.layout, t, face, centre);
+      if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
+      const seen = new Set(pieces.map(({ key }) => key));
+      for (const [key, element] of this.#drawn) {
+        if (!seen.has(key)) {
+          element.remove();
+          this.#drawn.delete(key);
+        }
+      }
+      for (const piece of pieces) this.#draw(piece);
+    }
+    /** @param {Piece} piece */
+    #draw({ key, cls, d, text, x, y, anchor }) {
+      let element = this.#drawn.get(key);
+      if (!element) {
+        element = svg(d === void 0 ? "text" : "path", { "data-key": key, class: cls });
+        const group2 = BEHIND.includes(cls) ? this.behind : this.front;
+        if (cls.startsWith("carts-leader")) group2.prepend(element);
+        else group2.append(element);
+        this.#drawn.set(key, element);
+      }
+      if (d !== void 0) return put(element, "d", d);
+      put(element, "x", x ?? "0");
+      put(element, "y", y ?? "0");
+      put(element, "text-anchor", anchor ?? "start");
+      say(element, text ?? "");
+    }
+  };
+  function arrows(run, layout, full, t, centre) {
+    const styles = new Map(run.header.bodies.map(({ name: name2 }, i) => [name2, `carts-${styleOf(i)}`]));
+    const named = run.header.bodies.length <= FEW;
+    const pieces = [];
+    const lowest = /* @__PURE__ */ new Map();
+    for (const force of forcesAt(run, t)) {
+      const key = `${force.kind} ${force.on}`;
+      const x = centre(force.on);
+      const y = layout.slots[key] ?? layout.track;
+      const exact = arrowLength(force.value, full, layout.force);
+      const length = Math.abs(exact) < SLIVER ? 0 : exact;
+      const cut = isCut(force.value, full);
+      const style = styles.get(force.on);
+      lowest.set(force.on, Math.max(y, lowest.get(force.on) ?? y));
+      const d = (cut ? cutArrow : blockArrow)(x, y, length);
+      pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
+      const row = `row ${force.kind}`;
+      if (named) {
+        const told = label(force) + (cut ? ", arrow cut" : "");
+        const fit2 = fits(x, length, told, layout.width);
+        const text = fit2 ? told : told.slice(told.indexOf("by "));
+        const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
+        const cls = `carts-acts-name ${style}`;
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
+      } else if (!pieces.some((piece) => piece.key === row)) {
+        const text = `by ${force.by}`;
+        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
+      }
+    }
+    const leaders = [...lowest].map(([name2, y]) => ({
+      key: `leader ${name2}`,
+      cls: `carts-leader carts-acts ${styles.get(name2)}`,
+      d: `M${px(centre(name2))} ${px(layout.track)}V${px(y)}`
+    }));
+    return [...leaders, ...pieces];
+  }
+  function fits(x, length, text, picture2) {
+    const needed = text.length * PER_CHARACTER + GAP + 4;
+    return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture2 - needed;
+  }
+  function beside(x, length, width, picture2) {
+    const left = Math.min(x, x + length) - GAP;
+    const right = Math.max(x, x + length) + GAP;
+    const toLeft = left - width >= 4;
+    const toRight = right + width <= picture2 - 4;
+    if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
+    if (toRight) return [right, "start"];
+    return left > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
+  }
+
+  // src/pushes.js
+  var PER_CHARACTER2 = 7.8;
+  var ROW = 19;
+  var GAP2 = 8;
   var EDGE2 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -2601,9 +3219,11 @@
       const told = [];
       for (const push of this.#pushes) {
         const { t: times, F, dF } = run.trajectory;
-        const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
-        const size = Math.max(0, force < 1e-9 * view.force ? 0 : force);
-        const length = Math.abs(arrowLength(size, view.force, layout.force));
+        const [column, slopes] = [F[push.pair], dF[push.pair]];
+        const force = column && slopes ? valueAt(times, column, slopes, t) : 0;
+        const signed = Math.abs(force) < 1e-9 * view.force ? 0 : force;
+        const size = Math.abs(signed);
+        const length = arrowLength(signed, view.force, layout.force);
         const y = layout.track - PUSH;
         const [left, right] = push.bodies;
         const ends = [face(left, "right"), face(right, "left")];
@@ -2612,8 +3232,12 @@
           const way = side === 0 ? -1 : 1;
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
         });
-        if (this.#windows.some((w) => w.pair === push.pair && t >= w.start && t <= w.end)) {
-          told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2 });
+        const touching = this.#windows.some(
+          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+        );
+        const link = touching ? "" : linkKind(run.header, push.pair);
+        if (touching || link && size > 0) {
+          told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
       this.#names(told);
@@ -2633,8 +3257,8 @@
       for (const { push, size, x } of told) {
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
-        const label = `${this.#value(size)} on each`;
-        const half = label.length * PER_CHARACTER / 2;
+        const label2 = `${this.#value(size)} on each`;
+        const half = label2.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
           (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
@@ -2643,28 +3267,29 @@
         if (free === void 0) put(text, "visibility", "hidden");
         else {
           taken.push([free, at - half, at + half]);
-          write2(text, label, at, free, "middle");
+          write2(text, label2, at, free, "middle");
         }
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-    #inFull({ push, size, x }) {
+    #inFull({ push, size, x, link }) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief(on)} by ${brief(by)}: ${this.#value(size)}`;
+        return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
       });
-      const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
+      const [left, right] = labels.map((label2) => label2.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x + GAP, low + left + 2 * GAP), high - right);
-        write2(first, labels[0] ?? "", Math.min(x - GAP, begin - 2 * GAP), push.row, "end");
+      if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
+        write2(first, labels[0] ?? "", Math.min(x - GAP2, begin - 2 * GAP2), push.row, "end");
         write2(second, labels[1] ?? "", begin, push.row, "start");
         return true;
       }
       const longest = Math.max(left, right);
-      if (this.layout.beam < 2 * ROW || high - low < longest) return false;
+      const taken = new Set(Object.values(this.layout.slots)).size;
+      if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
       const start = Math.min(Math.max(x - way * longest, low), high - longest);
@@ -2678,8 +3303,8 @@
       const track = this.#run?.header.track;
       const end = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE2, origin + GAP) : EDGE2,
-        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP) : width - EDGE2
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP2) : width - EDGE2
       ];
     }
     /** @param {number} size in N */
@@ -2688,11 +3313,11 @@
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function write2(text, label, x, y, anchor) {
+  function write2(text, label2, x, y, anchor) {
     put(text, "x", px(x));
     put(text, "y", px(y));
     put(text, "text-anchor", anchor);
-    say(text, label);
+    say(text, label2);
   }
 
   // src/stage.js
@@ -2703,6 +3328,8 @@
     #carts = [];
     /** @type {Pushes} */
     #pushes;
+    /** @type {Effects} */
+    #effects;
     /** @param {SVGElement} root @param {Baked} baked */
     constructor(root, baked) {
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
@@ -2714,6 +3341,7 @@
       this.camera = baked.fence.camera;
       this.#run = baked.run;
       this.#pushes = new Pushes(root, layout, baked.view);
+      this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
     /** Takes a run: boxes for its masses. @param {Run} run @param {import("./windows.js").Touch[]} windows */
     show(run, windows) {
@@ -2742,6 +3370,7 @@
         };
       });
       this.#pushes.show(run, windows);
+      this.#effects.show(run);
     }
     /** Draws the instant t. @param {number} t in s */
     at(t) {
@@ -2782,7 +3411,7 @@
         );
         this.#velocity(cart, header.bodies[i]?.name ?? "", centre, t);
       });
-      this.#pushes.at(t, (name2, side) => {
+      const face = (name2, side) => {
         const i = header.bodies.findIndex((body2) => body2.name === name2);
         if (i < 0) {
           const wall = name2 === "left" ? 0 : header.track.length ?? 0;
@@ -2791,7 +3420,13 @@
         const half = this.#carts[i]?.half ?? 0;
         const centre = Number(centres[i]);
         return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
-      });
+      };
+      this.#pushes.at(t, face);
+      this.#effects.at(
+        t,
+        face,
+        (name2) => Number(centres[header.bodies.findIndex((body2) => body2.name === name2)])
+      );
     }
     /**
      * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
@@ -2800,7 +3435,7 @@
     guess(guesses) {
       const { header } = this.#run;
       const group2 = need(this.root, '[data-part="guess"]');
-      const arrows = guesses.map(({ pair, on, side, size }) => {
+      const arrows2 = guesses.map(({ pair, on, side, size }) => {
         const i = header.bodies.findIndex((body3) => body3.name === on);
         const body2 = header.bodies[i];
         const half = (body2?.length ?? 0) / 2;
@@ -2817,7 +3452,7 @@
           "data-on": on
         });
       });
-      group2.replaceChildren(...arrows);
+      group2.replaceChildren(...arrows2);
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
@@ -2947,6 +3582,7 @@
       const decimals = this.view.decimals.v ?? 2;
       const laws = lawsOf(header.contacts);
       this.told = [
+        ...isTold(run) ? pushMarks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
           t: event.t,
           sentence: eventSentence(event, this.telling, laws)
@@ -2993,7 +3629,9 @@
       this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
     }
     /** @param {import("./types.js").Run} run @param {import("./windows.js").Touch[]} windows */
-    show({ header }, windows) {
+    show(run, windows) {
+      const { header } = run;
+      const pushes = isTold(run) ? pushMarks(header, false) : [];
       const at = (t) => `${px(100 * t / header.until, 3)}%`;
       this.bands.replaceChildren(
         ...windows.map(
@@ -3007,7 +3645,8 @@
         )
       );
       this.marks.replaceChildren(
-        ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").map(
+        .../** @type {{t: number, kind: string}[]} */
+        header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes.map(({ t }) => ({ t, kind: "push" }))).map(
           (event) => svg("line", {
             class: `carts-event carts-event-${event.kind}`,
             x1: at(event.t),
@@ -3226,7 +3865,7 @@
       say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
       const room = this.#vertical ? this.#roomFor(run) : 0;
       for (const { name: name2, mass } of run.header.bodies) {
-        const along = contactForces(run, name2, t, this.zero);
+        const along = [...contactForces(run, name2, t, this.zero), ...effectForces(run, name2, t)];
         this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times, v, a } = run.trajectory;
@@ -3282,8 +3921,8 @@
       put(picture2, "height", String(HEIGHT + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
-    #sentence({ name: name2, way, value }, cut) {
-      const size = `${fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
+    #sentence({ name: name2, way, value, size: written }, cut) {
+      const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
       const ways = way === "up" ? ["down", "up"] : ["to the left", "to the right"];
       const where = value === 0 ? "" : ` ${ways[value < 0 ? 0 : 1]}`;
       return `${name2}: ${size}${where}${cut ? ", arrow cut" : ""}`;
@@ -3294,6 +3933,9 @@
       const middle = (BOX.top + BOX.bottom) / 2;
       return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
     }
+    if (side === "middle") return [MIDDLE, AXIS];
+    if (side === "below") return [MIDDLE, BOX.bottom];
+    if (side === "above") return [MIDDLE, BOX.top];
     return [side === "left" ? BOX.left : BOX.right, AXIS];
   }
 
@@ -3530,7 +4172,11 @@
       this.#windows = touches(header.events, header.until);
       this.player.until = header.until;
       this.player.parts = slowParts(this.#windows);
-      this.player.stops = header.events.map((event) => event.t);
+      const pushes = isTold(run) ? pushMarks(header, false) : [];
+      this.player.stops = [...header.events, ...pushes].map(({ t }) => t).sort((a, b) => a - b);
+      const acting = this.root.querySelector(".carts-acting");
+      const numbers = isTold(run) && this.baked.fence.forces === "shown";
+      if (acting) say(acting, actingSentences(header, numbers));
       this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
       this.#offerWindows();
       for (const stage of this.stages) stage.show(run, this.#windows);
@@ -3646,6 +4292,7 @@
         return { problem: "This link is damaged: it was not used." };
       }
       if (key === "t") t = Number(value);
+      else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
       else settings[key] = Number.isFinite(Number(value)) ? Number(value) : value;
     }
     return { settings, t: Number.isFinite(t) ? Math.max(0, t) : 0 };
@@ -3689,11 +4336,13 @@
     if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
     if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
     if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
-    if (fence.controls.length) lines2.push("controls:");
+    const switches = fence.switches ?? [];
+    if (fence.controls.length || switches.length) lines2.push("controls:");
     for (const { set, low, high, step, unit } of fence.controls) {
       const part = (value) => `${value} ${unit}`.trim();
       lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
     }
+    for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
     return `\`\`\`scene
 ${lines2.join("\n")}
 \`\`\`
@@ -3701,7 +4350,7 @@ ${lines2.join("\n")}
   }
   function change(scene, target, value) {
     const keys = target.split(".");
-    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : keys;
+    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : effectPath(scene, keys) ?? keys;
     let place3 = scene;
     for (const key of path2.slice(0, -1)) {
       place3[key] ??= {};
@@ -3725,8 +4374,8 @@ ${lines2.join("\n")}
     const columns = [["t in s", trajectory.t]];
     for (const quantity of quantities) {
       const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+      for (const { label: label2, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        const name2 = quantity === "F" ? `F ${label2}` : `${symbol} of ${label2}`;
         columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
       }
     }
@@ -3763,7 +4412,7 @@ ${lines2.join("\n")}
     "height"
   ];
   var WIDTH4 = 720;
-  var GAP2 = 12;
+  var GAP3 = 12;
   var LINE2 = 20;
   var PIXELS = 2;
   function picture(scene) {
@@ -3772,7 +4421,7 @@ ${lines2.join("\n")}
     const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH4 });
     const sheet = svg("rect", { width: WIDTH4, fill: paper });
     whole.append(sheet);
-    let y = GAP2;
+    let y = GAP3;
     const write4 = (text, x, at, weight) => {
       const line = svg("text", {
         x,
@@ -3785,7 +4434,7 @@ ${lines2.join("\n")}
       line.textContent = text;
       whole.append(line);
     };
-    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP2, y + 12, "700");
+    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP3, y + 12, "700");
     y += LINE2 + 4;
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
@@ -3793,7 +4442,7 @@ ${lines2.join("\n")}
       const height = place2(drawn, 0, y, WIDTH4);
       const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
       whole.append(svg("rect", { y, width: WIDTH4, height, fill: sky }), drawn);
-      y += height + GAP2;
+      y += height + GAP3;
     }
     const graphs = [...scene.querySelectorAll(".carts-graph")];
     const half = WIDTH4 / 2;
@@ -3803,9 +4452,9 @@ ${lines2.join("\n")}
         const plot = graph.querySelector(".carts-plot");
         if (!plot) return;
         const x = column * half;
-        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP2, y + 12, "700");
+        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP3, y + 12, "700");
         const drawn = alone2(plot);
-        const height = place2(drawn, x, y + LINE2, half - GAP2);
+        const height = place2(drawn, x, y + LINE2, half - GAP3);
         whole.append(drawn);
         const entries = [...graph.querySelectorAll(".carts-key > span")];
         entries.forEach((entry, i) => {
@@ -3813,14 +4462,14 @@ ${lines2.join("\n")}
           const sample = entry.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
-            place2(swatch, x + GAP2, at - 10, 26);
+            place2(swatch, x + GAP3, at - 10, 26);
             whole.append(swatch);
           }
-          write4(entry.textContent ?? "", x + GAP2 + 34, at, "400");
+          write4(entry.textContent ?? "", x + GAP3 + 34, at, "400");
         });
         tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
       });
-      y += tallest + GAP2;
+      y += tallest + GAP3;
     }
     for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y)));
     whole.setAttribute("viewBox", `0 0 ${WIDTH4} ${Math.ceil(y)}`);
@@ -4071,9 +4720,9 @@ ${lines2.join("\n")}
         const view = new SceneView(this, baked);
         this.#baked = baked;
         this.#view = view;
-        this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
-          this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
-        });
+        const { controls, switches } = baked.fence;
+        const change2 = (target, value, at) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+        this.#controls = new Controls(this, controls, change2, switches);
         new TakeAlong(this, baked, () => ({
           run: view.run,
           settings: this.#values.good,
@@ -4364,13 +5013,13 @@ ${lines2.join("\n")}
     }
     /** @param {(place: number) => void} chosen */
     #typed(chosen) {
-      const { low, high, unit, label, per, decimals } = this.axis;
+      const { low, high, unit, label: label2, per, decimals } = this.axis;
       const read = readTyped(this.box.value);
       if ("problem" in read) return this.#complain(read.problem);
-      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+      if ("text" in read) return this.#complain(`${label2}: a number in ${unit}, please.`);
       if (read.value < low || read.value > high) {
         const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
-        return this.#complain(`${label}: ${range}, please.`);
+        return this.#complain(`${label2}: ${range}, please.`);
       }
       return chosen(this.nearest(read.value, per));
     }
@@ -4988,8 +5637,8 @@ ${lines2.join("\n")}
     });
   }
   function loadIndex(base) {
-    const known = indexes.get(base);
-    if (known) return known;
+    const known2 = indexes.get(base);
+    if (known2) return known2;
     const loading = patiently(runScript(`${base}index.js`, "index.js")).then(() => {
       const index = page.__cartsRuntime;
       delete page.__cartsRuntime;

@@ -2,17 +2,19 @@
 
 import { need, put, say } from "./dom.js";
 import { decimalsOf, fixed } from "./numbers.js";
+import { effectValue, Switches } from "./switches.js";
 import { readTyped } from "./typed.js";
 
 /** @typedef {import("./types.js").Control} Control */
-/** @typedef {(target: string, value: number | string, at: number) => void} Change `at`: time of the input */
+/** @typedef {(target: string, value: any, at: number) => void} Change `value`: SI number, text with a unit, or whether an effect acts; `at`: time of the input */
 
 export class Controls {
   /** @type {Map<string, ControlView>} */
   #views = new Map();
 
-  /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change */
-  constructor(root, controls, change) {
+  /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("./types.js").Fence["switches"]} switches */
+  constructor(root, controls, change, switches = []) {
+    this.switches = new Switches(root, switches, change);
     for (const control of controls) {
       const element = /** @type {HTMLElement | null} */ (
         root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
@@ -24,10 +26,12 @@ export class Controls {
   /** @param {boolean} on */
   enable(on) {
     for (const view of this.#views.values()) view.enable(on);
+    this.switches.enable(on);
   }
 
   /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("./types.js").Header} header */
   show(settings, header) {
+    this.switches.show(header);
     for (const [target, view] of this.#views) {
       const value = target in settings ? settings[target] : view.control.value;
       const number = valueIn(header, target) ?? Number(value) * view.control.per;
@@ -43,7 +47,7 @@ export class Controls {
   /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
   complain(target, message) {
     this.#views.get(target)?.complain(message);
-    return this.#views.has(target);
+    return this.#views.has(target) || this.switches.complain(target, message);
   }
 }
 
@@ -165,5 +169,5 @@ export function valueIn(header, target) {
     const values = new Set(header.contacts.map((contact) => contact[key]));
     return values.size === 1 ? ([...values][0] ?? null) : null;
   }
-  return null;
+  return effectValue(header, target);
 }

@@ -56,9 +56,13 @@ export function sceneElement(client) {
       const view = new SceneView(this, baked);
       this.#baked = baked;
       this.#view = view;
-      this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
-        this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
-      });
+      const { controls, switches } = baked.fence;
+      const change = (
+        /** @type {string} */ target,
+        /** @type {any} */ value,
+        /** @type {number} */ at,
+      ) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+      this.#controls = new Controls(this, controls, change, switches);
       new TakeAlong(this, baked, () => ({
         run: view.run,
         settings: this.#values.good,

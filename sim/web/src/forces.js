@@ -3,6 +3,7 @@
  * comes from. Contact forces come out of the run; weight and support of what the track holds up.
  */
 
+import { forcesAt, linkKind } from "./effects-forces.js";
 import { styleOf } from "./markers.js";
 import { valueAt } from "./trajectory.js";
 import { body } from "./words.js";
@@ -10,20 +11,23 @@ import { body } from "./words.js";
 /** @typedef {import("./types.js").Run} Run */
 /**
  * `value` in N, + to the right, or up where `way` is "up"; `side`: where on the body it acts.
- * @typedef {{name: string, on: string, by: string, way: "along" | "up", side: "left" | "right" | "middle", value: number}} Force
+ * @typedef {{name: string, on: string, by: string, way: "along" | "up", side: "left" | "right" | "middle" | "below" | "above", value: number, size?: string}} Force
  */
 
-/** @param {Run} run @param {string} pair @param {number} t in s @param {number} zero smaller counts as none @returns {number} N, 0 or more */
+/** @param {Run} run @param {string} pair @param {number} t in s @param {number} zero smaller counts as none @returns {number} N, pushes the two apart; below 0 a spring pulls them together */
 export function contactForce({ trajectory }, pair, t, zero) {
   const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
-  return force < zero ? 0 : force;
+  return Math.abs(force) < zero ? 0 : force;
 }
 
 /** The contact forces on a cart, from the left neighbour first. */
 /** @param {Run} run @param {string} name @param {number} t in s @param {number} zero in N @returns {Force[]} */
 export function contactForces(run, name, t, zero) {
   return run.header.contacts
-    .filter(({ bodies, stiffness }) => stiffness && bodies.includes(name))
+    .filter(
+      ({ pair, bodies, stiffness }) =>
+        bodies.includes(name) && (stiffness || linkKind(run.header, pair)),
+    )
     .map(({ pair, bodies: [left, right] }) => {
       const size = contactForce(run, pair, t, zero);
       const isLeft = left === name;
@@ -40,15 +44,43 @@ export function contactForces(run, name, t, zero) {
     .sort((a, b) => (a.side < b.side ? -1 : 1));
 }
 
+/** Forces of effects on a cart: by the track at its foot, by the air at its top, by a hand at its face. */
+/** @param {Run} run @param {string} name @param {number} t in s @returns {Force[]} */
+export function effectForces(run, name, t) {
+  return forcesAt(run, t, true)
+    .filter(({ on }) => on === name)
+    .map(({ kind, on, by, value, size }) => {
+      const face = value < 0 ? "right" : "left";
+      const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
+      return {
+        name: `force on ${on} by ${by}${kind === "incline" ? ", along the slope" : ""}`,
+        on,
+        by,
+        way: "along",
+        side: kind === "push" ? face : side,
+        value,
+        size,
+      };
+    });
+}
+
 /**
  * Weight and support: equal and opposite, but both on one body, so no third-law pair.
  * @param {Run} run @param {string} name @returns {Force[]}
  */
 export function verticalForces({ header }, name) {
   const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
-  const weight = mass * header.gravity;
+  const slope = header.effects
+    .filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name))
+    .reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
+  const weight = mass * header.gravity * Math.cos(slope);
+  const pull = slope ? ", across the track" : "";
   return [
-    { name: `weight of ${name}: force on ${name} by the Earth`, by: "Earth", value: -weight },
+    {
+      name: `weight of ${name}: force on ${name} by the Earth${pull}`,
+      by: "Earth",
+      value: -weight,
+    },
     { name: `support: force on ${name} by the track`, by: "track", value: weight },
   ].map((force) => ({ ...force, on: name, way: "up", side: "middle" }));
 }

@@ -4,7 +4,7 @@
  */
 
 import { need, put, say, svg } from "./dom.js";
-import { contactForces, verticalForces } from "./forces.js";
+import { contactForces, effectForces, verticalForces } from "./forces.js";
 import { fixed, px, short, speedUnit } from "./numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "./shapes.js";
 import { valueAt } from "./trajectory.js";
@@ -57,7 +57,7 @@ export class FreeBody {
     say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
     const room = this.#vertical ? this.#roomFor(run) : 0;
     for (const { name, mass } of run.header.bodies) {
-      const along = contactForces(run, name, t, this.zero);
+      const along = [...contactForces(run, name, t, this.zero), ...effectForces(run, name, t)];
       this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
       const resultant = along.reduce((sum, { value }) => sum + value, 0);
       const { t: times, v, a } = run.trajectory;
@@ -110,8 +110,8 @@ export class FreeBody {
   }
 
   /** @param {Force} force @param {boolean} cut */
-  #sentence({ name, way, value }, cut) {
-    const size = `${fixed(Math.abs(value), this.view.decimals.F ?? 2)}\u00a0N`;
+  #sentence({ name, way, value, size: written }, cut) {
+    const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)}\u00a0N`;
     const ways = way === "up" ? ["down", "up"] : ["to the left", "to the right"];
     const where = value === 0 ? "" : ` ${ways[value < 0 ? 0 : 1]}`;
     return `${name}: ${size}${where}${cut ? ", arrow cut" : ""}`;
@@ -124,5 +124,8 @@ function tail({ way, side, value }) {
     const middle = (BOX.top + BOX.bottom) / 2;
     return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
   }
+  if (side === "middle") return [MIDDLE, AXIS];
+  if (side === "below") return [MIDDLE, BOX.bottom];
+  if (side === "above") return [MIDDLE, BOX.top];
   return [side === "left" ? BOX.left : BOX.right, AXIS];
 }

@@ -58,6 +58,12 @@ export class ArrowsForm {
     return this.#rows.map(({ pair, on, size }) => ({ pair, on, size }));
   }
 
+  /** @returns {string} */
+  get said() {
+    const rows = this.#rows.filter(({ size }) => size !== null);
+    return rows.map((row) => `${name(row)}: ${fixed(row.size ?? 0, this.decimals)} N`).join("; ");
+  }
+
   set value(value) {
     for (const saved of Array.isArray(value) ? value : []) {
       const row = this.#rows.find(({ pair, on }) => pair === saved.pair && on === saved.on);

@@ -43,6 +43,11 @@ export class CurveForm {
     return this.#heights;
   }
 
+  /** @returns {string} */
+  get said() {
+    return `heights ${this.#heights.map((height) => height ?? "–").join(", ")}`;
+  }
+
   set value(value) {
     if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
     this.#draw();
@@ -85,6 +90,7 @@ export class CurveForm {
         Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
         true,
       ],
+      ["goes up once and down once", hills(mine) === 1, hills(forces.map(Number)) === 1],
       ["is zero again at the end", mine[4] === 0, Number(forces[FINE]) < 0.02 * top],
     ];
     const list = html("ul");
@@ -123,4 +129,19 @@ export class CurveForm {
     });
     put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
   }
+}
+
+/** @param {number[]} heights @returns {number} how often they go up and then down */
+function hills(heights) {
+  let found = 0;
+  let rising = false;
+  heights.forEach((height, k) => {
+    const before = heights[k - 1] ?? 0;
+    if (height > before) rising = true;
+    if (height < before && rising) {
+      found += 1;
+      rising = false;
+    }
+  });
+  return found + (rising ? 1 : 0);
 }

@@ -15,6 +15,12 @@ export class ChoiceForm {
     return this.radios.find((radio) => radio.checked)?.value ?? null;
   }
 
+  /** @returns {string} the words of the option */
+  get said() {
+    const radio = this.radios.find((one) => one.checked);
+    return radio?.closest("label")?.textContent?.trim() ?? "";
+  }
+
   set value(value) {
     for (const radio of this.radios) radio.checked = radio.value === value;
   }
@@ -42,6 +48,11 @@ export class WordsForm {
 
   get value() {
     return this.box.value;
+  }
+
+  /** @returns {string} */
+  get said() {
+    return this.box.value.trim();
   }
 
   set value(value) {

@@ -4,10 +4,11 @@
  */
 
 import { isCurrent } from "./answers/outline.js";
-import { need, say } from "./dom.js";
+import { html, need, say } from "./dom.js";
 import { Again } from "./predict-again.js";
 import { ArrowsForm } from "./predict-arrows.js";
 import { CurveForm } from "./predict-curve.js";
+import { Talk, Why } from "./predict-talk.js";
 import { ChoiceForm, WordsForm } from "./predict-words.js";
 import { openStore, place } from "./storage.js";
 
@@ -15,10 +16,13 @@ import { openStore, place } from "./storage.js";
 /** @typedef {import("./types.js").Baked} Baked */
 /**
  * One kind of prediction. `problem` says what is still missing; `compare` shows it beside the run.
- * @typedef {{value: unknown, enable: (on: boolean) => void, problem: () => string | null,
+ * `said` is the prediction in words.
+ * @typedef {{value: unknown, readonly said: string, enable: (on: boolean) => void, problem: () => string | null,
  *   compare: (run: Run) => Node[]}} Form
  */
-/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string}} Entry */
+/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string,
+ *   talk?: string, before?: {value: unknown, said: string}, why?: string}} Entry
+ * talk: when it was locked for the first time; before: what it was until it was changed after talking */
 
 export class Predict {
   /** @type {Entry} */
@@ -59,6 +63,12 @@ export class Predict {
     /** @type {Form} */
     this.form = forms[spec.kind]();
     this.button.addEventListener("click", () => void this.#lock());
+    this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
+    this.why = new Why(root, (text) => {
+      this.#entry.why = text;
+      this.#told();
+      void this.#keep();
+    });
     this.again = new Again(root, async () => {
       if (await this.#forget()) forgotten();
     });
@@ -86,8 +96,11 @@ export class Predict {
       this.form.value = found.value;
       say(this.saved, "Saved.");
     }
-    this.form.enable(!this.isLocked);
-    this.button.disabled = this.isLocked;
+    const talking = Boolean(this.#entry.talk) && !this.#entry.before;
+    this.form.enable(!this.isLocked && !talking);
+    this.button.disabled = this.isLocked || talking;
+    this.talk.show(!this.isLocked && talking, false);
+    if (this.#entry.before) this.#showAgain();
     if (!this.isLocked) return;
     this.again.offer();
     this.locked(false);
@@ -97,7 +110,13 @@ export class Predict {
   compare(run) {
     const place = need(this.root, ".carts-compared");
     place.replaceChildren(...this.form.compare(run));
+    const { before, why } = this.#entry;
+    if (before) {
+      const both = `First you said: ${before.said}. After talking you said: ${this.form.said}.`;
+      place.append(html("p", "", both));
+    }
     place.hidden = false;
+    this.why.show(why ?? "");
     this.again.offer();
     say(need(this.root, ".carts-heading"), "Your prediction");
     this.root.classList.add("carts-locked");
@@ -122,7 +141,7 @@ export class Predict {
     const now = new Date().toISOString();
     this.#entry.value = this.form.value;
     this.#entry.asked = this.spec.ask;
-    this.#entry.said = this.spec.options[Number(this.form.value)] ?? "";
+    this.#told();
     this.#entry.first ??= now;
     this.#entry.last = now;
     this.#entry.tries += 1;
@@ -134,13 +153,44 @@ export class Predict {
     const problem = this.form.problem();
     if (problem) return this.complain(problem);
     this.#entry.value = this.form.value;
-    this.#entry.locked = new Date().toISOString();
     this.form.enable(false);
     this.button.disabled = true;
     this.complain("");
+    if (!this.spec.talk || this.#entry.talk) return this.#finish();
+    this.#entry.talk = new Date().toISOString();
+    await this.#keep();
+    this.talk.show(true, true);
+  }
+
+  /** After talking: once more, and then the run. */
+  #change() {
+    this.#entry.before = { value: this.#entry.value, said: this.form.said };
+    this.talk.show(false, true);
+    this.form.enable(true);
+    this.#showAgain();
+    this.button.disabled = false;
+    void this.#keep();
+  }
+
+  #showAgain() {
+    say(this.button, "Lock the changed prediction and show the run");
+  }
+
+  async #finish() {
+    this.#entry.locked = new Date().toISOString();
+    this.talk.show(false, true);
     await this.#keep();
     this.again.offer();
     this.locked(true);
+  }
+
+  /** The prediction in words, as the list of answers shows it. */
+  #told() {
+    const { before, why } = this.#entry;
+    const parts = [this.form.said];
+    if (before) parts.push(`First: ${before.said}`);
+    if (why) parts.push(`Why: ${why}`);
+    this.#entry.said = parts.filter(Boolean).join(" · ");
   }
 
   /** @returns {Promise<boolean>} whether the prediction is gone */

@@ -5,6 +5,7 @@
  */
 
 import { need, put, say } from "./dom.js";
+import { linkKind } from "./effects-forces.js";
 import { fixed, px } from "./numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut, PUSH } from "./shapes.js";
 import { valueAt } from "./trajectory.js";
@@ -13,7 +14,7 @@ import { brief, isWall } from "./words.js";
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {(name: string, side: "left" | "right") => number} Face drawing coordinate of a bumper face */
 /** @typedef {{pair: string, bodies: [string, string], row: number, groups: [Element, Element]}} Push */
-/** @typedef {{push: Push, size: number, x: number}} Told a touch that is on: size in N, x where it is */
+/** @typedef {{push: Push, size: number, x: number, link: string}} Told a force that acts: size in N, x where it is, what acts without touching */
 
 const PER_CHARACTER = 7.8; // units, of the bold names on the beam in a wide font
 const ROW = 19; // units between two rows of names
@@ -65,9 +66,11 @@ export class Pushes {
     const told = [];
     for (const push of this.#pushes) {
       const { t: times, F, dF } = run.trajectory;
-      const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
-      const size = Math.max(0, force < 1e-9 * view.force ? 0 : force);
-      const length = Math.abs(arrowLength(size, view.force, layout.force));
+      const [column, slopes] = [F[push.pair], dF[push.pair]]; // none where the two never touch
+      const force = column && slopes ? valueAt(times, column, slopes, t) : 0;
+      const signed = Math.abs(force) < 1e-9 * view.force ? 0 : force; // springs pull: below 0
+      const size = Math.abs(signed);
+      const length = arrowLength(signed, view.force, layout.force);
       const y = layout.track - PUSH;
       const [left, right] = push.bodies;
       const ends = [face(left, "right"), face(right, "left")];
@@ -76,8 +79,12 @@ export class Pushes {
         const way = side === 0 ? -1 : 1;
         put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
       });
-      if (this.#windows.some((w) => w.pair === push.pair && t >= w.start && t <= w.end)) {
-        told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2 });
+      const touching = this.#windows.some(
+        (w) => w.pair === push.pair && t >= w.start && t <= w.end,
+      );
+      const link = touching ? "" : linkKind(run.header, push.pair);
+      if (touching || (link && size > 0)) {
+        told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
       }
     }
     this.#names(told);
@@ -115,11 +122,11 @@ export class Pushes {
   }
 
   /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-  #inFull({ push, size, x }) {
+  #inFull({ push, size, x, link }) {
     const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
-      return `on ${brief(on)} by ${brief(by)}: ${this.#value(size)}`;
+      return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
     });
     const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
     if (!first || !second || !left || !right) return false;
@@ -131,7 +138,8 @@ export class Pushes {
       return true;
     }
     const longest = Math.max(left, right);
-    if (this.layout.beam < 2 * ROW || high - low < longest) return false;
+    const taken = new Set(Object.values(this.layout.slots)).size; // rows of other forces
+    if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
     const top = Math.min(...this.layout.rows);
     const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
     const start = Math.min(Math.max(x - way * longest, low), high - longest);

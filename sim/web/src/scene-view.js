@@ -2,8 +2,9 @@
 
 import { Announcer } from "./announcer.js";
 import { Choose, emptyGraph } from "./choose.js";
-import { html, need, put } from "./dom.js";
+import { html, need, put, say } from "./dom.js";
 import { Drag } from "./drag.js";
+import { actingSentences, pushMarks } from "./effects-words.js";
 import { GraphView } from "./graph-view.js";
 import { fixed } from "./numbers.js";
 import { Player } from "./player.js";
@@ -12,6 +13,7 @@ import { slowParts } from "./slow.js";
 import { Stage } from "./stage.js";
 import { Story } from "./story.js";
 import { Timeline } from "./timeline.js";
+import { isTold } from "./trajectory.js";
 import { Transport } from "./transport.js";
 import { Views } from "./views.js";
 import { touches } from "./windows.js";
@@ -73,7 +75,11 @@ export class SceneView {
     this.#windows = touches(header.events, header.until);
     this.player.until = header.until;
     this.player.parts = slowParts(this.#windows);
-    this.player.stops = header.events.map((event) => event.t);
+    const pushes = isTold(run) ? pushMarks(header, false) : [];
+    this.player.stops = [...header.events, ...pushes].map(({ t }) => t).sort((a, b) => a - b);
+    const acting = this.root.querySelector(".carts-acting");
+    const numbers = isTold(run) && this.baked.fence.forces === "shown";
+    if (acting) say(acting, actingSentences(header, numbers));
     this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
     this.#offerWindows();
     for (const stage of this.stages) stage.show(run, this.#windows);

@@ -96,9 +96,14 @@ function forces(header, run, signed) {
   /** @type {Series[]} */
   const curves = [];
   for (const contact of header.contacts) {
-    const force = run.F[contact.pair];
-    const slope = run.dF[contact.pair];
-    if (!force || !slope || !Array.prototype.some.call(force, (f) => f > 0)) continue;
+    let force = run.F[contact.pair];
+    let slope = run.dF[contact.pair];
+    if (!force || !slope || !Array.prototype.some.call(force, (f) => f !== 0)) continue;
+    if (!signed) {
+      const pulls = Array.from(force, (f) => f < 0); // sizes: a spring pulls with less than 0
+      slope = Float64Array.from(slope, (s, k) => (pulls[k] ? -s : s));
+      force = Float64Array.from(force, Math.abs);
+    }
     const [left, right] = contact.bodies;
     curves.push({
       label: `on ${brief(left)} by ${brief(right)}`,

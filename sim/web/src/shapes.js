@@ -26,7 +26,7 @@ const FACE = 22;
 
 /** @param {Body} body @param {View} view @param {Layout} layout @param {number} lift @returns {Box} area ∝ mass */
 export function box(body, view, layout, lift) {
-  const width = Math.max(body.length - 2 * body.bumper_length, 0.2 * body.length);
+  const width = bodyWidth(body);
   const wanted = (REFERENCE_HEIGHT * body.mass) / width / view.perHeight;
   const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
   const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
@@ -41,6 +41,11 @@ export function box(body, view, layout, lift) {
     label: named ? mass : `${body.name}: ${mass}`,
     labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift,
   };
+}
+
+/** @param {Body} body @returns {number} length in m of its box, without bumpers */
+export function bodyWidth(body) {
+  return Math.max(body.length - 2 * body.bumper_length, 0.2 * body.length);
 }
 
 /** @param {number} i cart @param {number} tallest box @param {Layout} layout @returns {number} y of its velocity arrow */

@@ -3,6 +3,8 @@
  * for is checked like any other input: by Python, when it is set.
  */
 
+import { effectPath } from "./switches.js";
+
 /** @typedef {Record<string, number | string | boolean>} Settings */
 
 const MARK = "carts:";
@@ -36,6 +38,7 @@ export function readLink(hash, id) {
       return { problem: "This link is damaged: it was not used." };
     }
     if (key === "t") t = Number(value);
+    else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
     else settings[key] = Number.isFinite(Number(value)) ? Number(value) : value;
   }
   return { settings, t: Number.isFinite(t) ? Math.max(0, t) : 0 };
@@ -88,18 +91,22 @@ export function sceneBlock(fence, settings) {
   if (fence.slow !== "auto") lines.push(`slow: ${fence.slow}`);
   if (fence.forces !== "shown") lines.push(`forces: ${fence.forces}`);
   if (fence.camera) lines.push(`view: moving ${fence.camera} m/s`);
-  if (fence.controls.length) lines.push("controls:");
+  const switches = fence.switches ?? [];
+  if (fence.controls.length || switches.length) lines.push("controls:");
   for (const { set, low, high, step, unit } of fence.controls) {
     const part = (/** @type {number} */ value) => `${value} ${unit}`.trim();
     lines.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
   }
+  for (const { set } of switches) lines.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
   return `\`\`\`scene\n${lines.join("\n")}\n\`\`\`\n`;
 }
 
 /** @param {Record<string, any>} scene @param {string} target @param {number | string | boolean} value */
 function change(scene, target, value) {
   const keys = target.split(".");
-  const path = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : keys;
+  const path = scene.carts?.[String(keys[0])]
+    ? ["carts", ...keys]
+    : (effectPath(scene, keys) ?? keys);
   let place = scene;
   for (const key of path.slice(0, -1)) {
     place[key] ??= {};

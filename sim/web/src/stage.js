@@ -1,6 +1,7 @@
 /** The world view: moves the SVG that `sim/pages/widget/stage.py` wrote. Draws a run, knows no physics. */
 
 import { need, put, say, svg } from "./dom.js";
+import { Effects } from "./effects.js";
 import { styleOf } from "./markers.js";
 import { fixed, px, speedUnit } from "./numbers.js";
 import { Pushes } from "./pushes.js";
@@ -18,6 +19,8 @@ export class Stage {
   #carts = [];
   /** @type {Pushes} */
   #pushes;
+  /** @type {Effects} */
+  #effects;
 
   /** @param {SVGElement} root @param {Baked} baked */
   constructor(root, baked) {
@@ -30,6 +33,7 @@ export class Stage {
     this.camera = baked.fence.camera;
     this.#run = baked.run;
     this.#pushes = new Pushes(root, layout, baked.view);
+    this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
   }
 
   /** Takes a run: boxes for its masses. @param {Run} run @param {import("./windows.js").Touch[]} windows */
@@ -56,6 +60,7 @@ export class Stage {
       };
     });
     this.#pushes.show(run, windows);
+    this.#effects.show(run);
   }
 
   /** Draws the instant t. @param {number} t in s */
@@ -94,7 +99,8 @@ export class Stage {
       );
       this.#velocity(cart, header.bodies[i]?.name ?? "", centre, t);
     });
-    this.#pushes.at(t, (name, side) => {
+    /** @type {import("./pushes.js").Face} */
+    const face = (name, side) => {
       const i = header.bodies.findIndex((body) => body.name === name);
       if (i < 0) {
         const wall = name === "left" ? 0 : (header.track.length ?? 0);
@@ -103,7 +109,11 @@ export class Stage {
       const half = this.#carts[i]?.half ?? 0;
       const centre = Number(centres[i]);
       return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
-    });
+    };
+    this.#pushes.at(t, face);
+    this.#effects.at(t, face, (name) =>
+      Number(centres[header.bodies.findIndex((body) => body.name === name)]),
+    );
   }
 
   /**

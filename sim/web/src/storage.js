@@ -70,7 +70,7 @@ export function forStudent(all, code) {
 /** @param {string} site @returns {Promise<Store>} */
 async function openOnce(site) {
   try {
-    return indexed(await open(`carts:${site}`));
+    return indexed(await reopening(`carts:${site}`));
   } catch {
     return textStore(site) ?? memory();
   }
@@ -81,32 +81,53 @@ function open(name) {
   return new Promise((resolve, reject) => {
     const request = indexedDB.open(name, 1);
     request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-    request.onsuccess = () => resolve(request.result);
+    request.onsuccess = () => {
+      request.result.onversionchange = () => request.result.close();
+      resolve(request.result);
+    };
     request.onerror = () => reject(request.error);
     request.onblocked = () => reject(new Error("another page holds an older version"));
     setTimeout(() => reject(new Error("no answer")), PATIENCE);
   });
 }
 
-/** @param {IDBDatabase} base @returns {Store} */
-function indexed(base) {
+/** @typedef {(mode: IDBTransactionMode, durability?: IDBTransactionDurability) => Promise<IDBTransaction>} Begin */
+
+/** Begins transactions; where the browser has closed the database (site data cleared), in a new one. */
+/** @param {string} name @returns {Promise<Begin>} */
+async function reopening(name) {
+  let base = await open(name);
+  return async (mode, durability = "relaxed") => {
+    try {
+      return base.transaction(STORE, mode, { durability });
+    } catch {
+      base = await open(name);
+      return base.transaction(STORE, mode, { durability });
+    }
+  };
+}
+
+/** @param {Begin} begin @returns {Store} */
+function indexed(begin) {
   /** @template T @param {(answers: IDBObjectStore) => IDBRequest<T>} ask @returns {Promise<T>} */
-  const read = (ask) =>
-    new Promise((resolve, reject) => {
-      const request = ask(base.transaction(STORE).objectStore(STORE));
+  const read = async (ask) => {
+    const work = await begin("readonly");
+    return new Promise((resolve, reject) => {
+      const request = ask(work.objectStore(STORE));
       request.onsuccess = () => resolve(request.result);
       request.onerror = () => reject(request.error);
     });
+  };
   return {
     kind: "kept",
     how: "indexed",
     get: (key) => read((answers) => answers.get(key)),
     put: (key, value) =>
-      write(base, (answers) => {
+      write(begin, (answers) => {
         const request = answers.get(key);
         request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
-    remove: (key) => write(base, (answers) => answers.delete(key)),
+    remove: (key) => write(begin, (answers) => answers.delete(key)),
     entries: async () => {
       const [keys, values] = await Promise.all([
         read((answers) => answers.getAllKeys()),
@@ -123,21 +144,21 @@ let settling;
 /**
  * What is complete survives a browser that is killed: the system has it. Waiting for the disk at every
  * key would let fast typing queue up; so that is done once, in a pause, for a computer that loses power.
- * @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act
+ * @param {Begin} begin @param {(answers: IDBObjectStore) => void} act
  */
-async function write(base, act) {
-  await transaction(base, act, "relaxed");
+async function write(begin, act) {
+  await transaction(begin, act, "relaxed");
   clearTimeout(settling);
   settling = setTimeout(() => {
     const mark = (/** @type {IDBObjectStore} */ answers) => void answers.put(Date.now(), SETTLED);
-    transaction(base, mark, "strict").catch(() => {}); // the answer itself was kept or refused before
+    transaction(begin, mark, "strict").catch(() => {}); // the answer itself was kept or refused before
   }, SETTLE_AFTER);
 }
 
-/** @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act @param {IDBTransactionDurability} durability @returns {Promise<void>} */
-function transaction(base, act, durability) {
+/** @param {Begin} begin @param {(answers: IDBObjectStore) => void} act @param {IDBTransactionDurability} durability @returns {Promise<void>} */
+async function transaction(begin, act, durability) {
+  const work = await begin("readwrite", durability);
   return new Promise((resolve, reject) => {
-    const work = base.transaction(STORE, "readwrite", { durability });
     act(work.objectStore(STORE));
     work.oncomplete = () => resolve();
     work.onerror = () => reject(work.error);

@@ -1,8 +1,10 @@
 /** The run in words: a list of events, each a button that goes there; and the model card. */
 
 import { html, need } from "./dom.js";
+import { pushMarks } from "./effects-words.js";
 import { exits } from "./exits.js";
 import { fixed } from "./numbers.js";
+import { isTold } from "./trajectory.js";
 import { eventSentence, exitSentence, lawsOf, modelSentences } from "./words.js";
 
 const MOST_EVENTS = 60;
@@ -37,6 +39,7 @@ export class Story {
     const decimals = this.view.decimals.v ?? 2;
     const laws = lawsOf(header.contacts);
     this.told = [
+      ...(isTold(run) ? pushMarks(header, this.telling.forces) : []),
       ...header.events.map((event) => ({
         t: event.t,
         sentence: eventSentence(event, this.telling, laws),

@@ -1,8 +1,10 @@
 /** The scrubber is the time axis: a tick for every event, a band for every contact. */
 
 import { need, put, svg } from "./dom.js";
+import { pushMarks } from "./effects-words.js";
 import { fixed, px } from "./numbers.js";
 import { axisDecimals, span, ticks } from "./scales.js";
+import { isTold } from "./trajectory.js";
 
 const MOST_EVENTS = 60;
 
@@ -17,7 +19,9 @@ export class Timeline {
   }
 
   /** @param {import("./types.js").Run} run @param {import("./windows.js").Touch[]} windows */
-  show({ header }, windows) {
+  show(run, windows) {
+    const { header } = run;
+    const pushes = isTold(run) ? pushMarks(header, false) : [];
     const at = (/** @type {number} */ t) => `${px((100 * t) / header.until, 3)}%`;
     this.bands.replaceChildren(
       ...windows.map((w) =>
@@ -31,9 +35,10 @@ export class Timeline {
       ),
     );
     this.marks.replaceChildren(
-      ...header.events
+      .../** @type {{t: number, kind: string}[]} */ (header.events)
         .slice(0, MOST_EVENTS)
         .filter((event) => event.kind !== "end")
+        .concat(pushes.map(({ t }) => ({ t, kind: "push" })))
         .map((event) =>
           svg("line", {
             class: `carts-event carts-event-${event.kind}`,

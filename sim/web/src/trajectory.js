@@ -11,7 +11,7 @@
 export function fromWire(header, numbers) {
   const { rows, columns, events } = header;
   /** @type {any} */
-  const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, events };
+  const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
   columns.forEach(([quantity, ...key], k) => {
     const column = numbers.subarray(k * rows, (k + 1) * rows);
     const name = String(quantity);
@@ -31,7 +31,7 @@ export function fromWire(header, numbers) {
 export function fromBaked(numbers, events) {
   /** @type {any} */
   const parts = { t: Float64Array.from(numbers.t), events };
-  for (const quantity of ["x", "v", "a", "F", "dF"]) {
+  for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
     parts[quantity] = {};
     for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
       parts[quantity][key] = Float64Array.from(/** @type {number[]} */ (column));

@@ -100,11 +100,13 @@ export function eventSentence(event, telling, laws) {
     case "stick":
       return `${pair} stay together.${after}`;
     case "stop":
-      return `${pair} stops.`;
+      return names[1]
+        ? `${pair} stop: the track holds them.`
+        : `${pair} stops: the track holds it.`;
     case "start":
-      return `${pair} starts to move.`;
+      return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
     case "release":
-      return `${pair} are released.${after}`;
+      return `The exploder between ${pair} releases.${shown}${after}`;
     case "end":
       return "End of the run.";
     default:

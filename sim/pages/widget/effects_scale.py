@@ -1,0 +1,90 @@
+"""How large the forces of effects may become, so that arrows have one scale for the whole scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sim.pages.widget.run import Run
+
+ROOM_TO_GUESS = 1.7  # before a prediction the scale must not tell the size of a force
+
+
+def greatest_force(header: Mapping[str, Any], controls: Sequence[Any], run: Run | None) -> float:
+    """N. With a run: its own forces, stretched by what the sliders do; without one: an estimate."""
+    variants = [header, *_variants(header, controls)]
+    greatest = 0.0
+    for k, effect in enumerate(header["effects"]):
+        estimates = [_estimate(variant["effects"][k], variant) for variant in variants]
+        peak = 0.0 if run is None else _peak(effect, run)
+        if run is None:
+            greatest = max(greatest, ROOM_TO_GUESS * max(estimates))
+        elif peak and estimates[0]:
+            greatest = max(greatest, peak * max(estimates) / estimates[0])
+        else:
+            greatest = max(greatest, peak, 0.0 if effect["between"] else max(estimates))
+    return greatest
+
+
+def effect_target(target: str, effects: Sequence[Mapping[str, Any]]) -> tuple[int, str] | None:
+    """Which effect of the list a change names, and what of it: a number, or “active”."""
+    owner, _, key = target.rpartition(".")
+    for effect in effects:
+        place = f"effects.{effect['index']}"
+        if owner in (place, f"{place}.{effect['kind']}", effect["kind"]):
+            return int(effect["index"]), key
+    return None
+
+
+def _variants(header: Mapping[str, Any], controls: Sequence[Any]) -> list[Mapping[str, Any]]:
+    """The scene with each slider alone at either end."""
+    variants: list[Mapping[str, Any]] = []
+    for control in controls:
+        owner, _, key = control.set.rpartition(".")
+        found = effect_target(control.set, header["effects"])
+        for end in (control.low, control.high):
+            bodies = [{**b, key: end} if b["name"] == owner else b for b in header["bodies"]]
+            effects = [
+                {**e, "numbers": {**e["numbers"], key: end}}
+                if found is not None and e["index"] == found[0]
+                else e
+                for e in header["effects"]
+            ]
+            gravity = end if control.set == "gravity" else header["gravity"]
+            variants.append({**header, "bodies": bodies, "effects": effects, "gravity": gravity})
+    return variants
+
+
+def _peak(effect: Mapping[str, Any], run: Run) -> float:
+    columns = [run.effects.get(f"{effect['kind']} {name}", ()) for name in effect["carts"]]
+    if effect["between"]:
+        columns = [run.F.get("-".join(effect["between"]), ())]
+    return max((abs(value) for column in columns for value in column), default=0.0)
+
+
+def _estimate(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
+    """Greatest force in N at the start, or at the greatest speed of the start."""
+    kind, n = effect["kind"], effect["numbers"]
+    bodies = {body["name"]: body for body in header["bodies"]}
+    weight = header["gravity"] * max((bodies[name]["mass"] for name in effect["carts"]), default=0)
+    speed = max(abs(body["velocity"]) for body in header["bodies"])
+    if kind == "friction":
+        return float(weight * max(n["coefficient"], n.get("static", 0.0)))
+    if kind == "incline":
+        return float(weight * abs(math.sin(n["angle"])))
+    if kind == "drag":
+        return float(n.get("linear", 0.0) * speed + n.get("quadratic", 0.0) * speed**2)
+    if kind == "push":
+        return float(abs(n["force"]))
+    if kind == "release":
+        return 0.0
+    left, right = effect["between"]
+    start = bodies[left]["position"] + bodies[left]["length"] / 2 if left in bodies else 0.0
+    end = header["track"]["length"]
+    if right in bodies:
+        end = bodies[right]["position"] - bodies[right]["length"] / 2
+    room = end - start
+    if kind == "spring":
+        return float(n["stiffness"] * abs(n["length"] - room))
+    return float(n["strength"] / max(room, 0.01) ** n.get("power", 3.0))

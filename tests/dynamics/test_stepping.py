@@ -1,0 +1,167 @@
+"""Stepping methods: their order where the force is smooth, the trap where it jumps, their books."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from sim.dynamics.laws import finite_law
+from sim.dynamics.run import run
+from sim.dynamics.stepping.contact_force import contact_force
+from sim.dynamics.stepping.methods import FIXED, Way, batch, outcome
+from sim.dynamics.stepping.recorded import stepped, stepped_report
+from sim.scene import Scene, read_scene
+from sim.scene.model import Contact
+from tests import registry
+
+PHASES = (np.arange(64) + 0.5) / 64
+ALL = [*(Way(name, step=1 / 997) for name in (*FIXED, "rk4-events")), Way("adaptive", rtol=1e-9)]
+
+
+def scene_of_springs() -> Scene:
+    """Smooth everywhere: a swing of two carts whose bumpers never meet."""
+    return read_scene(registry.plain("spring-pair") | {"until": 1})
+
+
+def two(law: str = "paper", e: str = "0.8", **more: object) -> Scene:
+    return read_scene(registry.two_carts(law=law, restitution=e, **more))
+
+
+def error(scene: Scene, way: Way) -> float:
+    done = outcome(scene, way)
+    return max(abs(a - b) for a, b in zip(done.v, run(scene).v, strict=True))
+
+
+def worst(scene: Scene, method: str, parts: int) -> float:
+    _, v, _ = batch(scene, Way(method, step=scene.until / parts), PHASES)
+    true = run(scene).v
+    return max(float(abs(lane - u).max()) for lane, u in zip(v, true, strict=True))
+
+
+def slope(parts: list[int], errors: list[float]) -> float:
+    """Of the line through log error against log step."""
+    return float(-np.polyfit(np.log(parts), np.log(errors), 1)[0])
+
+
+@pytest.mark.parametrize(("name", "order"), [(name, m.order) for name, m in FIXED.items()])
+def test_a_method_has_its_order_where_the_force_is_smooth(name: str, order: int) -> None:
+    scene, parts = scene_of_springs(), [211, 431, 863, 1723] if order < 4 else [61, 127, 251, 499]
+    errors = [error(scene, Way(name, step=1 / n)) for n in parts]
+    assert abs(slope(parts, errors) - order) < 0.2
+
+
+def test_located_touches_give_rk4_its_order_back() -> None:
+    scene, parts = two(), [499, 997, 1993, 3989]
+    errors = [
+        max(
+            max(abs(a - b) for a, b in zip(outcome(scene, way, phase).v, (-0.8, 0.4), strict=True))
+            for phase in (0.2, 1.0)
+        )
+        for way in (Way("rk4-events", step=1 / n) for n in parts)
+    ]
+    assert abs(slope(parts, errors) - 4) < 0.2
+
+
+@pytest.mark.parametrize("name", ["semi-implicit", "verlet", "rk4"])
+def test_without_located_touches_every_method_is_of_first_order(name: str) -> None:
+    # The force of `paper` jumps at touch: the step it happens in is wrong by one part of a step.
+    parts = [127, 307, 757, 1879, 4649]
+    assert abs(slope(parts, [worst(two(), name, n) for n in parts]) - 1) < 0.2
+
+
+def test_a_smaller_tolerance_is_a_smaller_error() -> None:
+    errors = [error(two(), Way("adaptive", rtol=rtol)) for rtol in (1e-6, 1e-9, 1e-12)]
+    assert errors[0] > errors[1] > errors[2]
+    assert errors[2] < 1e-11
+
+
+def test_explicit_euler_makes_energy_and_semi_implicit_does_not() -> None:
+    hard = two("bumper", "1")
+    for name, least, most in (("euler", 1.02, 1.2), ("semi-implicit", 0.99, 1.01)):
+        _, v, _ = batch(hard, Way(name, step=1 / 997), PHASES)
+        delivered = (v[1] - v[0]) / 1.5
+        assert least < delivered.min() <= delivered.max() < most
+
+
+def test_a_contact_shorter_than_a_step_blows_up() -> None:
+    # w h = 8: far beyond the limit of stability of every fixed step.
+    done = outcome(two("bumper", "1", stiffness=200_000_000), Way("rk4", step=1 / 1009))
+    assert max(map(abs, done.v)) > 10
+
+
+SOLVED = [
+    "dead-stop", "drag-quadratic", "drag-steady-speed", "friction-and-bumper", "incline-bounce",
+    "instant", "light-meets-heavy", "off-the-wall", "push-against-friction", "push-only",
+    "release-while-moving", "spring-and-push", "sticky", "touching-row", "triple-hit",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_located_steps_come_to_what_the_exact_solver_says(name: str) -> None:
+    scene = registry.scene(name)
+    true = run(scene)
+    for way, near in ((Way("rk4-events", step=scene.until / 997), 2e-4), (ALL[-1], 5e-7)):
+        done = outcome(scene, way)
+        x = [cart.position + s for cart, s in zip(scene.carts, done.s, strict=True)]
+        assert x == pytest.approx(true.x, abs=near)
+        assert done.v == pytest.approx(true.v, abs=near)
+
+
+@pytest.mark.parametrize("way", ALL, ids=lambda way: way.method)
+@pytest.mark.parametrize("name", ["paper-two-carts", "incline-bounce", "spring-damped"])
+def test_momentum_is_accounted_for_whatever_the_method(name: str, way: Way) -> None:
+    done = stepped(registry.scene(name), way)
+    assert abs(done.lost_momentum) < 1e-12
+
+
+def test_energy_out_of_nothing_is_said_and_grows_with_the_step() -> None:
+    lost = {
+        (name, n): stepped(two(), Way(name, step=1 / n)).lost_energy
+        for name, n in itertools.product(("euler", "rk4", "rk4-events"), (199, 997))
+    }
+    assert lost["euler", 199] > 4 * lost["euler", 997] > 0.1
+    assert abs(lost["rk4", 997]) < 1e-3
+    assert abs(lost["rk4-events", 997]) < 1e-8
+
+
+@pytest.mark.parametrize("law", ["bumper", "paper", "push-only", "push-only-uncorrected", "hertz"])
+@pytest.mark.parametrize("method", list(FIXED))
+def test_a_batch_is_its_runs(law: str, method: str) -> None:
+    scene, way = two(law, stiffness=5000), Way(method, step=1 / 211)
+    s, v, _ = batch(scene, way, PHASES)
+    for k in (0, 40):
+        one = outcome(scene, way, float(PHASES[k]))
+        assert one.v == pytest.approx([lane[k] for lane in v], abs=1e-12)
+        assert one.s == pytest.approx([lane[k] for lane in s], abs=1e-12)
+
+
+@pytest.mark.parametrize("e", [0.0, 0.3, 1.0])
+@pytest.mark.parametrize("law", ["bumper", "paper"])
+def test_a_force_is_one_number_for_one_run_and_for_many(law: str, e: float) -> None:
+    contact = finite_law(Contact(law=law, restitution=e, stiffness=400.0))  # type: ignore[arg-type]
+    assert contact is not None
+    force = contact_force(contact, 0.5)
+    d, v, memory = (
+        np.array(column)
+        for column in zip(
+            *itertools.product((-0.01, 0.0, 0.004, 0.02), (-1.0, 0.5), (0.0, 0.004, 0.01)),
+            strict=True,
+        )
+    )
+    each = [force.push(a, b, c) for a, b, c in zip(d, v, memory, strict=True)]
+    assert force.pushes(d, v, memory) == pytest.approx(each, abs=0)
+
+
+def test_a_stepped_report_has_the_form_of_any_run() -> None:
+    scene = registry.scene("paper-two-carts")
+    document = stepped_report(stepped(scene, Way("rk4", step=0.001)))
+    kinds = [event["kind"] for event in document["events"]]
+    assert kinds == ["contact", "peak", "separate", "end"]
+    (phase,) = document["plan"]
+    assert (phase["solver"], phase["tier"]) == ("rk4", None)
+    assert document["evaluations"]["solvers"] == {"rk4": 4000}
+    assert math.isclose(document["final"]["v"]["A"], -0.8, abs_tol=2e-3)
+    assert "imbalance" in document["energy"] and "imbalance" in document["momentum"]
