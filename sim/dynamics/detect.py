@@ -27,6 +27,9 @@ tells whether the one is being pushed into the other. A force grows at least lik
 EARLIER = (0.3, 0.1, 0.03, 0.01)
 """Of that moment: a constant force may open the room before a growing one closes it."""
 
+SAME_SPEED = 1e-13
+"""Relative to the velocities. Two that touch and move alike open or close by what acts on them."""
+
 OPEN = 1e-14
 """m. More room than rounding leaves."""
 
@@ -79,9 +82,10 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
     """The first touch from now on, at room = −rest; it may be at once."""
     begin = 0.0
     if room + rest <= 0.0:
-        if gap.rate < 0.0:
+        alike = no_approach(gap, now)
+        if gap.rate < 0.0 and not alike:
             return 0.0
-        if gap.rate == 0.0:
+        if alike:
             soon = PROBE * min(horizon, 1.0)
             if rest + room_at(gap, now, soon) >= 0.0:
                 return math.inf
@@ -90,6 +94,12 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
                 return 0.0
     found = _first_fall(gap, now, begin, horizon, rest, +1.0)
     return math.inf if found is None else found
+
+
+def no_approach(gap: Gap, now: Time) -> bool:
+    """Do the two move alike, but for rounding?"""
+    largest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
+    return abs(gap.rate) <= SAME_SPEED * largest
 
 
 def _opens_first(gap: Gap, now: Time, soon: float, rest: float) -> float:

@@ -16,7 +16,7 @@ from sim.dynamics.chain import Body, Chain, Gap, component, moved, velocity
 from sim.dynamics.clock import ZERO, Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
-from sim.dynamics.detect import next_touch, resting, touch_in_motion
+from sim.dynamics.detect import next_touch, no_approach, resting, touch_in_motion
 from sim.dynamics.flight import Flight
 from sim.dynamics.forces import Forces
 from sim.dynamics.form import form
@@ -148,6 +148,8 @@ class Happenings:
         bodies, gaps = self.settle([gap.left, gap.right], now)
         if gap.left.mass < math.inf or gap.right.mass < math.inf:
             gap.rate = gap.right.v - gap.left.v
+            if no_approach(gap, now):
+                gap.rate = 0.0
         self.fastest = max(self.fastest, -gap.rate)
         gaps = [*gaps, gap]
         if gap.law is not None:
