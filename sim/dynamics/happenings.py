@@ -16,7 +16,7 @@ from sim.dynamics.chain import Body, Chain, Gap, component, moved, velocity
 from sim.dynamics.clock import ZERO, Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
-from sim.dynamics.detect import next_touch, resting, touch_in_motion
+from sim.dynamics.detect import next_touch, no_approach, resting, touch_in_motion
 from sim.dynamics.flight import Flight
 from sim.dynamics.forces import Forces
 from sim.dynamics.form import form
@@ -24,6 +24,9 @@ from sim.dynamics.ledger import Ledger
 from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
 from sim.scene.model import Scene
+
+MISSED = 1e-9
+"""m. A touch is found to 1e-16 m; where that much room is left, the search ran out of steps."""
 
 
 class Happenings:
@@ -44,7 +47,12 @@ class Happenings:
     def at_gap(self, gap: Gap, now: Time) -> None:
         """What was predicted for a gap happens."""
         if gap.solver is None:
+            moving = gap.left.motion is not None or gap.right.motion is not None
             self.chain.advance(gap, now)
+            if moving and gap.room + resting(gap) > MISSED and not ending.is_push(gap):
+                gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
+                self.predict(gap, now)  # the search came this far, and they do not touch yet
+                return
             self.begin(gap, now)
         elif isinstance(gap.solver, PairContact):
             self.separate(gap, now)
@@ -140,6 +148,8 @@ class Happenings:
         bodies, gaps = self.settle([gap.left, gap.right], now)
         if gap.left.mass < math.inf or gap.right.mass < math.inf:
             gap.rate = gap.right.v - gap.left.v
+            if no_approach(gap, now):
+                gap.rate = 0.0
         self.fastest = max(self.fastest, -gap.rate)
         gaps = [*gaps, gap]
         if gap.law is not None:
@@ -152,7 +162,10 @@ class Happenings:
         self, gap: Gap, bodies: list[Body], gaps: list[Gap], now: Time, *, in_contact: bool
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
-        self.at_once(gap, now, stays=resolve.rests(gap, self.fastest, in_contact=in_contact))
+        stays = resolve.rests(gap, self.fastest, in_contact=in_contact)
+        self.at_once(gap, now, stays=stays)
+        if stays and not gap.joined:
+            resolve.rest_together(self.chain, gap, self.ledger)
         for other in gaps:
             if other is not gap and not other.joined:
                 other.rate = other.right.v - other.left.v
