@@ -30,6 +30,11 @@ EXPLAINED = (
         "write “key: value”, with a space after the colon",
     ),
     (
+        "but got '?'",
+        "a question mark inside { } or [ ]",
+        'put the text in quotes: {ask: "What happens?"}',
+    ),
+    (
         "expected ',' or '}'",
         "a comma or the closing } is missing",
         "for example: {mass: 0.5 kg, position: 0.4 m}",

@@ -1022,7 +1022,8 @@
         const open2 = !why.length && (!handed || review);
         need(this, ".carts-quiz-items").hidden = !open2;
         need(this, ".carts-quiz-gate").hidden = open2 && !wantsWord;
-        say(need(this, ".carts-quiz-why"), why.join(" "));
+        const again = handed && wantsWord ? ["To look at your answers again:"] : why;
+        say(need(this, ".carts-quiz-why"), again.join(" "));
         need(this, ".carts-quiz-ask").hidden = !wantsWord;
         need(this, ".carts-quiz-foot").hidden = !open2 || Boolean(handed);
         for (const question2 of this.#questions()) question2.close(Boolean(handed));

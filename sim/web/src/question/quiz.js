@@ -76,7 +76,8 @@ export function quizElement(book) {
       const open = !why.length && (!handed || review);
       need(this, ".carts-quiz-items").hidden = !open;
       need(this, ".carts-quiz-gate").hidden = open && !wantsWord;
-      say(need(this, ".carts-quiz-why"), why.join(" "));
+      const again = handed && wantsWord ? ["To look at your answers again:"] : why;
+      say(need(this, ".carts-quiz-why"), again.join(" "));
       need(this, ".carts-quiz-ask").hidden = !wantsWord;
       need(this, ".carts-quiz-foot").hidden = !open || Boolean(handed);
       for (const question of this.#questions()) question.close(Boolean(handed));
