@@ -271,6 +271,18 @@ def test_a_prediction_is_kept_with_its_question_and_asked_anew_when_that_changes
     assert said == ["It turns back", "It sticks"]
 
 
+@pytest.mark.parametrize("script", [NO_DATABASE + NO_TEXT_STORE, REFUSING], ids=["none", "full"])
+def test_a_prediction_that_cannot_be_kept_is_in_the_file_all_the_same(
+    open_page: OpenPage, question_site: Path, script: str
+) -> None:
+    from tests.web.question_site import write_page
+
+    page = again_with(open_page(write_page(question_site, "bump-full", BUMP)), script)
+    page.get_by_label("It turns back").check()
+    expect(page.locator("#bump .carts-saved")).to_contain_text("keep")
+    assert [item["said"] for item in saved_file(page)["items"]] == ["It turns back"]
+
+
 def test_a_database_that_the_browser_closed_is_opened_anew(
     open_page: OpenPage, question_site: Path
 ) -> None:

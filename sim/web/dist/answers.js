@@ -180,9 +180,10 @@
   }
   async function openOnce(site) {
     try {
-      return indexed(await reopening(`carts:${site}`));
+      return sheltered(indexed(await reopening(`carts:${site}`)));
     } catch {
-      return textStore(site) ?? memory();
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
     }
   }
   function open(name) {
@@ -273,8 +274,36 @@
       entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
     };
   }
+  function shelter() {
+    const page = (
+      /** @type {any} */
+      globalThis
+    );
+    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page[name] ??= /* @__PURE__ */ new Map();
+    return page[name];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value) => {
+        try {
+          await store.put(key, value);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
   function memory() {
-    const kept = /* @__PURE__ */ new Map();
+    const kept = shelter();
     return {
       kind: "memory",
       how: "memory",
@@ -409,7 +438,7 @@
         this.#channel = new BroadcastChannel(`carts:${this.site}`);
         this.#channel.onmessage = ({ data }) => void this.#hear(data);
       }
-      document.addEventListener("carts-kept", () => void this.#refresh());
+      document.addEventListener("carts-kept", () => void this.refresh());
     }
     async #read() {
       for (const [key, entry] of await this.store?.entries().catch(() => []) ?? []) {
@@ -419,8 +448,8 @@
         }
       }
     }
-    /** A prediction was kept by the scene's own script. */
-    async #refresh() {
+    /** Takes in what the scene's own script has kept: predictions. */
+    async refresh() {
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
     }
@@ -1267,6 +1296,7 @@
     #files = null;
     async open() {
       await this.book.ready;
+      await this.book.refresh();
       const title = html("h2", "carts-answers-title", "My answers");
       title.id = "carts-answers-title";
       const close = html("button", "carts-button carts-answers-close", "Close");
