@@ -809,6 +809,19 @@
       return row;
     });
   }
+  function elsewhere(found2, book2) {
+    const words2 = [];
+    if (found2.student !== book2.student) {
+      const whose = found2.student || "somebody without a code word";
+      words2.push(` They belong to ${whose}: continue under that code word to see them.`);
+    }
+    if (!found2.entries.some(([key]) => key.startsWith(`${book2.page}#`))) {
+      const alone2 = location.protocol === "file:" && navigator.userAgent.includes("Firefox/");
+      const how = alone2 ? "open that page and bring the file back there" : "open that page to see them";
+      words2.push(` They belong to the page “${found2.lesson}”: ${how}.`);
+    }
+    return words2.join("");
+  }
   function importRow(book2, told) {
     const row = html("p", "carts-answers-import");
     const label = html("label", "", "Bring answers back from a file ");
@@ -828,13 +841,11 @@
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
       if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
       box.value = "";
-      const whose = found2.student === book2.student ? "" : ` They belong to ${found2.student || "somebody without a code word"}: continue under that code word to see them.`;
-      say(
-        told,
-        `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file; nothing that was here is lost.${whose}`
-      );
+      const where = elsewhere(found2, book2);
+      const count = `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file`;
+      say(told, `${count}; nothing that was here is lost.${where}`);
       const predicted = found2.entries.some(([, entry]) => entry.locked);
-      if (!whose && changed && predicted) setTimeout(() => location.reload(), 1500);
+      if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);
     });
     return row;
   }
