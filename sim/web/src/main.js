@@ -1,6 +1,7 @@
 /** The page's script: one worker for all scenes, started when the page is idle or first touched. */
 
 import { Client } from "./client.js";
+import { costElement } from "./cost-element.js";
 import { sceneElement } from "./element.js";
 import { excuse, missingFeatures } from "./features.js";
 import { mapElement } from "./map-element.js";
@@ -24,6 +25,7 @@ if (missing.length) {
   const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
   customElements.define("carts-scene", sceneElement(client));
   customElements.define("carts-map", mapElement(client));
+  customElements.define("carts-cost", costElement(client));
   if (document.querySelector("carts-scene")) {
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1000 });
