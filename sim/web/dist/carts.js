@@ -165,15 +165,15 @@
   // src/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
-    const made = document.createElementNS(SVG, tag);
-    for (const [name2, value] of Object.entries(attributes)) made.setAttribute(name2, String(value));
-    return made;
+    const made2 = document.createElementNS(SVG, tag);
+    for (const [name2, value] of Object.entries(attributes)) made2.setAttribute(name2, String(value));
+    return made2;
   }
   function html(tag, className = "", text = "") {
-    const made = document.createElement(tag);
-    if (className) made.className = className;
-    if (text) made.textContent = text;
-    return made;
+    const made2 = document.createElement(tag);
+    if (className) made2.className = className;
+    if (text) made2.textContent = text;
+    return made2;
   }
   function put(element, name2, value) {
     if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
@@ -252,19 +252,19 @@
       this.groups = /* @__PURE__ */ new Map();
       const marks2 = [...root.querySelectorAll(".carts-cost-key .carts-cost-point")];
       for (const [k, group2] of [...root.querySelectorAll("[data-method]")].entries()) {
-        const mark = marks2[k]?.getAttribute("d") ?? "";
-        this.groups.set(group2.getAttribute("data-method") ?? "", { group: group2, mark });
+        const mark2 = marks2[k]?.getAttribute("d") ?? "";
+        this.groups.set(group2.getAttribute("data-method") ?? "", { group: group2, mark: mark2 });
       }
     }
     /** @param {CostRow[]} rows */
     show(rows) {
-      for (const [method, { group: group2, mark }] of this.groups) {
+      for (const [method, { group: group2, mark: mark2 }] of this.groups) {
         const places = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
         const line = places.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join("");
         group2.replaceChildren(
           svg("path", { class: "carts-cost-line", d: line }),
           ...places.map(
-            ([x, y]) => svg("path", { class: "carts-cost-point", transform: `translate(${x} ${y})`, d: mark })
+            ([x, y]) => svg("path", { class: "carts-cost-point", transform: `translate(${x} ${y})`, d: mark2 })
           )
         );
       }
@@ -299,14 +299,14 @@
     }
     return 10 * power;
   }
-  function axis(low, high, count) {
+  function axis(low, high, count2) {
     const bottom = Math.min(0, low);
     const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
     const room = HEADROOM * (top - bottom);
-    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count2) };
   }
-  function span(low, high, count) {
-    return { low, high, step: niceAbove((high - low) / count) };
+  function span(low, high, count2) {
+    return { low, high, step: niceAbove((high - low) / count2) };
   }
 
   // src/cost-stage.js
@@ -329,11 +329,11 @@
       const { rows, bodies } = header;
       const column = (k) => Array.from({ length: rows }, (_, row) => Number(numbers[k * rows + row]));
       this.t = column(0);
-      const count = bodies.length;
+      const count2 = bodies.length;
       this.x = bodies.map((_, k) => column(1 + k));
-      this.exact = bodies.map((_, k) => column(1 + count + k));
+      this.exact = bodies.map((_, k) => column(1 + count2 + k));
       this.#lay();
-      this.#plot(column(1 + 2 * count), column(2 + 2 * count));
+      this.#plot(column(1 + 2 * count2), column(2 + 2 * count2));
       this.at(0);
     }
     /** The room that the exact run takes, and some more; the stepped one may leave the picture. */
@@ -368,11 +368,11 @@
         return svg("rect", { class: name2, rx: 3, ...box2 });
       };
       const group2 = (k) => {
-        const made = svg("g", { class: `carts-b${k % 8}` });
+        const made2 = svg("g", { class: `carts-b${k % 8}` });
         const name2 = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
         name2.textContent = bodies[k]?.name ?? "";
-        made.append(shape(k, "carts-box"), name2);
-        return made;
+        made2.append(shape(k, "carts-box"), name2);
+        return made2;
       };
       this.carts = bodies.map((_, k) => group2(k));
       this.ghosts = bodies.map((_, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
@@ -618,9 +618,9 @@
       this.changed(this.time, false);
     }
     /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
-    step(way, count = 1) {
+    step(way, count2 = 1) {
       this.pause();
-      for (let k = 0; k < count; k += 1) {
+      for (let k = 0; k < count2; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
         const event = way > 0 ? this.stops.find((t) => t > before + 1e-12) : this.stops.findLast((t) => t < before - 1e-12);
@@ -1415,16 +1415,16 @@
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
-    const shown = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
+    const shown2 = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return `${pair} hit and stay together.${shown}${after}`;
+          return `${pair} hit and stay together.${shown2}${after}`;
         }
         if (impulse && joined(event, scale)) {
-          return `${pair} hit and ${goOn(event, telling)}.${shown}`;
+          return `${pair} hit and ${goOn(event, telling)}.${shown2}`;
         }
-        if (impulse) return `${pair} hit each other and part at once.${shown}${after}`;
+        if (impulse) return `${pair} hit each other and part at once.${shown2}${after}`;
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return `${mover} reaches ${body(String(other))}.`;
       }
@@ -1439,9 +1439,9 @@
           const who = names.map(body).join(" and ");
           const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
           const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
-          return `The push between ${who} has ended; ${left}.${shown}${rest ? after : ""}`;
+          return `The push between ${who} has ended; ${left}.${shown2}${rest ? after : ""}`;
         }
-        return `${pair} separate.${shown}${after}`;
+        return `${pair} separate.${shown2}${after}`;
       case "stick":
         return `${pair} stay together.${after}`;
       case "stop":
@@ -1449,7 +1449,7 @@
       case "start":
         return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
       case "release":
-        return `The exploder between ${pair} releases.${shown}${after}`;
+        return `The exploder between ${pair} releases.${shown2}${after}`;
       case "end":
         return "End of the run.";
       default:
@@ -2080,8 +2080,8 @@
     await transaction(begin, act, "relaxed");
     clearTimeout(settling);
     settling = setTimeout(() => {
-      const mark = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(begin, mark, "strict").catch(() => {
+      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark2, "strict").catch(() => {
       });
     }, SETTLE_AFTER);
   }
@@ -2350,6 +2350,12 @@
     /** @param {HTMLElement} root */
     constructor(root) {
       this.region = need(root, ".carts-announcer");
+    }
+    /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+    leadTo(next, sentence2) {
+      const focused = document.activeElement;
+      if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+      this.tell([sentence2]);
     }
     /** @param {string[]} sentences */
     tell(sentences) {
@@ -2677,7 +2683,7 @@
     const kx = (RIGHT2 - LEFT3) / (plane.time.high - plane.time.low);
     const ky = (BOTTOM3 - TOP2) / (plane.value.high - plane.value.low);
     const last = times.length - 1;
-    let drawn = 0;
+    let drawn2 = 0;
     let x0 = timeX(plane, Number(times[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d = `M${px(x0)} ${px(y0)}`;
@@ -2687,7 +2693,7 @@
       if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
       const third = (Number(times[k]) - Number(times[k - 1])) / 3;
       let bent = false;
-      if (slopes && drawn === k - 1 && third > 0) {
+      if (slopes && drawn2 === k - 1 && third > 0) {
         const [x1, x2] = [x0 + third * kx, x - third * kx];
         const y1 = y0 - Number(slopes[k - 1]) * third * ky;
         const y2 = y + Number(slopes[k]) * third * ky;
@@ -2695,7 +2701,7 @@
         if (bent) d += `C${px(x1)} ${px(y1)} ${px(x2)} ${px(y2)} ${px(x)} ${px(y)}`;
       }
       if (!bent) d += `L${px(x)} ${px(y)}`;
-      drawn = k;
+      drawn2 = k;
       x0 = x;
       y0 = y;
     }
@@ -3371,14 +3377,14 @@
     entry.append(sample, curve.label);
     return entry;
   }
-  function fit(group2, count, make) {
-    while (group2.children.length > count) group2.lastElementChild?.remove();
-    while (group2.children.length < count) group2.append(make());
+  function fit(group2, count2, make) {
+    while (group2.children.length > count2) group2.lastElementChild?.remove();
+    while (group2.children.length < count2) group2.append(make());
   }
-  function marks(group2, count, draw) {
-    while (group2.children.length > 2 * count) group2.lastElementChild?.remove();
-    while (group2.children.length < 2 * count) group2.append(svg("path"), svg("text"));
-    for (let i = 0; i < count; i += 1) {
+  function marks(group2, count2, draw) {
+    while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();
+    while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
+    for (let i = 0; i < count2; i += 1) {
       draw(
         /** @type {Element} */
         group2.children[2 * i],
@@ -3555,8 +3561,8 @@
     return [{ key, cls, d: teeth(first, Math.min(end, layout.width) - first, layout.track) }];
   }
   function teeth(x, length, y) {
-    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
-    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+    const count2 = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
   }
   function tilt({ numbers }, layout, key) {
     const angle = numbers.angle ?? 0;
@@ -4496,9 +4502,9 @@
     #measure() {
       for (const layout of this.view.layouts) {
         const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
-        const [shown, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
-        if (!shown || !own2) continue;
-        const unit = shown / layout.width * (WIDTH4 / own2);
+        const [shown2, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown2 || !own2) continue;
+        const unit = shown2 / layout.width * (WIDTH4 / own2);
         this.#perMetre = TIMES * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -4962,10 +4968,10 @@ ${lines2.join("\n")}
     y += LINE2 + 4;
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
-      const drawn = alone2(stage);
-      const height = place2(drawn, 0, y, WIDTH5);
+      const drawn2 = alone2(stage);
+      const height = place2(drawn2, 0, y, WIDTH5);
       const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
-      whole.append(svg("rect", { y, width: WIDTH5, height, fill: sky }), drawn);
+      whole.append(svg("rect", { y, width: WIDTH5, height, fill: sky }), drawn2);
       y += height + GAP3;
     }
     const graphs = [...scene.querySelectorAll(".carts-graph")];
@@ -4977,9 +4983,9 @@ ${lines2.join("\n")}
         if (!plot) return;
         const x = column * half;
         write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP3, y + 12, "700");
-        const drawn = alone2(plot);
-        const height = place2(drawn, x, y + LINE2, half - GAP3);
-        whole.append(drawn);
+        const drawn2 = alone2(plot);
+        const height = place2(drawn2, x, y + LINE2, half - GAP3);
+        whole.append(drawn2);
         const entries = [...graph.querySelectorAll(".carts-key > span")];
         entries.forEach((entry, i) => {
           const at = y + LINE2 + height + 14 + LINE2 * i;
@@ -5010,27 +5016,27 @@ ${lines2.join("\n")}
     ];
     from.forEach((part, i) => {
       const style = getComputedStyle(part);
-      const made = (
+      const made2 = (
         /** @type {Element} */
         to[i]
       );
       if (style.display === "none" && part.closest("defs") === null)
-        made.setAttribute("display", "none");
+        made2.setAttribute("display", "none");
       for (const property of PROPERTIES) {
         const value = style.getPropertyValue(property);
         const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part.tagName !== "rect" || made.hasAttribute(property))) continue;
-        if (value && value !== "auto") made.setAttribute(property, value.replaceAll('"', "'"));
+        if (geometry && (part.tagName !== "rect" || made2.hasAttribute(property))) continue;
+        if (value && value !== "auto") made2.setAttribute(property, value.replaceAll('"', "'"));
       }
-      made.removeAttribute("class");
+      made2.removeAttribute("class");
     });
     return copy;
   }
-  function place2(drawn, x, y, width) {
-    const [, , w = 1, h = 1] = (drawn.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
+  function place2(drawn2, x, y, width) {
+    const [, , w = 1, h = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
     const height = width * h / w;
     for (const [name2, value] of Object.entries({ x, y, width, height })) {
-      drawn.setAttribute(name2, String(value));
+      drawn2.setAttribute(name2, String(value));
     }
     return height;
   }
@@ -5078,11 +5084,11 @@ ${lines2.join("\n")}
         row.append(button);
       }
       place3.append(row, note, text);
-      const offer = async (made, what) => {
+      const offer = async (made2, what) => {
         text.hidden = false;
-        text.value = made;
+        text.value = made2;
         text.select();
-        const copied = await navigator.clipboard?.writeText(made).then(
+        const copied = await navigator.clipboard?.writeText(made2).then(
           () => true,
           () => false
         );
@@ -5192,10 +5198,15 @@ ${lines2.join("\n")}
   function frame() {
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
+  async function drawn(scene, at, detail) {
+    await frame();
+    performance.measure("carts:update", { start: at, end: performance.now() });
+    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+  }
   function deferred() {
-    const made = {};
-    made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
-    return made;
+    const made2 = {};
+    made2.promise = new Promise((resolve, reject) => Object.assign(made2, { resolve, reject }));
+    return made2;
   }
   function refusal2(problems) {
     const [first] = problems;
@@ -5335,11 +5346,7 @@ ${lines2.join("\n")}
         if (generation !== this.#generation) return;
         this.#values.good = reply.sent.set;
         this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
-        await frame();
-        performance.measure("carts:update", { start: at, end: performance.now() });
-        this.dispatchEvent(
-          new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#values.good } })
-        );
+        await drawn(this, at, { ...this.#values.good });
       }
       get #told() {
         return !this.#predict || this.#lesson !== null;
@@ -5390,8 +5397,8 @@ ${lines2.join("\n")}
         else this.#mark();
       }
       #mark() {
-        const mark = need(this, ".carts-mark");
-        mark.setAttribute("aria-label", "live: Python computes in this page");
+        const mark2 = need(this, ".carts-mark");
+        mark2.setAttribute("aria-label", "live: Python computes in this page");
       }
       async #goLive() {
         try {
@@ -5427,8 +5434,12 @@ ${lines2.join("\n")}
         this.#waiting.reject(error);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
       }
-      /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now */
-      async #reveal(now) {
+      /** The run without a prediction, for a whole class: nothing is kept. */
+      async reveal() {
+        if (!this.#told) await this.#reveal(false, false);
+      }
+      /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
+      async #reveal(now, own2 = true) {
         this.#predict?.complain("");
         const generation = this.#generation;
         try {
@@ -5442,19 +5453,13 @@ ${lines2.join("\n")}
           this.#draw(run);
           this.#view?.enable(true);
           this.#controls?.enable(true);
-          this.#predict?.compare(run);
-          if (now) this.#tell();
+          if (own2) this.#predict?.compare(run);
+          if (now)
+            this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
         } catch (error) {
           this.#predict?.complain(`${/** @type {Error} */
           error.message} Your prediction is kept.`);
         }
-      }
-      /** The lock's button is gone: the next thing to do is Play. */
-      #tell() {
-        const focused = document.activeElement;
-        const lost = !focused || focused === document.body || focused.matches(".carts-lock");
-        if (lost) need(this, ".carts-play").focus();
-        this.#view?.announcer.tell([this.#predict?.spoken ?? ""]);
       }
       /** @param {string} target @param {Error} error */
       #complain(target, error) {
@@ -5561,21 +5566,21 @@ ${lines2.join("\n")}
   var STEP_SLACK2 = 1e-9;
   var FINE2 = 400;
   var EDGE3 = 0.72;
-  function band2(value, { low, step, count }) {
-    if (Number.isNaN(value)) return count;
+  function band2(value, { low, step, count: count2 }) {
+    if (Number.isNaN(value)) return count2;
     const place3 = Math.floor((value - low) / step + STEP_SLACK2);
-    return Math.min(count - 1, Math.max(0, place3));
+    return Math.min(count2 - 1, Math.max(0, place3));
   }
   function mixed(a, b, part) {
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
     return a * (1 - part) + b * part;
   }
-  function between(values, lines2, count, factor, next, line) {
-    const fine = (count - 1) * factor + 1;
+  function between(values, lines2, count2, factor, next, line) {
+    const fine = (count2 - 1) * factor + 1;
     const found2 = new Float64Array(lines2 * fine);
     for (let i = 0; i < lines2; i += 1) {
       for (let k = 0; k < fine; k += 1) {
-        const left = Math.min(Math.floor(k / factor), count - 2);
+        const left = Math.min(Math.floor(k / factor), count2 - 2);
         const at = i * line + left * next;
         const part = (k - left * factor) / factor;
         found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
@@ -5598,17 +5603,17 @@ ${lines2.join("\n")}
     }
     return { places: lines(bands, width, scale), width, height };
   }
-  function lines(bands, width, { count, zero }) {
+  function lines(bands, width, { count: count2, zero }) {
     const places = bands.slice();
-    const line = 2 * count + 1;
+    const line = 2 * count2 + 1;
     const compare = (at, other) => {
       const own2 = Number(bands[at]);
       const next = Number(bands[other]);
-      if (next === own2 || own2 === count) return;
-      if (next !== count && own2 >= zero !== next >= zero) {
+      if (next === own2 || own2 === count2) return;
+      if (next !== count2 && own2 >= zero !== next >= zero) {
         places[at] = line;
         places[other] = line;
-      } else if (places[at] !== line) places[at] = count + 1 + own2;
+      } else if (places[at] !== line) places[at] = count2 + 1 + own2;
     };
     for (let at = 0; at < bands.length; at += 1) {
       if ((at + 1) % width) compare(at, at + 1);
@@ -5710,8 +5715,8 @@ ${lines2.join("\n")}
         this.facts.axes[k]
       );
       const axis2 = span(low, high, 1);
-      const shown = Number((Number(values[place3]) / per).toPrecision(12));
-      return (shown - axis2.low) / (axis2.high - axis2.low);
+      const shown2 = Number((Number(values[place3]) / per).toPrecision(12));
+      return (shown2 - axis2.low) / (axis2.high - axis2.low);
     }
     /** @param {number} fraction */
     #x(fraction) {
@@ -5752,15 +5757,15 @@ ${lines2.join("\n")}
       const value = settings[set];
       const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
       if (typeof value !== "number" || !root) continue;
-      const shown = Number((value / per).toPrecision(12));
+      const shown2 = Number((value / per).toPrecision(12));
       const box2 = (
         /** @type {HTMLInputElement} */
         need(root, ".carts-number-box")
       );
-      need(root, ".carts-slider").valueAsNumber = shown;
+      need(root, ".carts-slider").valueAsNumber = shown2;
       if (box2 !== document.activeElement) {
-        const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
-        box2.value = fixed(shown, decimals).replace("−", "-");
+        const decimals = Math.max(decimalsOf(shown2), decimalsOf(step));
+        box2.value = fixed(shown2, decimals).replace("−", "-");
       }
     }
   }
@@ -5768,11 +5773,11 @@ ${lines2.join("\n")}
   // src/map-table.js
   var COLUMNS = 6;
   var ROWS2 = 11;
-  function spread(count, most) {
-    const wanted = Math.min(most, count);
+  function spread(count2, most) {
+    const wanted = Math.min(most, count2);
     return Array.from(
       { length: wanted },
-      (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
+      (_, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
     );
   }
   function fillTable(table, grid, axisText, valueText) {
@@ -6059,6 +6064,108 @@ ${lines2.join("\n")}
   }
   function frame2() {
     return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+
+  // src/projector.js
+  var MOST_HANDS = 999;
+  function offerProjector(scene) {
+    const button = (
+      /** @type {HTMLButtonElement} */
+      need(scene, ".carts-project")
+    );
+    button.disabled = false;
+    const bar2 = html("p", "carts-project-bar");
+    const [reveal, next] = [made("carts-button", "Reveal"), made("carts-button", "Next scene")];
+    bar2.append(reveal, " ", next);
+    need(scene, ".carts-frame").append(bar2);
+    button.addEventListener("click", () => void project(scene, !isOn(scene)));
+    reveal.addEventListener("click", () => void scene.reveal?.());
+    next.addEventListener("click", () => {
+      const all = (
+        /** @type {Scene[]} */
+        [...document.querySelectorAll("carts-scene")]
+      );
+      const following = all[(all.indexOf(scene) + 1) % all.length];
+      if (following) void project(following, true);
+    });
+    scene.addEventListener("keydown", (event) => {
+      const typing = (
+        /** @type {Element} */
+        event.target.matches(
+          "input:not([type=range]), textarea, select"
+        )
+      );
+      if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
+      if (event.key === "Escape" && isOn(scene)) void project(scene, false);
+    });
+    for (const option of scene.querySelectorAll(".carts-options label")) count(scene, option);
+  }
+  document.addEventListener("fullscreenchange", () => {
+    if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
+  });
+  var shown = () => (
+    /** @type {NodeListOf<Scene>} */
+    document.querySelectorAll(".carts-projector")
+  );
+  var isOn = (scene) => scene.classList.contains("carts-projector");
+  async function project(scene, on) {
+    for (const other of shown()) if (other !== scene) mark(other, false);
+    mark(scene, on);
+    if (!on) {
+      if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
+      });
+      return;
+    }
+    await document.documentElement.requestFullscreen?.().catch(() => {
+    });
+    need(scene, ".carts-project").focus();
+  }
+  function mark(scene, on) {
+    scene.classList.toggle("carts-projector", on);
+    document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
+    scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
+  }
+  function count(scene, option) {
+    const line = html("span", "carts-hands");
+    const box2 = document.createElement("input");
+    box2.type = "number";
+    box2.min = "0";
+    box2.max = String(MOST_HANDS);
+    box2.setAttribute("aria-label", `hands for: ${option.textContent?.trim()}`);
+    const bar2 = document.createElement("meter");
+    bar2.setAttribute("aria-hidden", "true");
+    const part = html("span");
+    line.append(box2, bar2, part);
+    option.after(line);
+    box2.addEventListener("input", () => {
+      const boxes = (
+        /** @type {NodeListOf<HTMLInputElement>} */
+        scene.querySelectorAll(".carts-hands input")
+      );
+      const hands = (one) => Math.min(MOST_HANDS, Math.max(0, Math.round(one.valueAsNumber || 0)));
+      const all = [...boxes].reduce((sum, one) => sum + hands(one), 0);
+      for (const one of boxes) {
+        const share = all ? hands(one) / all : 0;
+        const meter = (
+          /** @type {HTMLMeterElement} */
+          one.nextElementSibling
+        );
+        meter.value = share;
+        say(
+          /** @type {Element} */
+          meter.nextElementSibling,
+          `${hands(one)} of ${all}`
+        );
+      }
+    });
+  }
+  function made(className, text) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = className;
+    button.textContent = text;
+    return button;
   }
 
   // src/runtime-failure.js
@@ -6504,6 +6611,11 @@ ${lines2.join("\n")}
     const base = new URL("runtime/", own).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
     customElements.define("carts-scene", sceneElement(client));
+    for (const scene of document.querySelectorAll("carts-scene"))
+      offerProjector(
+        /** @type {HTMLElement} */
+        scene
+      );
     customElements.define("carts-map", mapElement(client));
     customElements.define("carts-cost", costElement(client));
     if (document.querySelector("carts-scene")) {

@@ -5,6 +5,7 @@ import { costElement } from "./cost-element.js";
 import { sceneElement } from "./element.js";
 import { excuse, missingFeatures } from "./features.js";
 import { mapElement } from "./map-element.js";
+import { offerProjector } from "./projector.js";
 import { startRuntime } from "./runtime.js";
 
 const own =
@@ -24,6 +25,8 @@ if (missing.length) {
   const base = new URL("runtime/", own).href;
   const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
   customElements.define("carts-scene", sceneElement(client));
+  for (const scene of document.querySelectorAll("carts-scene"))
+    offerProjector(/** @type {HTMLElement} */ (scene));
   customElements.define("carts-map", mapElement(client));
   customElements.define("carts-cost", costElement(client));
   if (document.querySelector("carts-scene")) {
