@@ -406,11 +406,11 @@
       const x = (t) => left + t / until * (right - left);
       const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
       const parts = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
-        const label2 = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
-        label2.textContent = `${short(tick)} %`;
+        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
+        label.textContent = `${short(tick)} %`;
         return [
           svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / 100))}H${right}` }),
-          label2
+          label
         ];
       });
       const last = svg("text", { class: "carts-tick-x", x: right, y: bottom + 20 });
@@ -484,13 +484,13 @@
       ["times that all forces were computed", String(evaluations), "0"]
     ];
   }
-  function cells(row, until, labels) {
+  function cells(row, until, labels2) {
     let size = "–";
     if (row.rtol) size = `tolerance ${short(row.rtol)}`;
     else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
     const ratio = row.time_ratio;
     return [
-      labels[row.method] ?? row.method,
+      labels2[row.method] ?? row.method,
       size,
       String(row.evaluations),
       ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
@@ -1163,7 +1163,7 @@
     /** @param {Change} change @param {number} at */
     #typed(change2, at) {
       const read = readTyped(this.box.value);
-      const { low, high, unit, label: label2 } = this.control;
+      const { low, high, unit, label } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
@@ -1171,7 +1171,7 @@
       }
       if (read.value < low || read.value > high) {
         const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
-        return this.complain(`${label2}: ${range}, please.`);
+        return this.complain(`${label}: ${range}, please.`);
       }
       this.#accept(read.value);
       return change2(this.control.set, this.#asked(read.value), at);
@@ -2392,14 +2392,14 @@
   function group(title, choices, act) {
     const set = document.createElement("fieldset");
     set.append(html("legend", "", title));
-    for (const { key, label: label2, seen } of choices) {
+    for (const { key, label, seen } of choices) {
       const line = html("label");
       const box2 = document.createElement("input");
       box2.type = "checkbox";
       box2.checked = seen;
       box2.dataset.choice = key;
       box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label2}`);
+      line.append(box2, ` ${label}`);
       set.append(line);
     }
     set.hidden = choices.length === 0;
@@ -2536,8 +2536,14 @@
     }
     return found2;
   }
-  function label({ kind, on, by, size }) {
-    return `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`;
+  function labels({ kind, on, by, size }) {
+    const brief2 = by.replaceAll("the ", "");
+    return [
+      `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
+      `on ${on} by ${brief2}: ${size} N`,
+      `by ${brief2}: ${size} N`
+      // whose force it is tells the line from the cart
+    ];
   }
   function linkKind({ effects }, pair) {
     const link = effects.find(
@@ -3081,10 +3087,10 @@
     }
     /** @param {ArrayLike<number>} times @param {number} t in s */
     at(times, t) {
-      this.entries.forEach(({ label: label2, values }, i) => {
+      this.entries.forEach(({ label, values }, i) => {
         const now = Math.max(0, valueAt(times, values, null, t));
         const text = this.key.children[i]?.querySelector("b");
-        if (text) say(text, `${label2}: ${fixed(now, this.decimals)} J`);
+        if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
       });
     }
   };
@@ -3307,7 +3313,7 @@
       const times = timeMarks(this.#plane);
       const rows = valueMarks(this.#plane);
       marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
-        const { at, label: label2 } = (
+        const { at, label } = (
           /** @type {{at: string, label: string}} */
           times[i]
         );
@@ -3316,10 +3322,10 @@
         put(text, "class", "carts-tick-x");
         put(text, "x", at);
         put(text, "y", String(BOTTOM3 + 14));
-        say(text, label2);
+        say(text, label);
       });
       marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
-        const { at, textY, label: label2, zero } = (
+        const { at, textY, label, zero } = (
           /** @type {(typeof rows)[number]} */
           rows[i]
         );
@@ -3328,7 +3334,7 @@
         put(text, "class", "carts-tick-y");
         put(text, "x", String(LEFT3 - 5));
         put(text, "y", textY);
-        say(text, label2);
+        say(text, label);
       });
     }
     #cursor() {
@@ -3451,6 +3457,11 @@
   var COIL = 7;
   var TOOTH = 4;
   var POLE = 12;
+  var POLES = [
+    ["N", "carts-north"],
+    ["S", "carts-south"]
+    // only where there is room
+  ];
   var STEEPEST = 22;
   var WEDGE = { wide: 120, narrow: 90 };
   function props(header, layout, t, face, centre) {
@@ -3469,8 +3480,8 @@
           return springCoil(effect, layout, key, face(a, "right"), face(b, "left"));
         case "magnets":
           return [
-            ...magnet(`${key} ${a}`, face(a, "right"), y, -1),
-            ...magnet(`${key} ${b}`, face(b, "left"), y, 1)
+            ...magnet(`${key} ${a}`, face(a, "right"), y, -1, layout),
+            ...magnet(`${key} ${b}`, face(b, "left"), y, 1, layout)
           ];
         case "release":
           if (t >= (effect.numbers.at ?? 0)) return [];
@@ -3505,12 +3516,9 @@
       }
     ];
   }
-  function magnet(key, x, y, way) {
+  function magnet(key, x, y, way, { kind }) {
     const top = y - 40;
-    return [
-      ["N", "carts-north"],
-      ["S", "carts-south"]
-    ].flatMap(([pole, cls], k) => {
+    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole, cls], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
       return [
@@ -3535,13 +3543,13 @@
     return { key, cls: "carts-hand", d };
   }
   function exploder(key, x, y) {
-    const low = y - 34;
+    const low = y - 28;
     return [
-      { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 5) },
+      { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 4) },
       {
         key: `${key} latch`,
         cls: "carts-latch",
-        d: `M${px(x - 10)} ${px(low + 8)}v-18h20v18`
+        d: `M${px(x - 10)} ${px(low + 7)}v-15h20v15`
       }
     ];
   }
@@ -3671,9 +3679,8 @@
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
       const row = `row ${force.kind}`;
       if (named) {
-        const told2 = label(force) + (cut ? ", arrow cut" : "");
-        const fit2 = fits(x, length, told2, layout.width);
-        const text = fit2 ? told2 : told2.slice(told2.indexOf("by "));
+        const told2 = labels(force).map((one) => one + (cut ? ", arrow cut" : ""));
+        const text = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
         const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
@@ -3787,8 +3794,8 @@
       for (const { push, size, x } of told2) {
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
-        const label2 = `${this.#value(size)} on each`;
-        const half = label2.length * PER_CHARACTER2 / 2;
+        const label = `${this.#value(size)} on each`;
+        const half = label.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
           (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
@@ -3797,24 +3804,25 @@
         if (free === void 0) put(text, "visibility", "hidden");
         else {
           taken.push([free, at - half, at + half]);
-          write2(text, label2, at, free, "middle");
+          write2(text, label, at, free, "middle");
         }
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
     #inFull({ push, size, x, link }) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
-      const labels = push.bodies.map((on, side) => {
+      const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
         return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
       });
-      const [left, right] = labels.map((label2) => label2.length * PER_CHARACTER2);
+      const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
       if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
         const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
-        write2(first, labels[0] ?? "", Math.min(x - GAP2, begin - 2 * GAP2), push.row, "end");
-        write2(second, labels[1] ?? "", begin, push.row, "start");
+        const end = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+        write2(first, labels2[0] ?? "", end, push.row, "end");
+        write2(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
       }
       const longest = Math.max(left, right);
@@ -3823,8 +3831,8 @@
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
       const start = Math.min(Math.max(x - way * longest, low), high - longest);
-      write2(first, labels[0] ?? "", start, top, "start");
-      write2(second, labels[1] ?? "", start, top + ROW, "start");
+      write2(first, labels2[0] ?? "", start, top, "start");
+      write2(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
     }
     /** Where names may stand: between the walls. @returns {[number, number]} */
@@ -3843,11 +3851,11 @@
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function write2(text, label2, x, y, anchor) {
+  function write2(text, label, x, y, anchor) {
     put(text, "x", px(x));
     put(text, "y", px(y));
     put(text, "text-anchor", anchor);
-    say(text, label2);
+    say(text, label);
   }
 
   // src/stage.js
@@ -4904,8 +4912,8 @@ ${lines2.join("\n")}
     const columns = [["t in s", trajectory.t]];
     for (const quantity of quantities) {
       const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-      for (const { label: label2, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name2 = quantity === "F" ? `F ${label2}` : `${symbol} of ${label2}`;
+      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
         columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
       }
     }
@@ -5542,13 +5550,13 @@ ${lines2.join("\n")}
     }
     /** @param {(place: number) => void} chosen */
     #typed(chosen) {
-      const { low, high, unit, label: label2, per, decimals } = this.axis;
+      const { low, high, unit, label, per, decimals } = this.axis;
       const read = readTyped(this.box.value);
       if ("problem" in read) return this.#complain(read.problem);
-      if ("text" in read) return this.#complain(`${label2}: a number in ${unit}, please.`);
+      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
       if (read.value < low || read.value > high) {
         const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
-        return this.#complain(`${label2}: ${range}, please.`);
+        return this.#complain(`${label}: ${range}, please.`);
       }
       return chosen(this.nearest(read.value, per));
     }

@@ -53,9 +53,14 @@ export function forcesAt({ header, trajectory }, t, always = false) {
   return found;
 }
 
-/** @param {Acting} force @returns {string} what stands beside its arrow */
-export function label({ kind, on, by, size }) {
-  return `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`;
+/** @param {Acting} force @returns {string[]} what may stand beside its arrow; the shorter where room is scarce */
+export function labels({ kind, on, by, size }) {
+  const brief = by.replaceAll("the ", "");
+  return [
+    `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
+    `on ${on} by ${brief}: ${size} N`,
+    `by ${brief}: ${size} N`, // whose force it is tells the line from the cart
+  ];
 }
 
 /** @param {Header} header @param {string} pair @returns {string} “spring” or “magnets” where one acts between the two, else “” */
