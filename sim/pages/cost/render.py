@@ -8,6 +8,7 @@ they are no part of a build that is to come out the same everywhere.
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -25,7 +26,7 @@ FIRST_METHOD, FIRST_PARTS = "euler", 103
 PARTS = (19, 61, 103, 211, 499, 997, 9973)
 TOLERANCES = (1e-6, 1e-9, 1e-12)
 UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
-MANY = 1000
+MANY, HUGE = 1000, 10_000
 
 
 def render_cost(block: CostBlock) -> str:
@@ -40,7 +41,7 @@ def render_cost(block: CostBlock) -> str:
         "scenes": list(block.names.items()),
         "methods": [(name, LABELS[name]) for name in METHODS if not name.startswith("exact")],
         "parts": PARTS,
-        "tolerances": TOLERANCES,
+        "tolerances": [(r, tolerance(r)) for r in TOLERANCES],
         "method": FIRST_METHOD,
         "chosen": FIRST_PARTS,
         "figure": figure(rows),
@@ -79,7 +80,7 @@ def told(header: Mapping[str, Any]) -> list[tuple[str, str, str]]:
     """Quantity, as stepped, exactly; see `told` in `cost-element.js`."""
     energy = header["energy"]
     speeds = [
-        (f"velocity of {name} at the end", f"{fixed(v, 4)} m/s", f"{fixed(true, 4)} m/s")
+        (f"velocity of {name} at the end", f"{plain(v, 4)} m/s", f"{plain(true, 4)} m/s")
         for (name, v), true in zip(
             header["v"]["stepped"].items(), header["v"]["exact"].values(), strict=True
         )
@@ -98,14 +99,19 @@ def told(header: Mapping[str, Any]) -> list[tuple[str, str, str]]:
 
 def percent(part: float, whole: float) -> str:
     """145 %; nothing of nothing is 100 %."""
-    return f"{fixed(100 * part / whole if whole else 100.0, 1)} %"
+    return f"{plain(100 * part / whole if whole else 100.0, 1)} %"
+
+
+def plain(value: float, decimals: int) -> str:
+    """So many decimals; numbers that no cart could have as powers of ten."""
+    return fixed(value, decimals) if abs(value) < HUGE else short(value)
 
 
 def cells(row: Mapping[str, Any], until: float) -> list[str]:
     """One line of the table; see `cells` in `cost-table.js`."""
     size = "–"
     if row.get("rtol") is not None:
-        size = f"tolerance {short(row['rtol'])}"
+        size = tolerance(row["rtol"])
     elif row.get("step") is not None:
         size = f"{short(until)} s / {round(until / row['step'])}"
     ratio = row["time_ratio"]
@@ -117,6 +123,11 @@ def cells(row: Mapping[str, Any], until: float) -> list[str]:
         times,
         *("–" if row[key] is None else short(row[key], 2) for key in ("error_v", "energy_error")),
     ]
+
+
+def tolerance(rtol: float) -> str:
+    """A power of ten as it is typed at a command line."""
+    return f"tolerance 1e{round(math.log10(rtol))}"
 
 
 def script_json(value: Mapping[str, Any]) -> Markup:

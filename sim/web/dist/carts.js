@@ -455,20 +455,23 @@
   };
 
   // src/cost-table.js
-  var MANY = 1e3;
+  var [MANY, HUGE] = [1e3, 1e4];
   var ENDLESS = "beyond all numbers";
   function percent(part, whole) {
-    return `${fixed(whole ? 100 * part / whole : 100, 1)} %`;
+    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
+  }
+  function plain(value, decimals) {
+    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
   }
   function told({ v, energy, evaluations }) {
     const speeds = Object.entries(v.stepped).map(([name2, speed]) => {
-      const got = speed === null ? ENDLESS : `${fixed(speed, 4)} m/s`;
+      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
       return (
         /** @type {[string, string, string]} */
         [
           `velocity of ${name2} at the end`,
           got,
-          `${fixed(Number(v.exact[name2]), 4)} m/s`
+          `${plain(Number(v.exact[name2]), 4)} m/s`
         ]
       );
     });
@@ -486,7 +489,7 @@
   }
   function cells(row, until, labels2) {
     let size = "–";
-    if (row.rtol) size = `tolerance ${short(row.rtol)}`;
+    if (row.rtol) size = `tolerance 1e${Math.round(Math.log10(row.rtol))}`;
     else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
     const ratio = row.time_ratio;
     return [

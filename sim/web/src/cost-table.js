@@ -12,22 +12,27 @@ import { fixed, short } from "./numbers.js";
  *   energy: {initial: number, stepped: number | null, exact: number, imbalance: number | null}}} CostHeader
  */
 
-const MANY = 1000;
+const [MANY, HUGE] = [1000, 10_000];
 const ENDLESS = "beyond all numbers";
 
 /** @param {number} part @param {number} whole */
 function percent(part, whole) {
-  return `${fixed(whole ? (100 * part) / whole : 100, 1)} %`;
+  return `${plain(whole ? (100 * part) / whole : 100, 1)} %`;
+}
+
+/** Numbers that no cart could have as powers of ten. @param {number} value @param {number} decimals */
+function plain(value, decimals) {
+  return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
 }
 
 /** @param {CostHeader} header @returns {[string, string, string][]} quantity, as stepped, exactly */
 export function told({ v, energy, evaluations }) {
   const speeds = Object.entries(v.stepped).map(([name, speed]) => {
-    const got = speed === null ? ENDLESS : `${fixed(speed, 4)} m/s`;
+    const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
     return /** @type {[string, string, string]} */ ([
       `velocity of ${name} at the end`,
       got,
-      `${fixed(Number(v.exact[name]), 4)} m/s`,
+      `${plain(Number(v.exact[name]), 4)} m/s`,
     ]);
   });
   const { initial, stepped, exact, imbalance } = energy;
@@ -46,7 +51,7 @@ export function told({ v, energy, evaluations }) {
 /** @param {CostRow} row @param {number} until @param {Record<string, string>} labels @returns {string[]} */
 export function cells(row, until, labels) {
   let size = "–";
-  if (row.rtol) size = `tolerance ${short(row.rtol)}`;
+  if (row.rtol) size = `tolerance 1e${Math.round(Math.log10(row.rtol))}`;
   else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
   const ratio = row.time_ratio;
   return [
