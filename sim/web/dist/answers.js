@@ -1177,6 +1177,8 @@
         button("Print empty", () => print(true))
       );
       root.append(row);
+      const told = "Check works without a network because the right answers of worksheets are in their pages.";
+      root.append(html("p", "carts-quiet", told));
     }
     if (!shown.length) root.append(html("p", "carts-quiet", "Nothing to show."));
     if (hidden)
