@@ -85,6 +85,18 @@ def labels(force: Mapping[str, Any]) -> list[str]:
     ]
 
 
+def outside(header: Mapping[str, Any]) -> str:
+    """What gets the momentum that the carts give away: “wall + Earth”, “air”; “” where nothing."""
+    walls = "wall" in (header["track"]["left"], header["track"]["right"])
+    kinds = {effect["kind"] for effect in header["effects"]}
+    parts = ["wall"] if walls else []
+    parts += ["track"] if "friction" in kinds else []
+    parts += ["air"] if "drag" in kinds else []
+    parts += [agent(effect) for effect in header["effects"] if effect["kind"] == "push"]
+    parts += ["Earth"] if walls or kinds & {"friction", "incline"} else []
+    return " + ".join(dict.fromkeys(parts))
+
+
 def linked_pairs(header: Mapping[str, Any]) -> Sequence[str]:
     """Pairs, such as A-B, that push or pull each other without touching."""
     return [

@@ -2548,6 +2548,18 @@
       // whose force it is tells the line from the cart
     ];
   }
+  function outside({ effects, track }) {
+    const walls = track.left === "wall" || track.right === "wall";
+    const has = (kind) => effects.some((effect) => effect.kind === kind);
+    const parts = [
+      walls ? "wall" : "",
+      has("friction") ? "track" : "",
+      has("drag") ? "air" : "",
+      ...effects.filter(({ kind }) => kind === "push").map(agent),
+      walls || has("friction") || has("incline") ? "Earth" : ""
+    ];
+    return [...new Set(parts.filter(Boolean))].join(" + ");
+  }
   function linkKind({ effects }, pair) {
     const link = effects.find(
       ({ kind, active, between: between2 }) => active && (kind === "spring" || kind === "magnets") && between2?.join("-") === pair
@@ -2579,8 +2591,8 @@
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
     const inside = acting.length ? acting.join("; ") : "nothing but the contacts between the carts";
     const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2);
-    const outside = leftOut.length ? ` Left out: ${leftOut.join(", ")}.` : "";
-    return `In this model: ${inside}.${outside}`;
+    const outside2 = leftOut.length ? ` Left out: ${leftOut.join(", ")}.` : "";
+    return `In this model: ${inside}.${outside2}`;
   }
   function phrase(effect, header, numbers) {
     const { kind, numbers: n, carts, between: between2 } = effect;
@@ -2919,18 +2931,15 @@
           return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
       }
     });
-    if (quantity === "p" && hasPartner(header)) curves.push(partner(curves));
+    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
     if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
     return curves;
   }
-  function hasPartner({ track }) {
-    return track.left === "wall" || track.right === "wall";
-  }
-  function partner(curves) {
+  function partner(curves, label) {
     const { values, slopes } = total(curves);
     const start = Number(values[0]);
     return {
-      label: "wall + Earth",
+      label,
       style: "wall",
       over: false,
       values: Float64Array.from(values, (value) => start - value),
@@ -4041,11 +4050,11 @@
       const [per, unit] = speedUnit(view.velocity);
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
-      const outside = x < 0 || x > layout.width;
-      put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at));
+      const outside2 = x < 0 || x > layout.width;
+      put(text, "x", px(outside2 ? x < 0 ? 8 : layout.width - 8 : at));
       put(text, "y", px(cart.lane + 4));
-      put(text, "text-anchor", outside ? x < 0 ? "start" : "end" : anchor);
-      say(text, outside ? `${name2} is outside: ${speed}` : speed);
+      put(text, "text-anchor", outside2 ? x < 0 ? "start" : "end" : anchor);
+      say(text, outside2 ? `${name2} is outside: ${speed}` : speed);
     }
   };
   function drawBox(group2, name2, box2) {

@@ -63,6 +63,20 @@ export function labels({ kind, on, by, size }) {
   ];
 }
 
+/** @param {Header} header @returns {string} what gets the momentum that the carts give away: “wall + Earth”, “air”; “” where nothing */
+export function outside({ effects, track }) {
+  const walls = track.left === "wall" || track.right === "wall";
+  const has = (/** @type {string} */ kind) => effects.some((effect) => effect.kind === kind);
+  const parts = [
+    walls ? "wall" : "",
+    has("friction") ? "track" : "",
+    has("drag") ? "air" : "",
+    ...effects.filter(({ kind }) => kind === "push").map(agent),
+    walls || has("friction") || has("incline") ? "Earth" : "",
+  ];
+  return [...new Set(parts.filter(Boolean))].join(" + ");
+}
+
 /** @param {Header} header @param {string} pair @returns {string} “spring” or “magnets” where one acts between the two, else “” */
 export function linkKind({ effects }, pair) {
   const link = effects.find(
