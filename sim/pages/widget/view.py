@@ -11,7 +11,7 @@ from sim.pages.widget.contacts import touches
 from sim.pages.widget.effects_controls import effect_cards
 from sim.pages.widget.effects_links import linked_pushes
 from sim.pages.widget.effects_view import effects_view
-from sim.pages.widget.effects_words import acting_sentences, push_marks
+from sim.pages.widget.effects_words import acting_sentences, force_name, push_marks
 from sim.pages.widget.exits import exits
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.markers import MARKERS
@@ -115,7 +115,7 @@ def graph_view(
     times = table_times(until, header["events"]) if told else []
     return {
         "quantity": quantity,
-        "title": title if quantity != "F" else "Size of the contact force",
+        "title": title if quantity != "F" else f"Size of the {force_name(header)}",
         "seen": seen,
         "symbol": symbol if quantity != "F" else "|F|",
         "unit": unit,

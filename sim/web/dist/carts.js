@@ -2366,147 +2366,6 @@
     }
   };
 
-  // src/choose.js
-  var STOPS = "stops at touch, greatest force and parting";
-  var FORCES = ["F", "a"];
-  var Choose = class {
-    /**
-     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
-     * @param {Choice[]} views
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
-     */
-    constructor(root, baked, views, acts) {
-      const place3 = need(root, ".carts-choices");
-      const { show, forces: forces2, slow } = baked.fence;
-      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
-        key: quantity,
-        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
-        seen: show.includes(quantity)
-      }));
-      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
-      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
-      place3.replaceChildren(
-        group("Graphs", graphs, acts.graph),
-        group("Views", views, acts.view),
-        group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
-      );
-    }
-  };
-  function group(title, choices, act) {
-    const set = document.createElement("fieldset");
-    set.append(html("legend", "", title));
-    for (const { key, label, seen } of choices) {
-      const line = html("label");
-      const box2 = document.createElement("input");
-      box2.type = "checkbox";
-      box2.checked = seen;
-      box2.dataset.choice = key;
-      box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label}`);
-      set.append(line);
-    }
-    set.hidden = choices.length === 0;
-    return set;
-  }
-  function emptyGraph(root, baked, quantity) {
-    const pattern = (
-      /** @type {HTMLTemplateElement} */
-      /** @type {unknown} */
-      need(root, "template.carts-graph-pattern")
-    );
-    const graph = (
-      /** @type {HTMLElement} */
-      pattern.content.firstElementChild?.cloneNode(true)
-    );
-    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
-    const isForce = quantity === "F";
-    graph.dataset.quantity = quantity;
-    const name2 = isForce ? "Size of the contact force" : title;
-    graph.setAttribute("aria-label", `${name2} against time`);
-    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
-    need(graph, ".carts-graph-name").replaceChildren(
-      `${name2} ${camera}`,
-      html("i", "", isForce ? "|F|" : symbol),
-      ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`
-    );
-    say(need(graph, "summary"), `Table: ${name2.toLowerCase()}`);
-    for (const clip of graph.querySelectorAll("[clip-path]")) {
-      clip.setAttribute("clip-path", `url(#${baked.fence.id}-${quantity}-clip)`);
-    }
-    need(graph, "clipPath").id = `${baked.fence.id}-${quantity}-clip`;
-    for (const button of graph.querySelectorAll("[data-for]")) {
-      if (
-        /** @type {HTMLElement} */
-        button.dataset.for !== quantity
-      ) button.remove();
-    }
-    return graph;
-  }
-
-  // src/drag.js
-  var Drag = class {
-    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
-    #held = null;
-    /**
-     * @param {SVGElement} stage @param {Layout} layout @param {import("./types.js").Baked} baked
-     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
-     *   value: of the run that is shown, in SI
-     */
-    constructor(stage, layout, baked, acts) {
-      const { controls } = baked.fence;
-      for (const { name: name2 } of baked.run.header.bodies) {
-        for (
-          const [key, part, metres] of
-          /** @type {const} */
-          [
-            ["position", "carts-cart", 1 / layout.scale],
-            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
-          ]
-        ) {
-          const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
-          if (!control || !group2) continue;
-          group2.classList.add("carts-draggable");
-          group2.addEventListener("pointerdown", (event) => {
-            const value = acts.value(control.set);
-            if (!acts.ready() || value === null) return;
-            const down = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const unit = layout.width / stage.getBoundingClientRect().width;
-            const from = value / control.per;
-            const perUnit = metres * unit / control.per;
-            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
-            group2.setPointerCapture(down.pointerId);
-            event.preventDefault();
-          });
-          group2.addEventListener("pointermove", (event) => {
-            const held = this.#held;
-            if (held?.control !== control) return;
-            const move = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
-            if (value === held.sent) return;
-            held.sent = value;
-            acts.change(control, value, event.timeStamp);
-          });
-          for (const end of ["pointerup", "pointercancel"]) {
-            group2.addEventListener(end, () => {
-              this.#held = null;
-            });
-          }
-        }
-      }
-    }
-  };
-  function onStep(value, { low, high, step }) {
-    const near = low + Math.round((value - low) / step) * step;
-    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
-  }
-
   // src/effects-forces.js
   var ON_ONE = ["incline", "push", "friction", "drag"];
   var FEW = 3;
@@ -2629,6 +2488,10 @@
         return `an exploder between ${both}${told2(`${short(value("energy"))} J`)}, at ${short(value("at"))} s`;
     }
   }
+  function forceName({ effects }) {
+    const linked = effects.some(({ kind }) => kind === "spring" || kind === "magnets");
+    return linked ? "force between them" : "contact force";
+  }
   function pushText(force) {
     return `${short(Math.abs(force))} N to the ${force >= 0 ? "right" : "left"}`;
   }
@@ -2658,6 +2521,147 @@
   }
   function listed(names) {
     return names.length > 1 ? `${names.slice(0, -1).join(", ")} and ${names.at(-1)}` : String(names[0]);
+  }
+
+  // src/choose.js
+  var STOPS = "stops at touch, greatest force and parting";
+  var FORCES = ["F", "a"];
+  var Choose = class {
+    /**
+     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {Choice[]} views
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
+     */
+    constructor(root, baked, views, acts) {
+      const place3 = need(root, ".carts-choices");
+      const { show, forces: forces2, slow } = baked.fence;
+      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
+        key: quantity,
+        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
+        seen: show.includes(quantity)
+      }));
+      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
+      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
+      place3.replaceChildren(
+        group("Graphs", graphs, acts.graph),
+        group("Views", views, acts.view),
+        group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
+      );
+    }
+  };
+  function group(title, choices, act) {
+    const set = document.createElement("fieldset");
+    set.append(html("legend", "", title));
+    for (const { key, label, seen } of choices) {
+      const line = html("label");
+      const box2 = document.createElement("input");
+      box2.type = "checkbox";
+      box2.checked = seen;
+      box2.dataset.choice = key;
+      box2.addEventListener("change", () => act(key, box2.checked));
+      line.append(box2, ` ${label}`);
+      set.append(line);
+    }
+    set.hidden = choices.length === 0;
+    return set;
+  }
+  function emptyGraph(root, baked, quantity) {
+    const pattern = (
+      /** @type {HTMLTemplateElement} */
+      /** @type {unknown} */
+      need(root, "template.carts-graph-pattern")
+    );
+    const graph = (
+      /** @type {HTMLElement} */
+      pattern.content.firstElementChild?.cloneNode(true)
+    );
+    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
+    const isForce = quantity === "F";
+    graph.dataset.quantity = quantity;
+    const name2 = isForce ? `Size of the ${forceName(baked.run.header)}` : title;
+    graph.setAttribute("aria-label", `${name2} against time`);
+    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
+    need(graph, ".carts-graph-name").replaceChildren(
+      `${name2} ${camera}`,
+      html("i", "", isForce ? "|F|" : symbol),
+      ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`
+    );
+    say(need(graph, "summary"), `Table: ${name2.toLowerCase()}`);
+    for (const clip of graph.querySelectorAll("[clip-path]")) {
+      clip.setAttribute("clip-path", `url(#${baked.fence.id}-${quantity}-clip)`);
+    }
+    need(graph, "clipPath").id = `${baked.fence.id}-${quantity}-clip`;
+    for (const button of graph.querySelectorAll("[data-for]")) {
+      if (
+        /** @type {HTMLElement} */
+        button.dataset.for !== quantity
+      ) button.remove();
+    }
+    return graph;
+  }
+
+  // src/drag.js
+  var Drag = class {
+    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
+    #held = null;
+    /**
+     * @param {SVGElement} stage @param {Layout} layout @param {import("./types.js").Baked} baked
+     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
+     *   value: of the run that is shown, in SI
+     */
+    constructor(stage, layout, baked, acts) {
+      const { controls } = baked.fence;
+      for (const { name: name2 } of baked.run.header.bodies) {
+        for (
+          const [key, part, metres] of
+          /** @type {const} */
+          [
+            ["position", "carts-cart", 1 / layout.scale],
+            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
+          ]
+        ) {
+          const control = controls.find(({ set }) => set === `${name2}.${key}`);
+          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
+          if (!control || !group2) continue;
+          group2.classList.add("carts-draggable");
+          group2.addEventListener("pointerdown", (event) => {
+            const value = acts.value(control.set);
+            if (!acts.ready() || value === null) return;
+            const down = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const unit = layout.width / stage.getBoundingClientRect().width;
+            const from = value / control.per;
+            const perUnit = metres * unit / control.per;
+            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
+            group2.setPointerCapture(down.pointerId);
+            event.preventDefault();
+          });
+          group2.addEventListener("pointermove", (event) => {
+            const held = this.#held;
+            if (held?.control !== control) return;
+            const move = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
+            if (value === held.sent) return;
+            held.sent = value;
+            acts.change(control, value, event.timeStamp);
+          });
+          for (const end of ["pointerup", "pointercancel"]) {
+            group2.addEventListener(end, () => {
+              this.#held = null;
+            });
+          }
+        }
+      }
+    }
+  };
+  function onStep(value, { low, high, step }) {
+    const near = low + Math.round((value - low) / step) * step;
+    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
   }
 
   // src/graph.js
@@ -2839,7 +2843,11 @@
       const others = windows.some(
         (one) => one !== touch && one.bodies.includes(name2) && one.start < t && one.end > touch.start
       );
-      if (mass === void 0 || others) return { name: name2, change: null };
+      const acting = header.effects.some(
+        ({ active, carts, between: between2, kind }) => active && carts.includes(name2) && (kind === "release" || between2?.join("-") !== touch.pair)
+        // what a pair's own spring does is in its F
+      );
+      if (mass === void 0 || others || acting) return { name: name2, change: null };
       const v = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
       return { name: name2, change: mass * (v(t) - v(touch.start)) };
     });
@@ -3209,6 +3217,7 @@
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
       this.camera = baked.fence.camera;
+      this.force = forceName(baked.run.header);
       this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
       this.per = speedUnit(baked.view.velocity)[0];
       this.plot = /** @type {SVGSVGElement} */
@@ -3273,7 +3282,7 @@
     #toggle() {
       this.#pressed = !this.#pressed;
       this.button?.setAttribute("aria-pressed", String(this.#pressed));
-      const [title, symbol, rest] = this.ledger ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"] : this.#pressed ? ["Contact force ", "F", " in N, + is right"] : ["Size of the contact force ", "|F|", " in N"];
+      const [title, symbol, rest] = this.ledger ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"] : this.#pressed ? [`${this.force[0]?.toUpperCase()}${this.force.slice(1)} `, "F", " in N, + is right"] : [`Size of the ${this.force} `, "|F|", " in N"];
       const italic = Object.assign(document.createElement("i"), { textContent: symbol });
       need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));

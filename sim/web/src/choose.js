@@ -1,6 +1,7 @@
 /** The menu of what a scene can show: graphs that are made when they are asked for, and views. */
 
 import { html, need, say } from "./dom.js";
+import { forceName } from "./effects-words.js";
 import { speedUnit } from "./numbers.js";
 import { QUANTITIES } from "./words.js";
 
@@ -65,7 +66,7 @@ export function emptyGraph(root, baked, quantity) {
   const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
   const isForce = quantity === "F";
   graph.dataset.quantity = quantity;
-  const name = isForce ? "Size of the contact force" : title;
+  const name = isForce ? `Size of the ${forceName(baked.run.header)}` : title;
   graph.setAttribute("aria-label", `${name} against time`);
   const camera =
     baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
