@@ -149,7 +149,7 @@
 
   // src/storage.js
   var STORE = "answers";
-  var PATIENCE = 4e3;
+  var PATIENCE = 2e4;
   var STUDENT = "student";
   var SETTLED = "settled";
   var SETTLE_AFTER = 400;
