@@ -59,7 +59,8 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     header, numbers = answer(request)
     if header["ok"] and len(numbers) > MOST_NUMBERS:
         adaptive = set(header["evaluations"]["solvers"]) <= {"free-flight", "adaptive"}
-        fewer = 1 if adaptive else max(2, PER_STRETCH * MOST_NUMBERS // len(numbers))
+        samples = request.get("samples", PER_STRETCH)
+        fewer = 1 if adaptive else max(2, samples * MOST_NUMBERS // len(numbers))
         header, numbers = answer(request | {"samples": fewer})
     if header["ok"]:
         return Run(header, numbers)
