@@ -87,7 +87,6 @@ def scene_view(
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
         ],
         "graphs": [graph_view(q, header, run, scales, camera, told=told) for q in shown],
-        "empty_graph": _empty_graph(),
         "views_view": views_view(header, scales, fence.opened, forces=forces, told=told),
         "events": _story(header, run, scales, layouts[0], camera, forces) if told else [],
         "model": model_sentences(header, told=told),
@@ -142,15 +141,6 @@ def graph_view(
         "note": graph_note(quantity, header["events"], len(curves)) if told else "",
         "rows": table_rows(curves, run.t, times, scales.decimals, quantity, scale),
     }
-
-
-def _empty_graph() -> dict[str, Any]:
-    """The pattern of a graph that a reader may ask for; the page fills it."""
-    frame = {"width": g.WIDTH, "height": g.HEIGHT, "left": g.LEFT, "right": g.RIGHT}
-    frame |= {"top": g.TOP, "bottom": g.BOTTOM}
-    empty = dict.fromkeys(("quantity", "title", "seen", "symbol", "unit", "cursor", "note"), "")
-    lists: dict[str, Any] = {key: [] for key in ("times", "marks", "curves", "rows")}
-    return {**empty, **lists, **{key: int(value) for key, value in frame.items()}}
 
 
 def _timeline(
