@@ -14,6 +14,9 @@ SAMPLES_OF_MANY = 7
 """Per quarter swing, baked for more carts than a few: each sample costs every cart a row. Drawn as
 cubics they are still right to 1e-5 of the amplitude; the live run that takes over has more."""
 
+MANY_ROWS = 100
+"""A run that would need more, say on a spring, gets the samples of many carts."""
+
 MANY_STEPS = 20
 SAMPLES_PER_STEP = {"adaptive": 1, "power-series": 2, "pair-phase": 4, "pair-contact": 4}
 """A motion solved in many short steps is sampled in each of them: fewer do for the same picture."""
@@ -60,6 +63,8 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
         if solvers.get("adaptive", 0) + solvers.get("power-series", 0) > MANY_STEPS:
             fewer = max(SAMPLES_PER_STEP.get(name, 1) for name in solvers)
             header, numbers = answer(request | {"samples": fewer})
+        elif header["rows"] > MANY_ROWS:
+            header, numbers = answer(request | {"samples": SAMPLES_OF_MANY})
     if header["ok"]:
         return Run(header, numbers)
     return [
