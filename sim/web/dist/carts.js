@@ -3865,11 +3865,15 @@
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-    #inFull({ push, size, x, link }) {
+    #inFull(told2) {
+      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    }
+    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
+    #named({ push, size, x }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
+        return `on ${brief(on)} by ${brief(by)}${through}: ${this.#value(size)}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
