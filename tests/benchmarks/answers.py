@@ -90,7 +90,7 @@ def _interactive(browser: Browser, name: str, file: Path) -> dict[str, Any]:
 def _kills(driver: Playwright, name: str, profile: Path, file: Path) -> dict[str, Any]:
     dice = random.Random(6)
     delays = [3 * dice.random() for _ in range(int(os.environ.get("CARTS_KILLS", "50")))]
-    lost = lost_answers(driver, name, profile, file, delays)
+    lost = lost_answers(driver, name, profile, file, delays, told=False)
     return _row(
         f"answers lost to a killed browser, {name}", len(lost), "", 0, f"{len(delays)} kills"
     )

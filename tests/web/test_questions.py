@@ -291,7 +291,7 @@ def test_a_prediction_is_kept_with_its_question_and_asked_anew_when_that_changes
 
     place = write_page(question_site, "bump", BUMP)
     page = ready(open_page(place))
-    page.get_by_label("It turns back").check()
+    page.get_by_role("radio", name="It turns back").check()
     page.locator("#bump .carts-lock").click()
     expect(page.locator("#bump-drawn .carts-q-done")).to_have_text("✓ done")
     expect(page.locator(".carts-bar-count")).to_have_text("1 of 1")
@@ -300,10 +300,10 @@ def test_a_prediction_is_kept_with_its_question_and_asked_anew_when_that_changes
     write_page(question_site, "bump", BUMP.replace("It stops", "It sticks"))
     page.reload()
     ready(page)
-    expect(page.get_by_label("It turns back")).to_be_enabled()
-    expect(page.get_by_label("It turns back")).not_to_be_checked()
+    expect(page.get_by_role("radio", name="It turns back")).to_be_enabled()
+    expect(page.get_by_role("radio", name="It turns back")).not_to_be_checked()
     expect(page.locator(".carts-bar-count")).to_have_text("0 of 1")
-    page.get_by_label("It sticks").check()
+    page.get_by_role("radio", name="It sticks").check()
     expect(page.locator("#bump .carts-saved")).to_have_text("Saved.")
     said = [item["said"] for item in saved_file(page)["items"]]
     assert said == ["It turns back", "It sticks"]
@@ -316,7 +316,7 @@ def test_a_prediction_that_cannot_be_kept_is_in_the_file_all_the_same(
     from tests.web.question_site import write_page
 
     page = again_with(open_page(write_page(question_site, "bump-full", BUMP)), script)
-    page.get_by_label("It turns back").check()
+    page.get_by_role("radio", name="It turns back").check()
     expect(page.locator("#bump .carts-saved")).to_contain_text("keep")
     assert [item["said"] for item in saved_file(page)["items"]] == ["It turns back"]
 

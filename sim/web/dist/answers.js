@@ -173,7 +173,7 @@
       kind: all.kind,
       how: all.how,
       get: (key) => all.get(before + key),
-      put: (key, value) => all.put(before + key, stamped(value)),
+      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
       remove: (key) => all.remove(before + key),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
@@ -223,7 +223,12 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value) => write(begin, (answers) => {
+      put: (key, value, alone2 = false) => write(begin, (answers) => {
+        if (alone2) {
+          answers.put(value, key);
+          answers.transaction.commit();
+          return;
+        }
         const request = answers.get(key);
         request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
@@ -286,9 +291,9 @@
   function sheltered(store) {
     return {
       ...store,
-      put: async (key, value) => {
+      put: async (key, value, alone2) => {
         try {
-          await store.put(key, value);
+          await store.put(key, value, alone2);
           shelter().delete(key);
         } catch (error) {
           shelter().set(key, keepEarlier(shelter().get(key), value));
@@ -336,6 +341,8 @@
     /** @type {BroadcastChannel | null} */
     #channel = null;
     refused = false;
+    /** @type {Set<string>} keys that this page wrote last, no other tab since */
+    #own = /* @__PURE__ */ new Set();
     /** @type {Set<Promise<void>>} */
     #writing = /* @__PURE__ */ new Set();
     constructor() {
@@ -361,8 +368,9 @@
     async put(form, entry) {
       await this.ready;
       const key = this.key(form, entry.id);
-      this.#known.set(key, keepEarlier(this.#known.get(key), { ...entry, form }));
-      const work = this.#write(key, { ...entry, form });
+      const full = keepEarlier(this.#known.get(key), { ...entry, form });
+      this.#known.set(key, full);
+      const work = this.#write(key, full);
       this.#writing.add(work);
       try {
         await work;
@@ -456,7 +464,8 @@
     /** @param {string} key @param {any} entry */
     async #write(key, entry) {
       try {
-        await this.store?.put(key, entry);
+        await this.store?.put(key, entry, this.#own.has(key));
+        this.#own.add(key);
       } catch (error) {
         this.refused = true;
         throw error;
@@ -474,6 +483,7 @@
         return;
       }
       if (told.student !== this.student) return;
+      this.#own.delete(told.key);
       const entry = await this.store?.get(told.key).catch(() => null);
       if (!entry) return;
       this.#known.set(told.key, entry);
@@ -1646,8 +1656,7 @@
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
     const r = 1 - s;
-    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
-    return Number.isFinite(found2) ? found2 : at(values, k);
+    return at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
   }
 
   // src/question/marking/own-run.js
@@ -1931,11 +1940,11 @@
         if (this.facts.unit) entry.unit = this.facts.unit;
         if (sure) entry.sure = sure;
         this.#entry = entry;
+        void this.#keep();
         this.#feedback?.stale();
         this.#complain("");
         this.#print();
         this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
-        void this.#keep();
       }
       async #keep() {
         this.#writes += 1;

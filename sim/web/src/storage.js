@@ -10,15 +10,17 @@ import { keepEarlier } from "./answers/entry.js";
 import { stamped } from "./answers/outline.js";
 
 const STORE = "answers";
-const PATIENCE = 20_000; // ms until a browser that never answers counts as one that keeps nothing; recovery after a crash takes its time
+// ms until a browser that never answers counts as one that keeps nothing; after a crash it is slow.
+const PATIENCE = 20_000;
 const STUDENT = "student"; // the key under which the code word of who works here is kept
 const SETTLED = "settled"; // written last, so that all before it is on the disk
 const SETTLE_AFTER = 400; // ms without a new answer
 
 /**
- * `how`: indexed, text (localStorage) or memory. The keys of a student begin with `@CODE/`.
+ * `how`: indexed, text (localStorage) or memory. The keys of a student begin with `@CODE/`. `alone`: the
+ * caller knows what is kept under the key and has already moved earlier answers: one step less to wait.
  * @typedef {{kind: "kept" | "memory", how: "indexed" | "text" | "memory",
- *   get: (key: string) => Promise<any>, put: (key: string, value: unknown) => Promise<void>,
+ *   get: (key: string) => Promise<any>, put: (key: string, value: unknown, alone?: boolean) => Promise<void>,
  *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Store
  */
 
@@ -58,7 +60,7 @@ export function forStudent(all, code) {
     kind: all.kind,
     how: all.how,
     get: (key) => all.get(before + key),
-    put: (key, value) => all.put(before + key, stamped(value)),
+    put: (key, value, alone) => all.put(before + key, stamped(value), alone),
     remove: (key) => all.remove(before + key),
     entries: async () =>
       (await all.entries())
@@ -123,8 +125,13 @@ function indexed(begin) {
     kind: "kept",
     how: "indexed",
     get: (key) => read((answers) => answers.get(key)),
-    put: (key, value) =>
+    put: (key, value, alone = false) =>
       write(begin, (answers) => {
+        if (alone) {
+          answers.put(value, key);
+          answers.transaction.commit(); // nothing else will come
+          return;
+        }
         const request = answers.get(key);
         request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
@@ -208,9 +215,9 @@ function shelter() {
 function sheltered(store) {
   return {
     ...store,
-    put: async (key, value) => {
+    put: async (key, value, alone) => {
       try {
-        await store.put(key, value);
+        await store.put(key, value, alone);
         shelter().delete(key);
       } catch (error) {
         shelter().set(key, keepEarlier(shelter().get(key), value));

@@ -18,6 +18,8 @@ export class Book extends EventTarget {
   /** @type {BroadcastChannel | null} */
   #channel = null;
   refused = false;
+  /** @type {Set<string>} keys that this page wrote last, no other tab since */
+  #own = new Set();
   /** @type {Set<Promise<void>>} */
   #writing = new Set();
 
@@ -49,8 +51,9 @@ export class Book extends EventTarget {
   async put(form, entry) {
     await this.ready;
     const key = this.key(form, entry.id);
-    this.#known.set(key, keepEarlier(this.#known.get(key), { ...entry, form }));
-    const work = this.#write(key, { ...entry, form });
+    const full = keepEarlier(this.#known.get(key), { ...entry, form });
+    this.#known.set(key, full);
+    const work = this.#write(key, full);
     this.#writing.add(work);
     try {
       await work;
@@ -155,7 +158,8 @@ export class Book extends EventTarget {
   /** @param {string} key @param {any} entry */
   async #write(key, entry) {
     try {
-      await this.store?.put(key, entry);
+      await this.store?.put(key, entry, this.#own.has(key));
+      this.#own.add(key);
     } catch (error) {
       this.refused = true;
       throw error;
@@ -175,6 +179,7 @@ export class Book extends EventTarget {
       return;
     }
     if (told.student !== this.student) return;
+    this.#own.delete(told.key);
     const entry = await this.store?.get(told.key).catch(() => null);
     if (!entry) return;
     this.#known.set(told.key, entry);

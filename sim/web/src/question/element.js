@@ -150,11 +150,11 @@ export function questionElement(book) {
       if (this.facts.unit) entry.unit = this.facts.unit;
       if (sure) entry.sure = sure;
       this.#entry = entry;
+      void this.#keep(); // first of all
       this.#feedback?.stale();
       this.#complain("");
       this.#print();
       this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
-      void this.#keep();
     }
 
     async #keep() {
