@@ -2015,7 +2015,7 @@
       kind: all.kind,
       how: all.how,
       get: (key) => all.get(before + key),
-      put: (key, value) => all.put(before + key, stamped(value)),
+      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
       remove: (key) => all.remove(before + key),
       entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
     };
@@ -2065,7 +2065,12 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value) => write(begin, (answers) => {
+      put: (key, value, alone3 = false) => write(begin, (answers) => {
+        if (alone3) {
+          answers.put(value, key);
+          answers.transaction.commit();
+          return;
+        }
         const request = answers.get(key);
         request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
@@ -2128,9 +2133,9 @@
   function sheltered(store) {
     return {
       ...store,
-      put: async (key, value) => {
+      put: async (key, value, alone3) => {
         try {
-          await store.put(key, value);
+          await store.put(key, value, alone3);
           shelter().delete(key);
         } catch (error) {
           shelter().set(key, keepEarlier(shelter().get(key), value));
