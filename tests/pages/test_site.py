@@ -46,7 +46,7 @@ def pages(site: Path) -> list[Path]:
 
 def has_scene(page: Path) -> bool:
     text = page.read_text(encoding="utf-8")
-    return "<carts-scene" in text or "<carts-map" in text
+    return any(f"<carts-{block}" in text for block in ("scene", "map", "cost"))
 
 
 def in_css(sheet: Path) -> list[str]:
