@@ -19,6 +19,9 @@ from .stdlib import DATE
 LAYERS = ("scene", "dynamics", "lesson", "classroom", "bridge")
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
+APART = ("sim.lesson", "sim.classroom", "sim.dynamics.batch")
+"""Left out of the picture of the memory: no scene needs them. Pages that do carry packages too, and
+those load the wheel."""
 
 
 @dataclass(frozen=True)
