@@ -6,7 +6,8 @@
 
 is answered by a header (JSON) and one array of float64, column after column. The header of a
 refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
-what a reader or an author typed. The other kind of request is `map`, see `map_answer`.
+what a reader or an author typed. The other kinds of request are `map` and `cost`, see `map_answer`
+and `cost_answer`.
 """
 
 from __future__ import annotations
@@ -39,6 +40,8 @@ def answer(request: Mapping[str, Any]) -> Answer:
     identity = request.get("id")
     if request.get("kind") == "map":
         return _map(request)
+    if request.get("kind") == "cost":
+        return _cost(request)
     if request.get("kind") != "run":
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
         return refusal(identity, [problem])
@@ -62,6 +65,19 @@ def _map(request: Mapping[str, Any]) -> Answer:
         header, numbers = map_answer(request)
     except SceneError as error:
         return refusal(request.get("id"), error.problems)
+    return {"id": request.get("id"), "ok": True, **header}, numbers
+
+
+def _cost(request: Mapping[str, Any]) -> Answer:
+    from sim.bridge.cost_answer import cost_answer  # only where it is asked for
+
+    try:
+        header, numbers = cost_answer(request)
+    except SceneError as error:
+        return refusal(request.get("id"), error.problems)
+    except UnsolvedError as error:
+        problem = Problem((), "unsolved", error.message, error.hint)
+        return refusal(request.get("id"), [problem])
     return {"id": request.get("id"), "ok": True, **header}, numbers
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from sim.pages.bake import bake
+from sim.pages.cost.block import read_cost_block
 from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.lesson_text import text_findings
@@ -32,6 +33,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
         try:
             if block.name == "map":
                 _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))
+            elif block.name == "cost":
+                read_cost_block(block, lesson, ids, first_line=1)
             else:
                 _read(block, lesson, ids, items)
         except AuthorError as error:

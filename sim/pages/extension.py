@@ -156,9 +156,21 @@ def _map(block: Block, page: Page) -> str:
     return made.replace("<carts-map", "<carts-map data-search-exclude", 1)
 
 
+def _cost(block: Block, page: Page) -> str:
+    """A `cost` block: stepping methods beside the exact solution."""
+    from sim.pages.cost.block import read_cost_block
+    from sim.pages.cost.render import render_cost
+
+    read = read_cost_block(block, page.lesson, page.ids, first_line=page.first_line)
+    page.scenes += 1
+    page.packages |= {"numpy", "scipy"}
+    return render_cost(read).replace("<carts-cost", "<carts-cost data-search-exclude", 1)
+
+
 MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "scene": _scene,
     "map": _map,
+    "cost": _cost,
     "question": _question,
     "quiz": _quiz,
 }

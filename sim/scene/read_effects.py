@@ -11,6 +11,9 @@ from sim.scene.model import Track
 from sim.scene.problem import Path, Problem, nearest
 from sim.scene.tables import mapping, number, unknown_keys
 
+MOST_EFFECTS = 2000
+"""Every event looks at all of them: more would make a run too slow."""
+
 
 def read_effects(
     value: object, names: list[str], track: Track, problems: list[Problem]
@@ -33,6 +36,10 @@ def listed_effects(
                 "effects:\n  - friction: {coefficient: 0.02}",
             )
         )
+        return ()
+    if len(value) > MOST_EFFECTS:
+        message = f"{len(value)} effects; at most {MOST_EFFECTS} can act"
+        problems.append(Problem(("effects",), "wrong-count", message, "remove some of them"))
         return ()
     effects = []
     for k, entry in enumerate(value):

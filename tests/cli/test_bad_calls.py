@@ -38,7 +38,7 @@ MISTAKES = {
     ),
     "no scene": ("", "stdin:1:1: error: carts: expected keys here, found nothing"),
     "a list": ("- 1\n", "stdin:1:1: error: expected lines of “key: value”"),
-    "an endless bracket": ("carts: " + "[" * 5000, "stdin:"),
+    "an endless bracket": ("carts: " + "[" * 800, "stdin:"),
     "not a text": (b"\xff\xfe", "stdin:1:1: error: this is not UTF-8 text"),
 }
 
@@ -56,6 +56,47 @@ def test_a_mistake_in_a_scene_ends_with_1_and_its_place(command, name):
     assert result.stderr.startswith(message)
     assert "hint: " in result.stderr
     assert "Traceback" not in result.stderr
+
+
+ABSURD = [
+    "carts: {A: {mass: 1e308, position: 0}}",
+    "carts: {A: {mass: 1e-320, position: 0}}",
+    "carts: {A: {mass: 1, position: 1e400}}",
+    "carts: {A: {mass: 1, position: 0}}\nuntil: 1e300",
+    "carts: {A: {mass: 1, position: 0}}\ngravity: 1e99",
+    "carts: {A: {mass: 1, position: 0, velocity: 1e51}}",
+    "carts: {A: {mass: 1, position: 0, velocity: .inf}}",
+    "carts: {A: {mass: 1, position: 0}}\neffects: [{incline: {angle: 89}}]",
+    "carts: {A: {mass: 1, position: 0}}\neffects: [{drag: {linear: 1e-60}}]",
+    f"carts: {{A: {{mass: {'9' * 300}, position: 0}}}}",
+    f"carts: {{A: {{mass: {'9' * 500}, position: 0}}}}",
+    "carts: {" + ", ".join(f"c{k}: {{mass: 1, position: {k}}}" for k in range(30_000)) + "}",
+    "carts: {A: {mass: 1, position: 0}}\neffects:\n" + " - friction: {coefficient: 0}\n" * 2001,
+]
+
+
+@pytest.mark.parametrize("text", ABSURD, ids=lambda text: text[:60].replace("\n", " "))
+def test_absurd_values_are_refused_before_any_work(text):
+    result = carts("run", "-", "--json", stdin=text)
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert ": error: " in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+BOX = "track: {length: 1, left: wall, right: wall}\ncontact: {law: instant}\n"
+ENDLESS = [
+    "carts: {A: {mass: 1, position: 0.5, velocity: 1}}\nuntil: 1e49\n" + BOX,
+    "carts: {A: {mass: 1, position: 0.5, velocity: 1e49}}\n" + BOX,
+    "carts: {A: {mass: 1e-40, position: 0.5, velocity: 1}}\nuntil: 1e9\n" + BOX,
+]
+
+
+@pytest.mark.parametrize("text", ENDLESS)
+def test_a_run_without_an_end_is_stopped_and_says_what_to_change(text):
+    document = json.loads(carts("run", "-", "--json", "--max-events", 2000, stdin=text).stdout)
+    assert document["outcome"]["kind"] == "too-many-events"
+    assert "--max-events" in document["outcome"]["sentence"]
+    assert document["final"]["v"]["A"] is not None
 
 
 def test_mistakes_come_in_the_order_of_the_lines():

@@ -26,7 +26,7 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> tuple[list[dict], Path
     patch = pytest.MonkeyPatch()
     ladder = tuple((name, primes[:-1]) for name, primes in measure.LADDER)
     patch.setattr(measure, "LADDER", ladder)
-    patch.setattr(measure, "SHORT", 0.0)
+    patch.setattr(measure, "BATCH", 1e-3)
     picture = tmp_path_factory.mktemp("cost") / "figure.svg"
     with patch.context():
         done = CliRunner().invoke(main, ["cost", STANDARD, "--json", "--svg", str(picture)])

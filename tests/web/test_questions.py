@@ -171,6 +171,44 @@ def test_the_keyboard_is_enough(open_page: OpenPage, question_site: Path) -> Non
     expect(page.get_by_role("dialog")).to_be_hidden()
 
 
+def test_without_javascript_a_question_is_a_printed_one(
+    open_page: OpenPage, question_site: Path, browser_name: str
+) -> None:
+    if browser_name == "firefox":
+        pytest.skip("Firefox cannot be told to run no scripts through this driver")
+    page = open_page(question_site / "kinds.html", java_script_enabled=False)
+    expect(page.get_by_label("The one on the van")).to_be_visible()
+    expect(page.locator("#why textarea")).to_be_visible()
+    for hidden in (".carts-q-check", ".carts-q-hint", ".carts-q-up", ".carts-q-hints div"):
+        expect(page.locator(hidden).first).to_be_hidden()
+    page.emulate_media(media="print")
+    expect(page.locator("#why .carts-q-write hr")).to_have_count(5)
+    expect(page.locator("#why .carts-q-write")).to_be_visible()
+    expect(page.locator("#story .carts-q-paper")).to_be_visible()
+    page.goto((question_site / "test.html").as_uri())
+    expect(page.locator("#small-pre carts-question").first).to_be_visible()
+    expect(page.locator("#small-post carts-question").first).to_be_hidden()
+
+
+def test_on_paper_stands_what_was_answered_or_a_line(
+    open_page: OpenPage, question_site: Path, browser_name: str
+) -> None:
+    if browser_name == "firefox":
+        pytest.skip("Firefox ESR cannot be told to print through this driver")
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("Same force,\nless mass.")
+    saved(page, "why")
+    page.emulate_media(media="print")
+    expect(page.locator("#why .carts-q-printed")).to_have_text("Same force,\nless mass.")
+    expect(page.locator("#why .carts-q-printed")).to_be_visible()
+    expect(page.locator("#why .carts-q-write")).to_be_hidden()
+    expect(page.locator("#resultant .carts-q-write")).to_be_visible()
+    expect(page.locator(".carts-bar")).to_be_hidden()
+    page.evaluate("document.documentElement.classList.add('carts-print-empty')")
+    expect(page.locator("#why .carts-q-printed")).to_be_hidden()
+    expect(page.locator("#why .carts-q-write")).to_be_visible()
+
+
 def test_two_tabs_show_the_same_answers_and_lose_none(
     open_page: OpenPage, question_site: Path
 ) -> None:
@@ -269,6 +307,18 @@ def test_a_prediction_is_kept_with_its_question_and_asked_anew_when_that_changes
     expect(page.locator("#bump .carts-saved")).to_have_text("Saved.")
     said = [item["said"] for item in saved_file(page)["items"]]
     assert said == ["It turns back", "It sticks"]
+
+
+@pytest.mark.parametrize("script", [NO_DATABASE + NO_TEXT_STORE, REFUSING], ids=["none", "full"])
+def test_a_prediction_that_cannot_be_kept_is_in_the_file_all_the_same(
+    open_page: OpenPage, question_site: Path, script: str
+) -> None:
+    from tests.web.question_site import write_page
+
+    page = again_with(open_page(write_page(question_site, "bump-full", BUMP)), script)
+    page.get_by_label("It turns back").check()
+    expect(page.locator("#bump .carts-saved")).to_contain_text("keep")
+    assert [item["said"] for item in saved_file(page)["items"]] == ["It turns back"]
 
 
 def test_a_database_that_the_browser_closed_is_opened_anew(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -252,3 +253,32 @@ def test_after_talking_a_prediction_is_changed_once_and_explained(
     expect(scene.locator(".carts-saved")).to_have_text("Saved.")
     page.reload()
     expect(scene.locator(".carts-why textarea")).to_have_value("B pushes A to the left.")
+
+
+def test_on_the_projector_hands_are_counted_and_the_run_is_revealed(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    first, second = CHOICE, {**CHOICE, "id": "second"}
+    page = open_page(
+        write_page(widget_site, "class", first, second), viewport={"width": 1024, "height": 768}
+    )
+    live(page, "choice")
+    live(page, "second")
+    scene = page.locator("#choice")
+    scene.locator(".carts-play").evaluate("el => el.closest('carts-scene').focus()")
+    scene.locator(".carts-project").click()
+    size = scene.locator(".carts-ask").evaluate("el => parseFloat(getComputedStyle(el).fontSize)")
+    assert size >= 28
+    for box, hands in zip(scene.locator(".carts-hands input").all(), ("18", "6"), strict=True):
+        box.fill(hands)
+    expect(scene.locator(".carts-hands").first).to_contain_text("18 of 24")
+    scene.locator(".carts-project-bar button").first.click()  # Reveal
+    expect(scene.locator(".carts-results")).to_be_visible()
+    scene.locator(".carts-project-bar button", has_text="Next").click()
+    expect(scene).not_to_have_class(re.compile("carts-projector"))
+    expect(page.locator("#second")).to_have_class(re.compile("carts-projector"))
+    page.keyboard.press("p")
+    expect(page.locator("#second")).not_to_have_class(re.compile("carts-projector"))
+    page.reload()
+    live(page, "choice")
+    expect(scene.locator(".carts-results")).to_be_hidden()  # nothing was kept

@@ -9,6 +9,7 @@ measured in the same process just before and after. Steps are the run's length o
 from __future__ import annotations
 
 import math
+import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -37,11 +38,11 @@ LADDER: tuple[tuple[str, tuple[int, ...]], ...] = (
 
 TOLERANCES = (1e-6, 1e-9, 1e-12)
 
-SHORT, TRIES = 0.05, 3
-"""s, and runs: a method is timed until it has had both."""
+TRIES = 5
+"""Times that a method and the exact outcome are measured in turn; the best of each counts."""
 
-MANY = 200
-"""Exact outcomes that are timed together: a single one is too short for a clock."""
+BATCH = 0.02 if sys.platform == "emscripten" else 0.004
+"""s. As many runs are timed together: a browser's clock has ticks of up to a thousandth."""
 
 clock = (
     time.process_time
@@ -72,17 +73,22 @@ class CostRow:
     delivered_e: float | None = None
 
 
-def ways(scene: Scene, *, scipy: bool = True) -> list[Way]:
-    """The rows to measure, from the cheapest of each method on."""
-    listed = [Way(name, step=scene.until / prime) for name, primes in LADDER for prime in primes]
-    return listed + ([Way("adaptive", rtol=rtol) for rtol in TOLERANCES] if scipy else [])
+def ways(scene: Scene, *, finest: int = 10_000) -> list[Way]:
+    """The rows to measure, from the cheapest of each method on, up to so many steps."""
+    listed = [
+        Way(name, step=scene.until / prime)
+        for name, primes in LADDER
+        for prime in primes
+        if prime <= finest
+    ]
+    return listed + [Way("adaptive", rtol=rtol) for rtol in TOLERANCES]
 
 
-def cost(scene: Scene, *, scipy: bool = True) -> Iterator[CostRow]:
+def cost(scene: Scene) -> Iterator[CostRow]:
     """All rows: the exact ones first, then method by method."""
     truth = exact(scene)
     yield from exact_rows(scene, truth)
-    for way in ways(scene, scipy=scipy):
+    for way in ways(scene):
         yield row(scene, truth, way)
 
 
@@ -182,21 +188,24 @@ class _Worst:
 
 def ratio(call: Callable[[], object], unit: Callable[[], object]) -> float:
     """Time of `call` over time of `unit`, each the best of several, taken in turn."""
-    best, base, spent, tries = math.inf, math.inf, 0.0, 0
-    while tries < TRIES or (spent < SHORT and tries < MANY):
-        base = min(base, _time_of_many(unit))
-        start = clock()
-        call()
-        taken = clock() - start
-        best, spent, tries = min(best, taken), spent + taken, tries + 1
+    best, base = math.inf, math.inf
+    for _ in range(TRIES):
+        base = min(base, _seconds(unit))
+        best = min(best, _seconds(call))
     return best / base
 
 
-def _time_of_many(call: Callable[[], object]) -> float:
-    start = clock()
-    for _ in range(MANY):
-        call()
-    return (clock() - start) / MANY
+def _seconds(call: Callable[[], object]) -> float:
+    """One call, by as many as fill BATCH."""
+    many, spent = 1, 0.0
+    while True:
+        start = clock()
+        for _ in range(many):
+            call()
+        spent = clock() - start
+        if spent >= BATCH:
+            return spent / many
+        many = max(2 * many, int(many * BATCH / spent) if spent > 0.0 else 0)
 
 
 def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -> float:

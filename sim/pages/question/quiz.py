@@ -10,6 +10,7 @@ from sim.lesson.bank import Bank, read_bank
 from sim.lesson.form import Form, bank_name, read_form
 from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.lesson_text import text_findings
 from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.yaml_source import Plain, YamlError, load
 from sim.scene import Problem
@@ -73,13 +74,13 @@ def _bank(
 
 
 def read_bank_text(text: str, file: str) -> tuple[Bank | None, list[Finding]]:
-    """The bank in a file, or everything that is wrong with it."""
+    """The bank in a file and everything that is wrong with it; None if it cannot be read."""
     try:
         source = load(text)
     except YamlError as error:
         return None, [Finding(file, error.line, error.col, "yaml", error.message, error.hint)]
     try:
-        return read_bank(source.plain), []
+        return read_bank(source.plain), text_findings(text, Lesson(file))
     except LessonError as error:
         return None, sorted(Places(file, source).finding(p) for p in error.problems)
 

@@ -16,7 +16,8 @@ from pathlib import Path
 from .cache import key_of, sha256
 from .stdlib import DATE
 
-LAYERS = ("scene", "dynamics", "lesson", "classroom", "bridge")
+LAYERS = ("scene", "dynamics", "bridge")
+"""What a page asks for. Questions are marked in JavaScript: no page runs `lesson` or `classroom`."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 APART = ("sim.lesson", "sim.classroom", "sim.dynamics.batch")

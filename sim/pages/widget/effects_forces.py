@@ -71,10 +71,30 @@ def forces_at(header: Mapping[str, Any], run: Run, t: float) -> list[dict[str, A
     return found
 
 
-def label(force: Mapping[str, Any]) -> str:
-    """What stands beside an arrow: “on A by the track: 0.10 N”."""
+def labels(force: Mapping[str, Any]) -> list[str]:
+    """What may stand beside an arrow: “on A by the track: 0.10 N”, and shorter forms of it.
+
+    The shortest leaves the cart to the colour and to the line from it.
+    """
     slope = " (slope)" if force["kind"] == "incline" else ""
-    return f"on {force['on']} by {force['by']}{slope}: {force['size']} N"
+    brief = force["by"].replace("the ", "")
+    return [
+        f"on {force['on']} by {force['by']}{slope}: {force['size']} N",
+        f"on {force['on']} by {brief}: {force['size']} N",
+        f"by {brief}: {force['size']} N",
+    ]
+
+
+def outside(header: Mapping[str, Any]) -> str:
+    """What gets the momentum that the carts give away: “wall + Earth”, “air”; “” where nothing."""
+    walls = "wall" in (header["track"]["left"], header["track"]["right"])
+    kinds = {effect["kind"] for effect in header["effects"]}
+    parts = ["wall"] if walls else []
+    parts += ["track"] if "friction" in kinds else []
+    parts += ["air"] if "drag" in kinds else []
+    parts += [agent(effect) for effect in header["effects"] if effect["kind"] == "push"]
+    parts += ["Earth"] if walls or kinds & {"friction", "incline"} else []
+    return " + ".join(dict.fromkeys(parts))
 
 
 def linked_pairs(header: Mapping[str, Any]) -> Sequence[str]:

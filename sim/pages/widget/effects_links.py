@@ -98,7 +98,8 @@ def _places(
     walled = bodies[0] == "left" or bodies[1] == "right"
     if high - low >= left + right + 2 * GAP and not walled:
         begin = min(max(x + GAP, low + left + 2 * GAP), high - right)
-        return [(min(x - GAP, begin - 2 * GAP), row, "end"), (begin, row, "start")]
+        end = max(low + left, min(x - GAP, begin - 2 * GAP))
+        return [(end, row, "end"), (begin, row, "start")]
     longest = max(left, right)
     if layout.beam < (2 + rows_of(layout.slots)) * ROW or high - low < longest:
         return []

@@ -25,6 +25,7 @@ LEAD = 5.0  # units of straight wire at each end of a coil
 COIL = 7.0  # half its height
 TOOTH = 4.0  # units of the rough track
 POLE = 12.0  # units, width of a pole of a magnet
+POLES = (("N", "carts-north"), ("S", "carts-south"))  # the second only where there is room
 STEEPEST = 22.0  # units, height of the wedge
 WEDGE = {"wide": 120.0, "narrow": 90.0}  # units, length of the wedge
 
@@ -49,8 +50,9 @@ def props(
             pieces += _coil(effect, layout, key, face(a, "right"), face(b, "left"))
         elif effect["kind"] == "magnets":
             a, b = effect["between"]
-            pieces += _magnet(f"{key} {a}", face(a, "right"), y, -1)
-            pieces += _magnet(f"{key} {b}", face(b, "left"), y, 1)
+            poles = POLES if layout.kind == "wide" else POLES[:1]
+            pieces += _magnet(f"{key} {a}", face(a, "right"), y, -1, poles)
+            pieces += _magnet(f"{key} {b}", face(b, "left"), y, 1, poles)
         elif effect["kind"] == "release" and t < effect["numbers"].get("at", 0.0):
             a, b = effect["between"]
             pieces += _exploder(key, (face(a, "right") + face(b, "left")) / 2, y)
@@ -87,11 +89,13 @@ def _coil(
     ]
 
 
-def _magnet(key: str, x: float, y: float, way: int) -> list[Piece]:
-    """Two poles on top of a bumper, north at the facing edge; `way`: into the body."""
+def _magnet(
+    key: str, x: float, y: float, way: int, poles: tuple[tuple[str, str], ...]
+) -> list[Piece]:
+    """The poles on top of a bumper, north at the facing edge; `way`: into the body."""
     top = y - 40
     pieces = []
-    for k, (pole, cls) in enumerate((("N", "carts-north"), ("S", "carts-south"))):
+    for k, (pole, cls) in enumerate(poles):
         start = x + way * k * POLE
         middle = start + way * POLE / 2
         d = f"M{px(start)} {px(top)}h{px(way * POLE)}v16h{px(-way * POLE)}Z"
@@ -119,13 +123,13 @@ def _hand(
 
 def _exploder(key: str, x: float, y: float) -> list[Piece]:
     """A coil squeezed between two plates, and the latch that holds them."""
-    low = y - 34
+    low = y - 28
     return [
-        {"key": key, "cls": "carts-coil", "d": coil(x - 9, x + 9, low, 7, 5)},
+        {"key": key, "cls": "carts-coil", "d": coil(x - 9, x + 9, low, 7, 4)},
         {
             "key": f"{key} latch",
             "cls": "carts-latch",
-            "d": f"M{px(x - 10)} {px(low + 8)}v-18h20v18",
+            "d": f"M{px(x - 10)} {px(low + 7)}v-15h20v15",
         },
     ]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from sim.pages.widget.effects_forces import FEW, forces_at, label
+from sim.pages.widget.effects_forces import FEW, forces_at, labels
 from sim.pages.widget.effects_props import Piece, props
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.numbers import px
@@ -70,9 +70,9 @@ def arrows(
             }
         )
         if named:
-            text = label(force)
-            if not fits(x, length, text, layout.width):
-                text = text[text.index("by ") :]  # whose force it is tells the line from the cart
+            text = next(
+                (t for t in labels(force) if fits(x, length, t, layout.width)), labels(force)[-1]
+            )
             at, anchor = beside(x, length, len(text) * PER_CHARACTER, layout.width)
             name = {"key": f"name {key}", "cls": f"carts-acts-name {cls}", "text": text}
             pieces.append({**name, "x": px(at), "y": px(y + 4), "anchor": anchor})

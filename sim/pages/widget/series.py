@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sim.pages.widget.effects_forces import outside
 from sim.pages.widget.run import Run
 from sim.pages.widget.words import brief
 
@@ -59,19 +60,19 @@ def series_of(
         else:
             values, slopes = [mass * s * s / 2 for s in seen], None
         curves.append(Series(name, f"b{i % 8}", False, values, slopes))
-    if quantity == "p" and "wall" in (header["track"]["left"], header["track"]["right"]):
-        curves.append(_partner(curves))
+    if quantity == "p" and outside(header):
+        curves.append(_partner(curves, outside(header)))
     if quantity in ("p", "energy") and len(curves) > 1:
         curves.append(_total(curves))
     return curves
 
 
-def _partner(curves: Sequence[Series]) -> Series:
-    """What the carts have given to the wall, and the wall to the Earth."""
+def _partner(curves: Sequence[Series], label: str) -> Series:
+    """What the carts have given away: to the wall, and the wall to the Earth."""
     whole = _total(curves)
     given = [whole.values[0] - value for value in whole.values]
     slopes = None if whole.slopes is None else [-slope for slope in whole.slopes]
-    return Series("wall + Earth", "wall", False, given, slopes)
+    return Series(label, "wall", False, given, slopes)
 
 
 def _total(curves: Sequence[Series]) -> Series:

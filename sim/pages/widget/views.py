@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sim.pages.widget.effects_forces import agent, linked_pairs
+from sim.pages.widget.effects_forces import agent, linked_pairs, outside
 from sim.pages.widget.numbers import speed_unit
 from sim.pages.widget.scale_of import Scales
 from sim.pages.widget.words import body
@@ -44,8 +44,8 @@ def views_view(
         for name, style in styles.items()
     ]
     momenta = [{"label": name, "style": style} for name, style in styles.items()]
-    if "wall" in (header["track"]["left"], header["track"]["right"]):
-        momenta.append({"label": "wall + Earth", "style": "wall"})
+    if outside(header):
+        momenta.append({"label": outside(header), "style": "wall"})
     if len(momenta) > 1:
         momenta.append({"label": "all", "style": "total"})  # as the page names them
     keys = ("name", "symbol", "unit", "quantity")

@@ -180,9 +180,10 @@
   }
   async function openOnce(site) {
     try {
-      return indexed(await reopening(`carts:${site}`));
+      return sheltered(indexed(await reopening(`carts:${site}`)));
     } catch {
-      return textStore(site) ?? memory();
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
     }
   }
   function open(name) {
@@ -273,8 +274,36 @@
       entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
     };
   }
+  function shelter() {
+    const page = (
+      /** @type {any} */
+      globalThis
+    );
+    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page[name] ??= /* @__PURE__ */ new Map();
+    return page[name];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value) => {
+        try {
+          await store.put(key, value);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
   function memory() {
-    const kept = /* @__PURE__ */ new Map();
+    const kept = shelter();
     return {
       kind: "memory",
       how: "memory",
@@ -409,7 +438,7 @@
         this.#channel = new BroadcastChannel(`carts:${this.site}`);
         this.#channel.onmessage = ({ data }) => void this.#hear(data);
       }
-      document.addEventListener("carts-kept", () => void this.#refresh());
+      document.addEventListener("carts-kept", () => void this.refresh());
     }
     async #read() {
       for (const [key, entry] of await this.store?.entries().catch(() => []) ?? []) {
@@ -419,8 +448,8 @@
         }
       }
     }
-    /** A prediction was kept by the scene's own script. */
-    async #refresh() {
+    /** Takes in what the scene's own script has kept: predictions. */
+    async refresh() {
       await this.#read();
       this.dispatchEvent(new CustomEvent("change", { detail: null }));
     }
@@ -780,6 +809,19 @@
       return row;
     });
   }
+  function elsewhere(found2, book2) {
+    const words2 = [];
+    if (found2.student !== book2.student) {
+      const whose = found2.student || "somebody without a code word";
+      words2.push(` They belong to ${whose}: continue under that code word to see them.`);
+    }
+    if (!found2.entries.some(([key]) => key.startsWith(`${book2.page}#`))) {
+      const alone2 = location.protocol === "file:" && navigator.userAgent.includes("Firefox/");
+      const how = alone2 ? "open that page and bring the file back there" : "open that page to see them";
+      words2.push(` They belong to the page “${found2.lesson}”: ${how}.`);
+    }
+    return words2.join("");
+  }
   function importRow(book2, told) {
     const row = html("p", "carts-answers-import");
     const label = html("label", "", "Bring answers back from a file ");
@@ -799,13 +841,11 @@
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
       if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
       box.value = "";
-      const whose = found2.student === book2.student ? "" : ` They belong to ${found2.student || "somebody without a code word"}: continue under that code word to see them.`;
-      say(
-        told,
-        `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file; nothing that was here is lost.${whose}`
-      );
+      const where = elsewhere(found2, book2);
+      const count = `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file`;
+      say(told, `${count}; nothing that was here is lost.${where}`);
       const predicted = found2.entries.some(([, entry]) => entry.locked);
-      if (!whose && changed && predicted) setTimeout(() => location.reload(), 1500);
+      if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);
     });
     return row;
   }
@@ -1137,6 +1177,8 @@
         button("Print empty", () => print(true))
       );
       root.append(row);
+      const told = "Check works without a network because the right answers of worksheets are in their pages.";
+      root.append(html("p", "carts-quiet", told));
     }
     if (!shown.length) root.append(html("p", "carts-quiet", "Nothing to show."));
     if (hidden)
@@ -1267,6 +1309,7 @@
     #files = null;
     async open() {
       await this.book.ready;
+      await this.book.refresh();
       const title = html("h2", "carts-answers-title", "My answers");
       title.id = "carts-answers-title";
       const close = html("button", "carts-button carts-answers-close", "Close");

@@ -165,15 +165,15 @@
   // src/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
-    const made = document.createElementNS(SVG, tag);
-    for (const [name2, value] of Object.entries(attributes)) made.setAttribute(name2, String(value));
-    return made;
+    const made2 = document.createElementNS(SVG, tag);
+    for (const [name2, value] of Object.entries(attributes)) made2.setAttribute(name2, String(value));
+    return made2;
   }
   function html(tag, className = "", text = "") {
-    const made = document.createElement(tag);
-    if (className) made.className = className;
-    if (text) made.textContent = text;
-    return made;
+    const made2 = document.createElement(tag);
+    if (className) made2.className = className;
+    if (text) made2.textContent = text;
+    return made2;
   }
   function put(element, name2, value) {
     if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
@@ -188,6 +188,713 @@
       /** @type {T} */
       found2
     );
+  }
+
+  // src/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var MAX_DECIMALS = 12;
+  var SLOW = 0.01;
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+  function decimalsFor(scale, figures2 = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
+  }
+  function short(value, figures2 = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
+      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+    }
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
+  }
+  function decimalsOf(value, figures2 = 6) {
+    const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
+    return trim(text).split(".")[1]?.length ?? 0;
+  }
+  function speedUnit(scale) {
+    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
+  }
+  function trim(text) {
+    return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // src/cost-figure.js
+  var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
+  var FLOOR = 1e-17;
+  var [LOW_X, HIGH_X] = [0.5, 1e6];
+  var HIGH_Y = 10;
+  function xAt(ratio) {
+    const part = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
+    return LEFT + Math.min(1, part) * (RIGHT - LEFT);
+  }
+  function yAt(error) {
+    const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
+    return BOTTOM - Math.log(seen / FLOOR) / Math.log(HIGH_Y / FLOOR) * (BOTTOM - TOP);
+  }
+  function errorOf(row) {
+    return row.error_v ?? (row.method === "exact" ? 0 : null);
+  }
+  var CostFigure = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.ring = need(root, ".carts-cost-ring");
+      this.groups = /* @__PURE__ */ new Map();
+      const marks2 = [...root.querySelectorAll(".carts-cost-key .carts-cost-point")];
+      for (const [k, group2] of [...root.querySelectorAll("[data-method]")].entries()) {
+        const mark2 = marks2[k]?.getAttribute("d") ?? "";
+        this.groups.set(group2.getAttribute("data-method") ?? "", { group: group2, mark: mark2 });
+      }
+    }
+    /** @param {CostRow[]} rows */
+    show(rows) {
+      for (const [method, { group: group2, mark: mark2 }] of this.groups) {
+        const places = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
+        const line = places.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join("");
+        group2.replaceChildren(
+          svg("path", { class: "carts-cost-line", d: line }),
+          ...places.map(
+            ([x, y]) => svg("path", { class: "carts-cost-point", transform: `translate(${x} ${y})`, d: mark2 })
+          )
+        );
+      }
+    }
+    /** Rings the row that the reader has chosen, if it has been measured. @param {CostRow | undefined} row */
+    mark(row) {
+      const error = row ? errorOf(row) : null;
+      put(this.ring, "visibility", row && error !== null ? "visible" : "hidden");
+      if (!row || error === null) return;
+      put(this.ring, "cx", px(xAt(row.time_ratio)));
+      put(this.ring, "cy", px(yAt(error)));
+    }
+  };
+
+  // src/scales.js
+  var STEP_SLACK = 1e-9;
+  var HEADROOM = 0.05;
+  function axisDecimals(axis2) {
+    return Math.max(0, -exponent(axis2.step));
+  }
+  function ticks(axis2) {
+    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
+    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
+    const found2 = [];
+    for (let k = first; k <= last; k += 1) found2.push(k * axis2.step);
+    return found2;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+  function axis(low, high, count2) {
+    const bottom = Math.min(0, low);
+    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const room = HEADROOM * (top - bottom);
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count2) };
+  }
+  function span(low, high, count2) {
+    return { low, high, step: niceAbove((high - low) / count2) };
+  }
+
+  // src/cost-stage.js
+  var [WIDTH, FLOOR_Y, SIDE] = [640, 84, 20];
+  var [LOWEST, TALLEST] = [16, 58];
+  var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
+  var MOST = 3;
+  var CostStage = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.stage = need(root, ".carts-cost-stage");
+      this.energy = need(root, ".carts-cost-energy");
+      this.carts = [];
+      this.ghosts = [];
+      this.cursor = null;
+    }
+    /** @param {CostHeader} header @param {ArrayLike<number>} numbers columns as `cost_answer.py` says */
+    show(header, numbers) {
+      this.header = header;
+      const { rows, bodies } = header;
+      const column = (k) => Array.from({ length: rows }, (_, row) => Number(numbers[k * rows + row]));
+      this.t = column(0);
+      const count2 = bodies.length;
+      this.x = bodies.map((_, k) => column(1 + k));
+      this.exact = bodies.map((_, k) => column(1 + count2 + k));
+      this.#lay();
+      this.#plot(column(1 + 2 * count2), column(2 + 2 * count2));
+      this.at(0);
+    }
+    /** The room that the exact run takes, and some more; the stepped one may leave the picture. */
+    #lay() {
+      const { bodies, track } = (
+        /** @type {CostHeader} */
+        this.header
+      );
+      const paths = this.exact ?? [];
+      const ends = bodies.flatMap(({ length }, k) => {
+        const all = paths[k] ?? [0];
+        return [Math.min(...all) - length, Math.max(...all) + length];
+      });
+      const left = track.left === "wall" ? 0 : Math.min(...ends);
+      const right = track.right === "wall" ? Number(track.length) : Math.max(...ends);
+      this.scale = (WIDTH - 2 * SIDE) / (right - left);
+      this.left = left;
+      const heaviest = Math.max(...bodies.map(({ mass }) => mass));
+      const shape = (k, name2) => {
+        const { mass, length } = (
+          /** @type {CostHeader["bodies"][0]} */
+          bodies[k]
+        );
+        const height = LOWEST + (TALLEST - LOWEST) * mass / heaviest;
+        const width = length * Number(this.scale);
+        const box2 = {
+          x: px(-width / 2),
+          y: px(FLOOR_Y - height),
+          width: px(width),
+          height: px(height)
+        };
+        return svg("rect", { class: name2, rx: 3, ...box2 });
+      };
+      const group2 = (k) => {
+        const made2 = svg("g", { class: `carts-b${k % 8}` });
+        const name2 = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
+        name2.textContent = bodies[k]?.name ?? "";
+        made2.append(shape(k, "carts-box"), name2);
+        return made2;
+      };
+      this.carts = bodies.map((_, k) => group2(k));
+      this.ghosts = bodies.map((_, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
+      const floor = svg("path", { class: "carts-rule", d: `M0 ${FLOOR_Y}H${WIDTH}` });
+      const walls = [];
+      if (track.left === "wall") walls.push(this.#place(0));
+      if (track.right === "wall") walls.push(this.#place(Number(track.length)));
+      this.stage.replaceChildren(
+        floor,
+        ...walls.map((x) => svg("path", { class: "carts-wall-face", d: `M${px(x)} 14V${FLOOR_Y}` })),
+        ...this.carts,
+        ...this.ghosts
+      );
+    }
+    /** @param {number} x in m */
+    #place(x) {
+      return SIDE + (x - Number(this.left)) * Number(this.scale);
+    }
+    /** @param {number[]} stepped @param {number[]} exact J */
+    #plot(stepped, exact) {
+      const { until } = (
+        /** @type {CostHeader} */
+        this.header
+      );
+      const start = exact[0] || 1;
+      const { left, top, right, bottom } = ENERGY;
+      const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
+      const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
+      const scale = axis(0, 100 * high, 4);
+      const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
+      const x = (t) => left + t / until * (right - left);
+      const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
+      const parts = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
+        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
+        label.textContent = `${short(tick)} %`;
+        return [
+          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / 100))}H${right}` }),
+          label
+        ];
+      });
+      const last = svg("text", { class: "carts-tick-x", x: right, y: bottom + 20 });
+      last.textContent = `${short(until)} s`;
+      const first = svg("text", { class: "carts-tick-x", x: left, y: bottom + 20 });
+      first.textContent = "0";
+      this.cursor = svg("path", { class: "carts-cost-cursor" });
+      this.energy.replaceChildren(
+        ...parts,
+        first,
+        last,
+        svg("path", {
+          class: "carts-cost-line carts-cost-true",
+          d: path2(exact.map((e) => e / start))
+        }),
+        svg("path", { class: "carts-cost-line carts-cost-made", d: path2(finite) }),
+        this.cursor
+      );
+    }
+    /** Draw the carts at a time, between the samples on straight lines. @param {number} time s */
+    at(time) {
+      const times = this.t ?? [];
+      let k = times.findLastIndex((t) => t <= time);
+      k = Math.min(Math.max(k, 0), Math.max(0, times.length - 2));
+      const [a, b] = [Number(times[k]), Number(times[k + 1])];
+      const part = b > a ? Math.min(1, (time - a) / (b - a)) : 0;
+      const between2 = (xs) => {
+        const here = Number(xs?.[k]);
+        const x2 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
+        return Number.isFinite(x2) ? Math.min(5e3, Math.max(-5e3, x2)) : 5e3;
+      };
+      for (const [cart, shape] of this.carts.entries()) {
+        put(shape, "transform", `translate(${px(between2(this.x?.[cart]), 2)} 0)`);
+      }
+      for (const [cart, shape] of this.ghosts.entries()) {
+        put(shape, "transform", `translate(${px(between2(this.exact?.[cart]), 2)} 0)`);
+      }
+      const { left, top, right, bottom } = ENERGY;
+      const x = left + time / Number(this.header?.until ?? 1) * (right - left);
+      if (this.cursor) put(this.cursor, "d", `M${px(x)} ${top}V${bottom}`);
+    }
+  };
+
+  // src/cost-table.js
+  var [MANY, HUGE] = [1e3, 1e4];
+  var ENDLESS = "beyond all numbers";
+  function percent(part, whole) {
+    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
+  }
+  function plain(value, decimals) {
+    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
+  }
+  function told({ v, energy, evaluations }) {
+    const speeds = Object.entries(v.stepped).map(([name2, speed]) => {
+      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
+      return (
+        /** @type {[string, string, string]} */
+        [
+          `velocity of ${name2} at the end`,
+          got,
+          `${plain(Number(v.exact[name2]), 4)} m/s`
+        ]
+      );
+    });
+    const { initial, stepped, exact, imbalance } = energy;
+    return [
+      ...speeds,
+      [
+        "energy at the end, of that at the start",
+        stepped === null ? ENDLESS : percent(stepped, initial),
+        percent(exact, initial)
+      ],
+      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+      ["times that all forces were computed", String(evaluations), "0"]
+    ];
+  }
+  function cells(row, until, labels2) {
+    let size = "–";
+    if (row.rtol) size = `tolerance 1e${Math.round(Math.log10(row.rtol))}`;
+    else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
+    const ratio = row.time_ratio;
+    return [
+      labels2[row.method] ?? row.method,
+      size,
+      String(row.evaluations),
+      ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
+      row.error_v === null ? "–" : short(row.error_v, 2),
+      row.energy_error === null ? "–" : short(row.energy_error, 2)
+    ];
+  }
+  function fill(table, lines2) {
+    const body2 = lines2.map(([head = "", ...values]) => {
+      const line = html("tr");
+      const first = html("th", "", head);
+      first.setAttribute("scope", "row");
+      line.append(first, ...values.map((value) => html("td", "", value)));
+      return line;
+    });
+    table.querySelector("tbody")?.replaceChildren(...body2);
+  }
+
+  // src/slow.js
+  var WATCH = 3;
+  var BEFORE = 0.15;
+  var AFTER = 0.25;
+  var RATES = [0.5, 0.2, 0.1];
+  function rateFor(duration) {
+    const wanted = duration / WATCH;
+    for (let power = 1; power > 1e-12; power /= 10) {
+      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
+    }
+    return wanted;
+  }
+  function slowParts(touches2) {
+    const parts = [];
+    for (const { start, end } of touches2) {
+      const duration = end - start;
+      const rate = rateFor(duration);
+      if (rate >= 1) continue;
+      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
+      const last = parts.at(-1);
+      if (last && part.from <= last.to) {
+        last.to = Math.max(last.to, part.to);
+        last.rate = Math.min(last.rate, rate);
+      } else parts.push(part);
+    }
+    return parts;
+  }
+  function slowAt(parts, t) {
+    return parts.find((part) => t >= part.from && t < part.to);
+  }
+  function advance(t, seconds, speed, parts, until) {
+    let now = t;
+    let left = seconds;
+    while (left > 0 && now < until) {
+      const inside = slowAt(parts, now);
+      const rate = inside ? Math.min(speed, inside.rate) : speed;
+      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge, until);
+      if (now + left * rate < next) return now + left * rate;
+      left -= (next - now) / rate;
+      now = next;
+    }
+    return Math.min(now, until);
+  }
+  function rateText(rate) {
+    return rate < 1 ? `1/${Math.round(1 / rate)}` : `${rate}×`;
+  }
+
+  // src/player.js
+  var STEP = 0.04;
+  var LONGEST_FRAME = 0.1;
+  var Player = class {
+    time = 0;
+    own = 0;
+    // s that the reader has watched since the start
+    playing = false;
+    speed = 1;
+    slow = true;
+    until = 1;
+    /** @type {import("./slow.js").SlowPart[]} */
+    parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
+    /** @type {number[]} */
+    stops = [];
+    #frame = 0;
+    #last = 0;
+    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+    constructor(changed) {
+      this.changed = changed;
+    }
+    get #parts() {
+      return this.slow ? this.parts : [];
+    }
+    /** @returns {number} cart seconds per second now */
+    get rate() {
+      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+    }
+    /** @returns {boolean} whether slow motion is on at this instant */
+    get isSlow() {
+      return this.rate < this.speed;
+    }
+    toggle() {
+      if (this.playing) this.pause();
+      else this.play();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.until) this.#move(0);
+      if (this.time === 0) this.own = 0;
+      this.playing = true;
+      this.#last = 0;
+      this.changed(this.time, false);
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      cancelAnimationFrame(this.#frame);
+      this.changed(this.time, false);
+    }
+    /** @param {number} t in s */
+    seek(t) {
+      this.#move(t);
+      if (t <= 0) this.own = 0;
+      this.changed(this.time, false);
+    }
+    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+    step(way, count2 = 1) {
+      this.pause();
+      for (let k = 0; k < count2; k += 1) {
+        const before = this.time;
+        const target = before + way * STEP * this.rate;
+        const event = way > 0 ? this.stops.find((t) => t > before + 1e-12) : this.stops.findLast((t) => t < before - 1e-12);
+        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
+        this.#move(passed ? event : target);
+        this.changed(before, way > 0);
+      }
+    }
+    /** @param {number} now */
+    #tick(now) {
+      if (!this.playing) return;
+      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      this.#last = now;
+      const before = this.time;
+      this.own += seconds;
+      const next = advance(before, seconds, this.speed, this.#parts, this.until);
+      const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
+      this.changed(before, true);
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+    }
+    /** @param {number} t */
+    #move(t) {
+      this.time = Math.min(this.until, Math.max(0, t));
+    }
+  };
+
+  // src/cost-element.js
+  var PACKAGES = ["numpy", "scipy"];
+  function costElement(client) {
+    return class CartsCost extends HTMLElement {
+      /** @type {CostFacts | null} */
+      #facts = null;
+      /** @type {CostRow[]} */
+      rows = [];
+      /** @type {CostRun | null} */
+      run = null;
+      /** Resolves when the newest measurement is complete or was stopped. @type {Promise<void>} */
+      complete = Promise.resolve();
+      #generation = 0;
+      #measuring = 0;
+      /** @type {CostStage | null} */
+      #stage = null;
+      /** @type {CostFigure | null} */
+      #figure = null;
+      /** @type {Player | null} */
+      #player = null;
+      connectedCallback() {
+        if (this.#facts) return;
+        const facts = JSON.parse(need(this, ".carts-cost-baked").textContent ?? "");
+        this.#facts = facts;
+        this.#stage = new CostStage(this);
+        this.#figure = new CostFigure(this);
+        this.#player = new Player(() => this.#frame());
+        for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
+          need(this, `.carts-cost-${part}`).disabled = false;
+        }
+        this.rows = facts.rows;
+        this.#show(facts.run);
+        this.#mark();
+        this.#select("scene").addEventListener("change", () => this.#newScene());
+        for (const part of ["method", "step", "rtol"]) {
+          this.#select(part).addEventListener("change", () => void this.compute());
+        }
+        need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
+        const scrub = (
+          /** @type {HTMLInputElement} */
+          need(this, ".carts-cost-scrub")
+        );
+        scrub.addEventListener("input", () => {
+          this.#player?.pause();
+          this.#player?.seek(scrub.valueAsNumber);
+        });
+        need(this, ".carts-cost-go").addEventListener("click", () => void this.measure());
+        need(this, ".carts-cost-stop").addEventListener("click", () => this.stop());
+      }
+      disconnectedCallback() {
+        this.#player?.pause();
+        this.stop();
+      }
+      /** @param {string} part @returns {HTMLSelectElement} */
+      #select(part) {
+        return (
+          /** @type {HTMLSelectElement} */
+          need(this, `.carts-cost-${part}`)
+        );
+      }
+      get #scene() {
+        return this.#facts?.scenes[this.#select("scene").value];
+      }
+      /** Runs the chosen scene with the chosen method; resolves when it is drawn. */
+      async compute() {
+        this.#generation += 1;
+        const generation = this.#generation;
+        const method = this.#select("method").value;
+        const adaptive = method === "adaptive";
+        this.#select("step").hidden = adaptive;
+        this.#select("rtol").hidden = !adaptive;
+        const size = adaptive ? { rtol: Number(this.#select("rtol").value) } : { parts: Number(this.#select("step").value) };
+        try {
+          if (adaptive) {
+            this.#note("Python’s scipy is being loaded …");
+            await client.need(PACKAGES);
+          }
+          const scene = this.#scene;
+          const { header, numbers } = await client.ask(this, () => ({
+            kind: "cost",
+            scene,
+            method,
+            ...size
+          }));
+          if (generation !== this.#generation) return;
+          if (!header.ok) throw refusal(header);
+          this.#live();
+          this.#note("");
+          this.#show({ header: (
+            /** @type {any} */
+            header
+          ), numbers });
+          this.#mark();
+          this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
+        } catch (error) {
+          if (generation === this.#generation) this.#fail(
+            /** @type {Error} */
+            error
+          );
+        }
+      }
+      /** Measures every method in this browser, row by row. */
+      measure() {
+        this.complete = this.#measure();
+        return this.complete;
+      }
+      /** Leaves a measurement where it is; what was measured stays. */
+      stop() {
+        if (!this.#measuring) return;
+        this.#measuring = 0;
+        this.#working(false);
+        say(need(this, ".carts-cost-say"), `Stopped after ${this.rows.length} rows.`);
+      }
+      async #measure() {
+        const turn = Math.random() + 1;
+        this.#measuring = turn;
+        this.#working(true);
+        say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
+        try {
+          await client.need(PACKAGES);
+          const rows = [];
+          const scene = this.#scene;
+          for (let row = 0, of = 1; row < of; row += 1) {
+            if (this.#measuring !== turn) return;
+            const { header } = await client.ask(need(this, ".carts-cost-go"), () => ({
+              kind: "cost",
+              scene,
+              row
+            }));
+            if (this.#measuring !== turn) return;
+            if (!header.ok) throw refusal(header);
+            this.#live();
+            const answer = (
+              /** @type {any} */
+              header
+            );
+            of = answer.of;
+            rows.push(...answer.rows);
+            this.#rows(rows);
+            need(this, ".carts-cost-progress").value = (row + 1) / of;
+            say(need(this, ".carts-cost-say"), `${row + 1} of ${of}`);
+          }
+          this.#measuring = 0;
+          say(need(this, ".carts-cost-say"), "Measured just now, by Python in this browser.");
+        } catch (error) {
+          this.#measuring = 0;
+          this.#fail(
+            /** @type {Error} */
+            error
+          );
+          say(need(this, ".carts-cost-say"), "");
+        } finally {
+          if (this.#measuring === 0 || this.#measuring === turn) this.#working(false);
+        }
+      }
+      /** @param {boolean} on */
+      #working(on) {
+        const [go, stop] = [need(this, ".carts-cost-go"), need(this, ".carts-cost-stop")];
+        const focused = document.activeElement === (on ? go : stop);
+        go.hidden = on;
+        stop.hidden = !on;
+        const progress = (
+          /** @type {HTMLProgressElement} */
+          need(this, ".carts-cost-progress")
+        );
+        progress.hidden = !on;
+        progress.value = 0;
+        if (focused) (on ? stop : go).focus();
+      }
+      /** Another scene: the measurements were those of the one before. */
+      #newScene() {
+        this.stop();
+        const facts = this.#facts;
+        const first = this.#select("scene").value === facts?.first;
+        this.#rows(first && facts ? facts.rows : []);
+        say(need(this, ".carts-cost-say"), first ? "" : "Not measured yet.");
+        void this.compute();
+      }
+      /** @param {CostRow[]} rows */
+      #rows(rows) {
+        this.rows = [...rows];
+        this.#figure?.show(rows);
+        this.#mark();
+        const until = Number(this.run?.header.until);
+        const lines2 = rows.map((row) => cells(row, until, this.#facts?.labels ?? {}));
+        fill(need(this, ".carts-cost-table table"), lines2);
+      }
+      /** The ring stands where the chosen method and step were measured. */
+      #mark() {
+        const method = this.#select("method").value;
+        const until = Number(this.run?.header.until);
+        const chosen = this.rows.find((row) => {
+          if (row.method !== method) return false;
+          if (row.rtol) return row.rtol === Number(this.#select("rtol").value);
+          return Math.round(until / Number(row.step)) === Number(this.#select("step").value);
+        });
+        this.#figure?.mark(chosen);
+      }
+      /** @param {CostRun} run */
+      #show(run) {
+        this.run = run;
+        this.#stage?.show(run.header, run.numbers);
+        fill(need(this, ".carts-cost-told"), told(run.header));
+        need(this, ".carts-cost-scrub").max = String(
+          run.header.until
+        );
+        if (!this.#player) return;
+        this.#player.until = run.header.until;
+        this.#player.speed = run.header.until / 4;
+        this.#player.seek(this.#player.playing ? this.#player.time : run.header.until);
+      }
+      #frame() {
+        const player = (
+          /** @type {Player} */
+          this.#player
+        );
+        this.#stage?.at(player.time);
+        this.classList.toggle("carts-is-playing", player.playing);
+        say(need(this, ".carts-cost-play"), player.playing ? "Pause" : "Play");
+        need(this, ".carts-cost-scrub").valueAsNumber = player.time;
+        say(need(this, ".carts-cost-clock"), `${fixed(player.time, 2)} s`);
+      }
+      #live() {
+        this.dataset.state = "live";
+        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+      }
+      /** @param {Error & {reason?: string}} error */
+      #fail(error) {
+        this.dataset.reason = error.reason ?? "failed";
+        this.#note(`${error.message} What was prepared stays as it is.`);
+      }
+      /** @param {string} message */
+      #note(message) {
+        const note = need(this, ".carts-note");
+        say(note, message);
+        note.hidden = !message;
+      }
+    };
+  }
+  function refusal({ problems }) {
+    const first = problems?.[0];
+    if (!first) return new Error("This does not work.");
+    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
   }
 
   // src/trajectory.js
@@ -258,45 +965,6 @@
       need(element, "script.carts-baked").textContent ?? ""
     );
     return { fence, view, run: { header, trajectory: fromBaked(numbers, header.events) } };
-  }
-
-  // src/numbers.js
-  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-  var MAX_DECIMALS = 12;
-  var SLOW = 0.01;
-  function exponent(value) {
-    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
-  }
-  function fixed(value, decimals) {
-    const text = Math.abs(value).toFixed(decimals);
-    return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
-  }
-  function decimalsFor(scale, figures2 = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
-  }
-  function short(value, figures2 = 3) {
-    const power = exponent(value);
-    if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
-      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
-    }
-    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
-  }
-  function decimalsOf(value, figures2 = 6) {
-    const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
-    return trim(text).split(".")[1]?.length ?? 0;
-  }
-  function speedUnit(scale) {
-    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
-  }
-  function trim(text) {
-    return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
-  }
-  function px(value, decimals = 1) {
-    const factor = 10 ** decimals;
-    const rounded = Math.floor(value * factor + 0.5) / factor;
-    return String(rounded === 0 ? 0 : rounded);
   }
 
   // src/switches.js
@@ -498,7 +1166,7 @@
     /** @param {Change} change @param {number} at */
     #typed(change2, at) {
       const read = readTyped(this.box.value);
-      const { low, high, unit, label: label2 } = this.control;
+      const { low, high, unit, label } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
@@ -506,7 +1174,7 @@
       }
       if (read.value < low || read.value > high) {
         const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
-        return this.complain(`${label2}: ${range}, please.`);
+        return this.complain(`${label}: ${range}, please.`);
       }
       this.#accept(read.value);
       return change2(this.control.set, this.#asked(read.value), at);
@@ -605,7 +1273,7 @@
 
   // src/shapes.js
   var REFERENCE_HEIGHT = 38;
-  var TALLEST = 4;
+  var TALLEST2 = 4;
   var LANE = 20;
   var ABOVE = 34;
   var DOT = 2.5;
@@ -623,8 +1291,8 @@
   function box(body2, view, layout, lift) {
     const width = bodyWidth(body2);
     const wanted = REFERENCE_HEIGHT * body2.mass / width / view.perHeight;
-    const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
-    const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
+    const cut = wanted > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
+    const height = Math.min(wanted, TALLEST2 * REFERENCE_HEIGHT);
     const named = height >= NAMED;
     const mass = `${short(body2.mass)} kg`;
     return {
@@ -750,16 +1418,16 @@
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
-    const shown = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
+    const shown2 = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return `${pair} hit and stay together.${shown}${after}`;
+          return `${pair} hit and stay together.${shown2}${after}`;
         }
         if (impulse && joined(event, scale)) {
-          return `${pair} hit and ${goOn(event, telling)}.${shown}`;
+          return `${pair} hit and ${goOn(event, telling)}.${shown2}`;
         }
-        if (impulse) return `${pair} hit each other and part at once.${shown}${after}`;
+        if (impulse) return `${pair} hit each other and part at once.${shown2}${after}`;
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return `${mover} reaches ${body(String(other))}.`;
       }
@@ -774,9 +1442,9 @@
           const who = names.map(body).join(" and ");
           const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
           const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
-          return `The push between ${who} has ended; ${left}.${shown}${rest ? after : ""}`;
+          return `The push between ${who} has ended; ${left}.${shown2}${rest ? after : ""}`;
         }
-        return `${pair} separate.${shown}${after}`;
+        return `${pair} separate.${shown2}${after}`;
       case "stick":
         return `${pair} stay together.${after}`;
       case "stop":
@@ -784,7 +1452,7 @@
       case "start":
         return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
       case "release":
-        return `The exploder between ${pair} releases.${shown}${after}`;
+        return `The exploder between ${pair} releases.${shown2}${after}`;
       case "end":
         return "End of the run.";
       default:
@@ -813,8 +1481,8 @@
   }
   function modelSentences(header) {
     const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
-    const told = header.plan.length > 0;
-    if (told && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const told2 = header.plan.length > 0;
+    if (told2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
     const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
     const last = leftOut.pop();
     if (last !== void 0) {
@@ -833,7 +1501,7 @@
 
   // src/predict-arrows.js
   var LONG = 120;
-  var MOST = 10;
+  var MOST2 = 10;
   var ArrowsForm = class {
     /** @type {Row[]} */
     #rows;
@@ -966,7 +1634,7 @@
       let problem = "";
       if ("problem" in read) problem = read.problem;
       else if ("text" in read) problem = "Type a number; the unit is N.";
-      else if (read.value < 0 || read.value > MOST * this.full) problem = this.#range();
+      else if (read.value < 0 || read.value > MOST2 * this.full) problem = this.#range();
       if (done && problem) {
         const kept = row.good === null ? "" : ` ${fixed(row.good, this.decimals)} N is kept.`;
         say(row.error, problem + kept);
@@ -980,7 +1648,7 @@
       changed();
     }
     #range() {
-      return `0 to ${short(MOST * this.full)} N, please.`;
+      return `0 to ${short(MOST2 * this.full)} N, please.`;
     }
     /** Goes back to the last good size; what was typed stays in the box to be mended. */
     /** @param {Row} row @param {() => void} changed */
@@ -1072,9 +1740,9 @@
   }
 
   // src/predict-curve.js
-  var LEFT = 40;
-  var STEP = 77.5;
-  var BOTTOM = 130;
+  var LEFT2 = 40;
+  var STEP2 = 77.5;
+  var BOTTOM2 = 130;
   var PER_HEIGHT = 12;
   var HIGHEST = 10;
   var FINE = 48;
@@ -1138,8 +1806,8 @@
       });
       const top = Math.max(...forces2) || 1;
       const points = forces2.map((force, k) => {
-        const x = LEFT + 4 * STEP * k / FINE;
-        return `${px(x)} ${px(BOTTOM - HIGHEST * PER_HEIGHT * force / top)}`;
+        const x = LEFT2 + 4 * STEP2 * k / FINE;
+        return `${px(x)} ${px(BOTTOM2 - HIGHEST * PER_HEIGHT * force / top)}`;
       });
       put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
       const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
@@ -1166,8 +1834,8 @@
     #point(event) {
       const frame3 = this.pad.getBoundingClientRect();
       const scale = 360 / frame3.width;
-      const k = Math.round(((event.clientX - frame3.left) * scale - LEFT) / STEP);
-      const height = (BOTTOM - (event.clientY - frame3.top) * scale) / PER_HEIGHT;
+      const k = Math.round(((event.clientX - frame3.left) * scale - LEFT2) / STEP2);
+      const height = (BOTTOM2 - (event.clientY - frame3.top) * scale) / PER_HEIGHT;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
     /** @param {number} k @param {number} height */
@@ -1178,12 +1846,12 @@
     }
     #draw() {
       const points = this.#heights.map((height, k) => {
-        const y = px(BOTTOM - PER_HEIGHT * (height ?? 0));
+        const y = px(BOTTOM2 - PER_HEIGHT * (height ?? 0));
         const knob = this.pad.querySelector(`[data-index="${k}"]`);
         if (knob) put(knob, "cy", y);
         const box2 = this.boxes[k];
         if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
-        return `${px(LEFT + STEP * k)} ${y}`;
+        return `${px(LEFT2 + STEP2 * k)} ${y}`;
       });
       put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
     }
@@ -1353,9 +2021,10 @@
   }
   async function openOnce(site) {
     try {
-      return indexed(await reopening(`carts:${site}`));
+      return sheltered(indexed(await reopening(`carts:${site}`)));
     } catch {
-      return textStore(site) ?? memory();
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
     }
   }
   function open(name2) {
@@ -1414,8 +2083,8 @@
     await transaction(begin, act, "relaxed");
     clearTimeout(settling);
     settling = setTimeout(() => {
-      const mark = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(begin, mark, "strict").catch(() => {
+      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark2, "strict").catch(() => {
       });
     }, SETTLE_AFTER);
   }
@@ -1446,8 +2115,36 @@
       entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
     };
   }
+  function shelter() {
+    const page2 = (
+      /** @type {any} */
+      globalThis
+    );
+    const name2 = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page2[name2] ??= /* @__PURE__ */ new Map();
+    return page2[name2];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value) => {
+        try {
+          await store.put(key, value);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
   function memory() {
-    const kept = /* @__PURE__ */ new Map();
+    const kept = shelter();
     return {
       kind: "memory",
       how: "memory",
@@ -1651,15 +2348,21 @@
   };
 
   // src/announcer.js
-  var MOST2 = 3;
+  var MOST3 = 3;
   var Announcer = class {
     /** @param {HTMLElement} root */
     constructor(root) {
       this.region = need(root, ".carts-announcer");
     }
+    /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+    leadTo(next, sentence2) {
+      const focused = document.activeElement;
+      if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+      this.tell([sentence2]);
+    }
     /** @param {string[]} sentences */
     tell(sentences) {
-      if (sentences.length) this.region.textContent = sentences.slice(-MOST2).join(" ");
+      if (sentences.length) this.region.textContent = sentences.slice(-MOST3).join(" ");
     }
   };
 
@@ -1692,14 +2395,14 @@
   function group(title, choices, act) {
     const set = document.createElement("fieldset");
     set.append(html("legend", "", title));
-    for (const { key, label: label2, seen } of choices) {
+    for (const { key, label, seen } of choices) {
       const line = html("label");
       const box2 = document.createElement("input");
       box2.type = "checkbox";
       box2.checked = seen;
       box2.dataset.choice = key;
       box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label2}`);
+      line.append(box2, ` ${label}`);
       set.append(line);
     }
     set.hidden = choices.length === 0;
@@ -1836,8 +2539,26 @@
     }
     return found2;
   }
-  function label({ kind, on, by, size }) {
-    return `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`;
+  function labels({ kind, on, by, size }) {
+    const brief2 = by.replaceAll("the ", "");
+    return [
+      `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
+      `on ${on} by ${brief2}: ${size} N`,
+      `by ${brief2}: ${size} N`
+      // whose force it is tells the line from the cart
+    ];
+  }
+  function outside({ effects, track }) {
+    const walls = track.left === "wall" || track.right === "wall";
+    const has = (kind) => effects.some((effect) => effect.kind === kind);
+    const parts = [
+      walls ? "wall" : "",
+      has("friction") ? "track" : "",
+      has("drag") ? "air" : "",
+      ...effects.filter(({ kind }) => kind === "push").map(agent),
+      walls || has("friction") || has("incline") ? "Earth" : ""
+    ];
+    return [...new Set(parts.filter(Boolean))].join(" + ");
   }
   function linkKind({ effects }, pair) {
     const link = effects.find(
@@ -1870,21 +2591,21 @@
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
     const inside = acting.length ? acting.join("; ") : "nothing but the contacts between the carts";
     const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2);
-    const outside = leftOut.length ? ` Left out: ${leftOut.join(", ")}.` : "";
-    return `In this model: ${inside}.${outside}`;
+    const outside2 = leftOut.length ? ` Left out: ${leftOut.join(", ")}.` : "";
+    return `In this model: ${inside}.${outside2}`;
   }
   function phrase(effect, header, numbers) {
     const { kind, numbers: n, carts, between: between2 } = effect;
     const names = between2 ?? carts;
     const on = carts.length === header.bodies.length ? "" : ` on ${listed(carts)}`;
     const both = listed(names.map(body));
-    const told = (text) => numbers ? `, ${text}` : "";
+    const told2 = (text) => numbers ? `, ${text}` : "";
     const value = (key) => n[key] ?? 0;
     switch (kind) {
       case "friction": {
         const held = n.static ?? value("coefficient");
         const rest = held > value("coefficient") ? ` (at rest up to ${short(held)})` : "";
-        return `friction${on} by the track${told(`μ = ${short(value("coefficient"))}${rest}`)}`;
+        return `friction${on} by the track${told2(`μ = ${short(value("coefficient"))}${rest}`)}`;
       }
       case "incline":
         return `a slope${on}, ${slopeText(value("angle"))}`;
@@ -1893,19 +2614,19 @@
           ["linear", "m/s"],
           ["quadratic", "(m/s)²"]
         ].filter(([key]) => value(String(key))).map(([key, unit]) => `${short(value(String(key)))} N per ${unit}`);
-        return `drag${on} by the air${told(parts.join(" and ") || "0 N")}`;
+        return `drag${on} by the air${told2(parts.join(" and ") || "0 N")}`;
       }
       case "push":
-        return `a push on ${names[0]} by ${agent(effect)}${told(pushText(value("force")))}${pushTimes(effect)}`;
+        return `a push on ${names[0]} by ${agent(effect)}${told2(pushText(value("force")))}${pushTimes(effect)}`;
       case "spring": {
         const damped = n.damping ? ", damped" : "";
         const stiff = `${short(value("stiffness"))} N/m, natural length ${short(value("length"))} m`;
-        return `a spring between ${both}${damped}${told(stiff)}`;
+        return `a spring between ${both}${damped}${told2(stiff)}`;
       }
       case "magnets":
         return `magnets on ${both}, like poles facing`;
       default:
-        return `an exploder between ${both}${told(`${short(value("energy"))} J`)}, at ${short(value("at"))} s`;
+        return `an exploder between ${both}${told2(`${short(value("energy"))} J`)}, at ${short(value("at"))} s`;
     }
   }
   function pushText(force) {
@@ -1939,50 +2660,20 @@
     return names.length > 1 ? `${names.slice(0, -1).join(", ")} and ${names.at(-1)}` : String(names[0]);
   }
 
-  // src/scales.js
-  var STEP_SLACK = 1e-9;
-  var HEADROOM = 0.05;
-  function axisDecimals(axis2) {
-    return Math.max(0, -exponent(axis2.step));
-  }
-  function ticks(axis2) {
-    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
-    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
-    const found2 = [];
-    for (let k = first; k <= last; k += 1) found2.push(k * axis2.step);
-    return found2;
-  }
-  function niceAbove(value) {
-    const power = Number(`1e${exponent(value)}`);
-    for (const factor of [1, 2, 5]) {
-      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
-    }
-    return 10 * power;
-  }
-  function axis(low, high, count) {
-    const bottom = Math.min(0, low);
-    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
-    const room = HEADROOM * (top - bottom);
-    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
-  }
-  function span(low, high, count) {
-    return { low, high, step: niceAbove((high - low) / count) };
-  }
-
   // src/graph.js
-  var LEFT2 = 46;
-  var RIGHT = 350;
-  var TOP = 8;
-  var BOTTOM2 = 142;
-  var WIDTH = 360;
+  var LEFT3 = 46;
+  var RIGHT2 = 350;
+  var TOP2 = 8;
+  var BOTTOM3 = 142;
+  var WIDTH2 = 360;
   var BELOW_LINE = 4;
   var NEAR = 0.7;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
-    return LEFT2 + (t - plane.time.low) * ((RIGHT - LEFT2) / (plane.time.high - plane.time.low));
+    return LEFT3 + (t - plane.time.low) * ((RIGHT2 - LEFT3) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM2 - (value - plane.value.low) * ((BOTTOM2 - TOP) / (plane.value.high - plane.value.low));
+    return BOTTOM3 - (value - plane.value.low) * ((BOTTOM3 - TOP2) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -2010,10 +2701,10 @@
   }
   function path(curve, times, plane) {
     const { values, slopes } = curve;
-    const kx = (RIGHT - LEFT2) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM2 - TOP) / (plane.value.high - plane.value.low);
+    const kx = (RIGHT2 - LEFT3) / (plane.time.high - plane.time.low);
+    const ky = (BOTTOM3 - TOP2) / (plane.value.high - plane.value.low);
     const last = times.length - 1;
-    let drawn = 0;
+    let drawn2 = 0;
     let x0 = timeX(plane, Number(times[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d = `M${px(x0)} ${px(y0)}`;
@@ -2023,7 +2714,7 @@
       if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
       const third = (Number(times[k]) - Number(times[k - 1])) / 3;
       let bent = false;
-      if (slopes && drawn === k - 1 && third > 0) {
+      if (slopes && drawn2 === k - 1 && third > 0) {
         const [x1, x2] = [x0 + third * kx, x - third * kx];
         const y1 = y0 - Number(slopes[k - 1]) * third * ky;
         const y2 = y + Number(slopes[k]) * third * ky;
@@ -2031,7 +2722,7 @@
         if (bent) d += `C${px(x1)} ${px(y1)} ${px(x2)} ${px(y2)} ${px(x)} ${px(y)}`;
       }
       if (!bent) d += `L${px(x)} ${px(y)}`;
-      drawn = k;
+      drawn2 = k;
       x0 = x;
       y0 = y;
     }
@@ -2240,18 +2931,15 @@
           return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
       }
     });
-    if (quantity === "p" && hasPartner(header)) curves.push(partner(curves));
+    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
     if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
     return curves;
   }
-  function hasPartner({ track }) {
-    return track.left === "wall" || track.right === "wall";
-  }
-  function partner(curves) {
+  function partner(curves, label) {
     const { values, slopes } = total(curves);
     const start = Number(values[0]);
     return {
-      label: "wall + Earth",
+      label,
       style: "wall",
       over: false,
       values: Float64Array.from(values, (value) => start - value),
@@ -2411,10 +3099,10 @@
     }
     /** @param {ArrayLike<number>} times @param {number} t in s */
     at(times, t) {
-      this.entries.forEach(({ label: label2, values }, i) => {
+      this.entries.forEach(({ label, values }, i) => {
         const now = Math.max(0, valueAt(times, values, null, t));
         const text = this.key.children[i]?.querySelector("b");
-        if (text) say(text, `${label2}: ${fixed(now, this.decimals)} J`);
+        if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
       });
     }
   };
@@ -2536,8 +3224,8 @@
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame3 = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame3.left) / frame3.width * WIDTH;
-        const part = Math.min(1, Math.max(0, (x - LEFT2) / (RIGHT - LEFT2)));
+        const x = (event.clientX - frame3.left) / frame3.width * WIDTH2;
+        const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT2 - LEFT3)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
       };
@@ -2637,28 +3325,28 @@
       const times = timeMarks(this.#plane);
       const rows = valueMarks(this.#plane);
       marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
-        const { at, label: label2 } = (
+        const { at, label } = (
           /** @type {{at: string, label: string}} */
           times[i]
         );
         put(line, "class", "carts-grid");
-        put(line, "d", `M${at} ${TOP}V${BOTTOM2}`);
+        put(line, "d", `M${at} ${TOP2}V${BOTTOM3}`);
         put(text, "class", "carts-tick-x");
         put(text, "x", at);
-        put(text, "y", String(BOTTOM2 + 14));
-        say(text, label2);
+        put(text, "y", String(BOTTOM3 + 14));
+        say(text, label);
       });
       marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
-        const { at, textY, label: label2, zero } = (
+        const { at, textY, label, zero } = (
           /** @type {(typeof rows)[number]} */
           rows[i]
         );
         put(line, "class", zero ? "carts-zero" : "carts-grid");
-        put(line, "d", `M${LEFT2} ${at}H${RIGHT}`);
+        put(line, "d", `M${LEFT3} ${at}H${RIGHT2}`);
         put(text, "class", "carts-tick-y");
-        put(text, "x", String(LEFT2 - 5));
+        put(text, "x", String(LEFT3 - 5));
         put(text, "y", textY);
-        say(text, label2);
+        say(text, label);
       });
     }
     #cursor() {
@@ -2707,14 +3395,14 @@
     entry.append(sample, curve.label);
     return entry;
   }
-  function fit(group2, count, make) {
-    while (group2.children.length > count) group2.lastElementChild?.remove();
-    while (group2.children.length < count) group2.append(make());
+  function fit(group2, count2, make) {
+    while (group2.children.length > count2) group2.lastElementChild?.remove();
+    while (group2.children.length < count2) group2.append(make());
   }
-  function marks(group2, count, draw) {
-    while (group2.children.length > 2 * count) group2.lastElementChild?.remove();
-    while (group2.children.length < 2 * count) group2.append(svg("path"), svg("text"));
-    for (let i = 0; i < count; i += 1) {
+  function marks(group2, count2, draw) {
+    while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();
+    while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
+    for (let i = 0; i < count2; i += 1) {
       draw(
         /** @type {Element} */
         group2.children[2 * i],
@@ -2724,146 +3412,6 @@
       );
     }
   }
-
-  // src/slow.js
-  var WATCH = 3;
-  var BEFORE = 0.15;
-  var AFTER = 0.25;
-  var RATES = [0.5, 0.2, 0.1];
-  function rateFor(duration) {
-    const wanted = duration / WATCH;
-    for (let power = 1; power > 1e-12; power /= 10) {
-      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
-    }
-    return wanted;
-  }
-  function slowParts(touches2) {
-    const parts = [];
-    for (const { start, end } of touches2) {
-      const duration = end - start;
-      const rate = rateFor(duration);
-      if (rate >= 1) continue;
-      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
-      const last = parts.at(-1);
-      if (last && part.from <= last.to) {
-        last.to = Math.max(last.to, part.to);
-        last.rate = Math.min(last.rate, rate);
-      } else parts.push(part);
-    }
-    return parts;
-  }
-  function slowAt(parts, t) {
-    return parts.find((part) => t >= part.from && t < part.to);
-  }
-  function advance(t, seconds, speed, parts, until) {
-    let now = t;
-    let left = seconds;
-    while (left > 0 && now < until) {
-      const inside = slowAt(parts, now);
-      const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
-      const next = Math.min(edge, until);
-      if (now + left * rate < next) return now + left * rate;
-      left -= (next - now) / rate;
-      now = next;
-    }
-    return Math.min(now, until);
-  }
-  function rateText(rate) {
-    return rate < 1 ? `1/${Math.round(1 / rate)}` : `${rate}×`;
-  }
-
-  // src/player.js
-  var STEP2 = 0.04;
-  var LONGEST_FRAME = 0.1;
-  var Player = class {
-    time = 0;
-    own = 0;
-    // s that the reader has watched since the start
-    playing = false;
-    speed = 1;
-    slow = true;
-    until = 1;
-    /** @type {import("./slow.js").SlowPart[]} */
-    parts = [];
-    /** @type {number[]} s, where playing stops by itself */
-    halts = [];
-    halting = false;
-    /** @type {number[]} */
-    stops = [];
-    #frame = 0;
-    #last = 0;
-    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
-    constructor(changed) {
-      this.changed = changed;
-    }
-    get #parts() {
-      return this.slow ? this.parts : [];
-    }
-    /** @returns {number} cart seconds per second now */
-    get rate() {
-      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
-    }
-    /** @returns {boolean} whether slow motion is on at this instant */
-    get isSlow() {
-      return this.rate < this.speed;
-    }
-    toggle() {
-      if (this.playing) this.pause();
-      else this.play();
-    }
-    play() {
-      if (this.playing) return;
-      if (this.time >= this.until) this.#move(0);
-      if (this.time === 0) this.own = 0;
-      this.playing = true;
-      this.#last = 0;
-      this.changed(this.time, false);
-      this.#frame = requestAnimationFrame((now) => this.#tick(now));
-    }
-    pause() {
-      if (!this.playing) return;
-      this.playing = false;
-      cancelAnimationFrame(this.#frame);
-      this.changed(this.time, false);
-    }
-    /** @param {number} t in s */
-    seek(t) {
-      this.#move(t);
-      if (t <= 0) this.own = 0;
-      this.changed(this.time, false);
-    }
-    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
-    step(way, count = 1) {
-      this.pause();
-      for (let k = 0; k < count; k += 1) {
-        const before = this.time;
-        const target = before + way * STEP2 * this.rate;
-        const event = way > 0 ? this.stops.find((t) => t > before + 1e-12) : this.stops.findLast((t) => t < before - 1e-12);
-        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
-        this.#move(passed ? event : target);
-        this.changed(before, way > 0);
-      }
-    }
-    /** @param {number} now */
-    #tick(now) {
-      if (!this.playing) return;
-      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
-      this.#last = now;
-      const before = this.time;
-      this.own += seconds;
-      const next = advance(before, seconds, this.speed, this.#parts, this.until);
-      const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
-      this.#move(halt ?? next);
-      if (halt !== void 0 || this.time >= this.until) this.playing = false;
-      this.changed(before, true);
-      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
-    }
-    /** @param {number} t */
-    #move(t) {
-      this.time = Math.min(this.until, Math.max(0, t));
-    }
-  };
 
   // src/readouts.js
   var Readouts = class {
@@ -2892,10 +3440,10 @@
       const run = this.#run;
       if (!run) return;
       const { t: times, x, v, a } = run.trajectory;
-      const told = isTold(run);
+      const told2 = isTold(run);
       for (const { name: name2, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
-        const acceleration = told ? valueAt(times, a[name2] ?? [], null, t) : null;
+        const acceleration = told2 ? valueAt(times, a[name2] ?? [], null, t) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt(times, x[name2] ?? [], v[name2] ?? [], t) - this.camera * t],
           ["v", (valueAt(times, v[name2] ?? [], a[name2] ?? [], t) - this.camera) / this.per],
@@ -2921,6 +3469,11 @@
   var COIL = 7;
   var TOOTH = 4;
   var POLE = 12;
+  var POLES = [
+    ["N", "carts-north"],
+    ["S", "carts-south"]
+    // only where there is room
+  ];
   var STEEPEST = 22;
   var WEDGE = { wide: 120, narrow: 90 };
   function props(header, layout, t, face, centre) {
@@ -2939,8 +3492,8 @@
           return springCoil(effect, layout, key, face(a, "right"), face(b, "left"));
         case "magnets":
           return [
-            ...magnet(`${key} ${a}`, face(a, "right"), y, -1),
-            ...magnet(`${key} ${b}`, face(b, "left"), y, 1)
+            ...magnet(`${key} ${a}`, face(a, "right"), y, -1, layout),
+            ...magnet(`${key} ${b}`, face(b, "left"), y, 1, layout)
           ];
         case "release":
           if (t >= (effect.numbers.at ?? 0)) return [];
@@ -2975,12 +3528,9 @@
       }
     ];
   }
-  function magnet(key, x, y, way) {
+  function magnet(key, x, y, way, { kind }) {
     const top = y - 40;
-    return [
-      ["N", "carts-north"],
-      ["S", "carts-south"]
-    ].flatMap(([pole, cls], k) => {
+    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole, cls], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
       return [
@@ -3005,13 +3555,13 @@
     return { key, cls: "carts-hand", d };
   }
   function exploder(key, x, y) {
-    const low = y - 34;
+    const low = y - 28;
     return [
-      { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 5) },
+      { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 4) },
       {
         key: `${key} latch`,
         cls: "carts-latch",
-        d: `M${px(x - 10)} ${px(low + 8)}v-18h20v18`
+        d: `M${px(x - 10)} ${px(low + 7)}v-15h20v15`
       }
     ];
   }
@@ -3031,8 +3581,8 @@
     return [{ key, cls, d: teeth(first, Math.min(end, layout.width) - first, layout.track) }];
   }
   function teeth(x, length, y) {
-    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
-    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+    const count2 = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
   }
   function tilt({ numbers }, layout, key) {
     const angle = numbers.angle ?? 0;
@@ -3141,9 +3691,8 @@
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
       const row = `row ${force.kind}`;
       if (named) {
-        const told = label(force) + (cut ? ", arrow cut" : "");
-        const fit2 = fits(x, length, told, layout.width);
-        const text = fit2 ? told : told.slice(told.indexOf("by "));
+        const told2 = labels(force).map((one) => one + (cut ? ", arrow cut" : ""));
+        const text = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
         const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
@@ -3216,7 +3765,7 @@
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told = [];
+      const told2 = [];
       for (const push of this.#pushes) {
         const { t: times, F, dF } = run.trajectory;
         const [column, slopes] = [F[push.pair], dF[push.pair]];
@@ -3237,28 +3786,28 @@
         );
         const link = touching ? "" : linkKind(run.header, push.pair);
         if (touching || link && size > 0) {
-          told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told2.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
-      this.#names(told);
+      this.#names(told2);
     }
     /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
-    #names(told) {
-      const [only] = told;
+    #names(told2) {
+      const [only] = told2;
       for (const { pair, groups } of this.#pushes) {
-        const on = told.some(({ push }) => push.pair === pair);
+        const on = told2.some(({ push }) => push.pair === pair);
         for (const group2 of groups) {
           put(need(group2, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told.length === 1 && only && this.#inFull(only)) return;
+      if (told2.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push, size, x } of told) {
+      for (const { push, size, x } of told2) {
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
-        const label2 = `${this.#value(size)} on each`;
-        const half = label2.length * PER_CHARACTER2 / 2;
+        const label = `${this.#value(size)} on each`;
+        const half = label.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
           (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
@@ -3267,24 +3816,25 @@
         if (free === void 0) put(text, "visibility", "hidden");
         else {
           taken.push([free, at - half, at + half]);
-          write2(text, label2, at, free, "middle");
+          write2(text, label, at, free, "middle");
         }
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
     #inFull({ push, size, x, link }) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
-      const labels = push.bodies.map((on, side) => {
+      const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
         return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
       });
-      const [left, right] = labels.map((label2) => label2.length * PER_CHARACTER2);
+      const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
       if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
         const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
-        write2(first, labels[0] ?? "", Math.min(x - GAP2, begin - 2 * GAP2), push.row, "end");
-        write2(second, labels[1] ?? "", begin, push.row, "start");
+        const end = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+        write2(first, labels2[0] ?? "", end, push.row, "end");
+        write2(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
       }
       const longest = Math.max(left, right);
@@ -3293,8 +3843,8 @@
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
       const start = Math.min(Math.max(x - way * longest, low), high - longest);
-      write2(first, labels[0] ?? "", start, top, "start");
-      write2(second, labels[1] ?? "", start, top + ROW, "start");
+      write2(first, labels2[0] ?? "", start, top, "start");
+      write2(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
     }
     /** Where names may stand: between the walls. @returns {[number, number]} */
@@ -3313,11 +3863,11 @@
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function write2(text, label2, x, y, anchor) {
+  function write2(text, label, x, y, anchor) {
     put(text, "x", px(x));
     put(text, "y", px(y));
     put(text, "text-anchor", anchor);
-    say(text, label2);
+    say(text, label);
   }
 
   // src/stage.js
@@ -3500,11 +4050,11 @@
       const [per, unit] = speedUnit(view.velocity);
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
-      const outside = x < 0 || x > layout.width;
-      put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at));
+      const outside2 = x < 0 || x > layout.width;
+      put(text, "x", px(outside2 ? x < 0 ? 8 : layout.width - 8 : at));
       put(text, "y", px(cart.lane + 4));
-      put(text, "text-anchor", outside ? x < 0 ? "start" : "end" : anchor);
-      say(text, outside ? `${name2} is outside: ${speed}` : speed);
+      put(text, "text-anchor", outside2 ? x < 0 ? "start" : "end" : anchor);
+      say(text, outside2 ? `${name2} is outside: ${speed}` : speed);
     }
   };
   function drawBox(group2, name2, box2) {
@@ -3822,11 +4372,11 @@
   }
 
   // src/free-body.js
-  var WIDTH2 = 260;
+  var WIDTH3 = 260;
   var HEIGHT = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE = WIDTH2 / 2;
+  var MIDDLE = WIDTH3 / 2;
   var APART = 8;
   var FULL = 95;
   var FreeBody = class {
@@ -3917,7 +4467,7 @@
         );
       });
       const picture2 = need(card, "svg");
-      put(picture2, "viewBox", `0 ${-room} ${WIDTH2} ${HEIGHT + 2 * room}`);
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH3} ${HEIGHT + 2 * room}`);
       put(picture2, "height", String(HEIGHT + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
@@ -3941,7 +4491,7 @@
 
   // src/lens.js
   var TIMES = 10;
-  var WIDTH3 = 360;
+  var WIDTH4 = 360;
   var TRACK = 96;
   var BAR = 70;
   var SCALE = 3;
@@ -3972,9 +4522,9 @@
     #measure() {
       for (const layout of this.view.layouts) {
         const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
-        const [shown, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
-        if (!shown || !own2) continue;
-        const unit = shown / layout.width * (WIDTH3 / own2);
+        const [shown2, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown2 || !own2) continue;
+        const unit = shown2 / layout.width * (WIDTH4 / own2);
         this.#perMetre = TIMES * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -4033,21 +4583,21 @@
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
-      const at = (x) => WIDTH3 / 2 + (x - middle) * this.#perMetre;
+      const at = (x) => WIDTH4 / 2 + (x - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
       const [edge, end] = [at(side.edge), at(face)];
       const rect = need(group2, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH3 : edge));
+      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH4 : edge));
       const bent = need(group2, '[data-part="spring"]');
       put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group2, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name2 = need(group2, '[data-part="name"]');
-      const inside = Math.min(WIDTH3 - 34, Math.max(34, edge - 22 * way));
+      const inside = Math.min(WIDTH4 - 34, Math.max(34, edge - 22 * way));
       put(name2, "x", px(inside));
       say(name2, index < 0 ? "wall" : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
@@ -4374,8 +4924,8 @@ ${lines2.join("\n")}
     const columns = [["t in s", trajectory.t]];
     for (const quantity of quantities) {
       const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-      for (const { label: label2, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name2 = quantity === "F" ? `F ${label2}` : `${symbol} of ${label2}`;
+      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
         columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
       }
     }
@@ -4411,15 +4961,15 @@ ${lines2.join("\n")}
     "y",
     "height"
   ];
-  var WIDTH4 = 720;
+  var WIDTH5 = 720;
   var GAP3 = 12;
   var LINE2 = 20;
   var PIXELS = 2;
   function picture(scene) {
     const paper = getComputedStyle(scene).getPropertyValue("--carts-paper") || "#fff";
     const ink = getComputedStyle(scene).color;
-    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH4 });
-    const sheet = svg("rect", { width: WIDTH4, fill: paper });
+    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH5 });
+    const sheet = svg("rect", { width: WIDTH5, fill: paper });
     whole.append(sheet);
     let y = GAP3;
     const write4 = (text, x, at, weight) => {
@@ -4438,14 +4988,14 @@ ${lines2.join("\n")}
     y += LINE2 + 4;
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
-      const drawn = alone2(stage);
-      const height = place2(drawn, 0, y, WIDTH4);
+      const drawn2 = alone2(stage);
+      const height = place2(drawn2, 0, y, WIDTH5);
       const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
-      whole.append(svg("rect", { y, width: WIDTH4, height, fill: sky }), drawn);
+      whole.append(svg("rect", { y, width: WIDTH5, height, fill: sky }), drawn2);
       y += height + GAP3;
     }
     const graphs = [...scene.querySelectorAll(".carts-graph")];
-    const half = WIDTH4 / 2;
+    const half = WIDTH5 / 2;
     for (let k = 0; k < graphs.length; k += 2) {
       let tallest = 0;
       graphs.slice(k, k + 2).forEach((graph, column) => {
@@ -4453,9 +5003,9 @@ ${lines2.join("\n")}
         if (!plot) return;
         const x = column * half;
         write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP3, y + 12, "700");
-        const drawn = alone2(plot);
-        const height = place2(drawn, x, y + LINE2, half - GAP3);
-        whole.append(drawn);
+        const drawn2 = alone2(plot);
+        const height = place2(drawn2, x, y + LINE2, half - GAP3);
+        whole.append(drawn2);
         const entries = [...graph.querySelectorAll(".carts-key > span")];
         entries.forEach((entry, i) => {
           const at = y + LINE2 + height + 14 + LINE2 * i;
@@ -4472,7 +5022,7 @@ ${lines2.join("\n")}
       y += tallest + GAP3;
     }
     for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y)));
-    whole.setAttribute("viewBox", `0 0 ${WIDTH4} ${Math.ceil(y)}`);
+    whole.setAttribute("viewBox", `0 0 ${WIDTH5} ${Math.ceil(y)}`);
     return new XMLSerializer().serializeToString(whole);
   }
   function alone2(original) {
@@ -4486,27 +5036,27 @@ ${lines2.join("\n")}
     ];
     from.forEach((part, i) => {
       const style = getComputedStyle(part);
-      const made = (
+      const made2 = (
         /** @type {Element} */
         to[i]
       );
       if (style.display === "none" && part.closest("defs") === null)
-        made.setAttribute("display", "none");
+        made2.setAttribute("display", "none");
       for (const property of PROPERTIES) {
         const value = style.getPropertyValue(property);
         const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part.tagName !== "rect" || made.hasAttribute(property))) continue;
-        if (value && value !== "auto") made.setAttribute(property, value.replaceAll('"', "'"));
+        if (geometry && (part.tagName !== "rect" || made2.hasAttribute(property))) continue;
+        if (value && value !== "auto") made2.setAttribute(property, value.replaceAll('"', "'"));
       }
-      made.removeAttribute("class");
+      made2.removeAttribute("class");
     });
     return copy;
   }
-  function place2(drawn, x, y, width) {
-    const [, , w = 1, h = 1] = (drawn.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
+  function place2(drawn2, x, y, width) {
+    const [, , w = 1, h = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
     const height = width * h / w;
     for (const [name2, value] of Object.entries({ x, y, width, height })) {
-      drawn.setAttribute(name2, String(value));
+      drawn2.setAttribute(name2, String(value));
     }
     return height;
   }
@@ -4554,11 +5104,11 @@ ${lines2.join("\n")}
         row.append(button);
       }
       place3.append(row, note, text);
-      const offer = async (made, what) => {
+      const offer = async (made2, what) => {
         text.hidden = false;
-        text.value = made;
+        text.value = made2;
         text.select();
-        const copied = await navigator.clipboard?.writeText(made).then(
+        const copied = await navigator.clipboard?.writeText(made2).then(
           () => true,
           () => false
         );
@@ -4609,7 +5159,7 @@ ${lines2.join("\n")}
 
   // src/values.js
   var ONE_CHANGE = 1e3;
-  var MOST3 = 50;
+  var MOST4 = 50;
   var Values = class {
     /** @type {Settings} accepted: those of the run that is shown */
     good = {};
@@ -4624,7 +5174,7 @@ ${lines2.join("\n")}
       const now = performance.now();
       if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
         this.#before.push({ ...this.wanted });
-        if (this.#before.length > MOST3) this.#before.shift();
+        if (this.#before.length > MOST4) this.#before.shift();
       }
       this.#last = { target, at: now };
       Object.assign(this.wanted, changes2);
@@ -4668,12 +5218,17 @@ ${lines2.join("\n")}
   function frame() {
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
-  function deferred() {
-    const made = {};
-    made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
-    return made;
+  async function drawn(scene, at, detail) {
+    await frame();
+    performance.measure("carts:update", { start: at, end: performance.now() });
+    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
   }
-  function refusal(problems) {
+  function deferred() {
+    const made2 = {};
+    made2.promise = new Promise((resolve, reject) => Object.assign(made2, { resolve, reject }));
+    return made2;
+  }
+  function refusal2(problems) {
     const [first] = problems;
     if (!first) return new Error("This value does not work.");
     return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
@@ -4806,16 +5361,12 @@ ${lines2.join("\n")}
         const reply = await this.#ask();
         if (!reply.header.ok) {
           this.#values.giveUp(changes2);
-          throw refusal(reply.header.problems ?? []);
+          throw refusal2(reply.header.problems ?? []);
         }
         if (generation !== this.#generation) return;
         this.#values.good = reply.sent.set;
         this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
-        await frame();
-        performance.measure("carts:update", { start: at, end: performance.now() });
-        this.dispatchEvent(
-          new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#values.good } })
-        );
+        await drawn(this, at, { ...this.#values.good });
       }
       get #told() {
         return !this.#predict || this.#lesson !== null;
@@ -4866,13 +5417,13 @@ ${lines2.join("\n")}
         else this.#mark();
       }
       #mark() {
-        const mark = need(this, ".carts-mark");
-        mark.setAttribute("aria-label", "live: Python computes in this page");
+        const mark2 = need(this, ".carts-mark");
+        mark2.setAttribute("aria-label", "live: Python computes in this page");
       }
       async #goLive() {
         try {
           const { header, numbers } = await this.#ask();
-          if (!header.ok) throw refusal(header.problems ?? []);
+          if (!header.ok) throw refusal2(header.problems ?? []);
           if (this.#told && !this.#view?.player.playing) {
             this.#draw({ header, trajectory: fromWire(header, numbers) });
           }
@@ -4903,14 +5454,18 @@ ${lines2.join("\n")}
         this.#waiting.reject(error);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
       }
-      /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now */
-      async #reveal(now) {
+      /** The run without a prediction, for a whole class: nothing is kept. */
+      async reveal() {
+        if (!this.#told) await this.#reveal(false, false);
+      }
+      /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
+      async #reveal(now, own2 = true) {
         this.#predict?.complain("");
         const generation = this.#generation;
         try {
           const { header, numbers } = await this.#ask();
           if (generation !== this.#generation) return;
-          if (!header.ok) throw refusal(header.problems ?? []);
+          if (!header.ok) throw refusal2(header.problems ?? []);
           const run = { header, trajectory: fromWire(header, numbers) };
           this.#lesson = run;
           this.classList.remove("carts-asks");
@@ -4918,19 +5473,13 @@ ${lines2.join("\n")}
           this.#draw(run);
           this.#view?.enable(true);
           this.#controls?.enable(true);
-          this.#predict?.compare(run);
-          if (now) this.#tell();
+          if (own2) this.#predict?.compare(run);
+          if (now)
+            this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
         } catch (error) {
           this.#predict?.complain(`${/** @type {Error} */
           error.message} Your prediction is kept.`);
         }
-      }
-      /** The lock's button is gone: the next thing to do is Play. */
-      #tell() {
-        const focused = document.activeElement;
-        const lost = !focused || focused === document.body || focused.matches(".carts-lock");
-        if (lost) need(this, ".carts-play").focus();
-        this.#view?.announcer.tell([this.#predict?.spoken ?? ""]);
       }
       /** @param {string} target @param {Error} error */
       #complain(target, error) {
@@ -5013,13 +5562,13 @@ ${lines2.join("\n")}
     }
     /** @param {(place: number) => void} chosen */
     #typed(chosen) {
-      const { low, high, unit, label: label2, per, decimals } = this.axis;
+      const { low, high, unit, label, per, decimals } = this.axis;
       const read = readTyped(this.box.value);
       if ("problem" in read) return this.#complain(read.problem);
-      if ("text" in read) return this.#complain(`${label2}: a number in ${unit}, please.`);
+      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
       if (read.value < low || read.value > high) {
         const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
-        return this.#complain(`${label2}: ${range}, please.`);
+        return this.#complain(`${label}: ${range}, please.`);
       }
       return chosen(this.nearest(read.value, per));
     }
@@ -5037,21 +5586,21 @@ ${lines2.join("\n")}
   var STEP_SLACK2 = 1e-9;
   var FINE2 = 400;
   var EDGE3 = 0.72;
-  function band2(value, { low, step, count }) {
-    if (Number.isNaN(value)) return count;
+  function band2(value, { low, step, count: count2 }) {
+    if (Number.isNaN(value)) return count2;
     const place3 = Math.floor((value - low) / step + STEP_SLACK2);
-    return Math.min(count - 1, Math.max(0, place3));
+    return Math.min(count2 - 1, Math.max(0, place3));
   }
   function mixed(a, b, part) {
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
     return a * (1 - part) + b * part;
   }
-  function between(values, lines2, count, factor, next, line) {
-    const fine = (count - 1) * factor + 1;
+  function between(values, lines2, count2, factor, next, line) {
+    const fine = (count2 - 1) * factor + 1;
     const found2 = new Float64Array(lines2 * fine);
     for (let i = 0; i < lines2; i += 1) {
       for (let k = 0; k < fine; k += 1) {
-        const left = Math.min(Math.floor(k / factor), count - 2);
+        const left = Math.min(Math.floor(k / factor), count2 - 2);
         const at = i * line + left * next;
         const part = (k - left * factor) / factor;
         found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
@@ -5074,17 +5623,17 @@ ${lines2.join("\n")}
     }
     return { places: lines(bands, width, scale), width, height };
   }
-  function lines(bands, width, { count, zero }) {
+  function lines(bands, width, { count: count2, zero }) {
     const places = bands.slice();
-    const line = 2 * count + 1;
+    const line = 2 * count2 + 1;
     const compare = (at, other) => {
       const own2 = Number(bands[at]);
       const next = Number(bands[other]);
-      if (next === own2 || own2 === count) return;
-      if (next !== count && own2 >= zero !== next >= zero) {
+      if (next === own2 || own2 === count2) return;
+      if (next !== count2 && own2 >= zero !== next >= zero) {
         places[at] = line;
         places[other] = line;
-      } else if (places[at] !== line) places[at] = count + 1 + own2;
+      } else if (places[at] !== line) places[at] = count2 + 1 + own2;
     };
     for (let at = 0; at < bands.length; at += 1) {
       if ((at + 1) % width) compare(at, at + 1);
@@ -5186,8 +5735,8 @@ ${lines2.join("\n")}
         this.facts.axes[k]
       );
       const axis2 = span(low, high, 1);
-      const shown = Number((Number(values[place3]) / per).toPrecision(12));
-      return (shown - axis2.low) / (axis2.high - axis2.low);
+      const shown2 = Number((Number(values[place3]) / per).toPrecision(12));
+      return (shown2 - axis2.low) / (axis2.high - axis2.low);
     }
     /** @param {number} fraction */
     #x(fraction) {
@@ -5228,15 +5777,15 @@ ${lines2.join("\n")}
       const value = settings[set];
       const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
       if (typeof value !== "number" || !root) continue;
-      const shown = Number((value / per).toPrecision(12));
+      const shown2 = Number((value / per).toPrecision(12));
       const box2 = (
         /** @type {HTMLInputElement} */
         need(root, ".carts-number-box")
       );
-      need(root, ".carts-slider").valueAsNumber = shown;
+      need(root, ".carts-slider").valueAsNumber = shown2;
       if (box2 !== document.activeElement) {
-        const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
-        box2.value = fixed(shown, decimals).replace("−", "-");
+        const decimals = Math.max(decimalsOf(shown2), decimalsOf(step));
+        box2.value = fixed(shown2, decimals).replace("−", "-");
       }
     }
   }
@@ -5244,11 +5793,11 @@ ${lines2.join("\n")}
   // src/map-table.js
   var COLUMNS = 6;
   var ROWS2 = 11;
-  function spread(count, most) {
-    const wanted = Math.min(most, count);
+  function spread(count2, most) {
+    const wanted = Math.min(most, count2);
     return Array.from(
       { length: wanted },
-      (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
+      (_, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
     );
   }
   function fillTable(table, grid, axisText, valueText) {
@@ -5406,7 +5955,7 @@ ${lines2.join("\n")}
         const generation = this.#generation;
         const first = await this.#ask(settings, 0);
         if (generation !== this.#generation) return;
-        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
+        if (!first.header.ok) throw refusal3(first.header.problems ?? []);
         this.#settings = settings;
         showSettings(this, this.#facts?.controls ?? [], settings);
         const { axes, rows, columns, why, runs } = first.header;
@@ -5529,12 +6078,114 @@ ${lines2.join("\n")}
       }
     };
   }
-  function refusal2([first]) {
+  function refusal3([first]) {
     if (!first) return new Error("This value does not work.");
     return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
   }
   function frame2() {
     return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+
+  // src/projector.js
+  var MOST_HANDS = 999;
+  function offerProjector(scene) {
+    const button = (
+      /** @type {HTMLButtonElement} */
+      need(scene, ".carts-project")
+    );
+    button.disabled = false;
+    const bar2 = html("p", "carts-project-bar");
+    const [reveal, next] = [made("carts-button", "Reveal"), made("carts-button", "Next scene")];
+    bar2.append(reveal, " ", next);
+    need(scene, ".carts-frame").append(bar2);
+    button.addEventListener("click", () => void project(scene, !isOn(scene)));
+    reveal.addEventListener("click", () => void scene.reveal?.());
+    next.addEventListener("click", () => {
+      const all = (
+        /** @type {Scene[]} */
+        [...document.querySelectorAll("carts-scene")]
+      );
+      const following = all[(all.indexOf(scene) + 1) % all.length];
+      if (following) void project(following, true);
+    });
+    scene.addEventListener("keydown", (event) => {
+      const typing = (
+        /** @type {Element} */
+        event.target.matches(
+          "input:not([type=range]), textarea, select"
+        )
+      );
+      if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
+      if (event.key === "Escape" && isOn(scene)) void project(scene, false);
+    });
+    for (const option of scene.querySelectorAll(".carts-options label")) count(scene, option);
+  }
+  document.addEventListener("fullscreenchange", () => {
+    if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
+  });
+  var shown = () => (
+    /** @type {NodeListOf<Scene>} */
+    document.querySelectorAll(".carts-projector")
+  );
+  var isOn = (scene) => scene.classList.contains("carts-projector");
+  async function project(scene, on) {
+    for (const other of shown()) if (other !== scene) mark(other, false);
+    mark(scene, on);
+    if (!on) {
+      if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
+      });
+      return;
+    }
+    await document.documentElement.requestFullscreen?.().catch(() => {
+    });
+    need(scene, ".carts-project").focus();
+  }
+  function mark(scene, on) {
+    scene.classList.toggle("carts-projector", on);
+    document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
+    scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
+  }
+  function count(scene, option) {
+    const line = html("span", "carts-hands");
+    const box2 = document.createElement("input");
+    box2.type = "number";
+    box2.min = "0";
+    box2.max = String(MOST_HANDS);
+    box2.setAttribute("aria-label", `hands for: ${option.textContent?.trim()}`);
+    const bar2 = document.createElement("meter");
+    bar2.setAttribute("aria-hidden", "true");
+    const part = html("span");
+    line.append(box2, bar2, part);
+    option.after(line);
+    box2.addEventListener("input", () => {
+      const boxes = (
+        /** @type {NodeListOf<HTMLInputElement>} */
+        scene.querySelectorAll(".carts-hands input")
+      );
+      const hands = (one) => Math.min(MOST_HANDS, Math.max(0, Math.round(one.valueAsNumber || 0)));
+      const all = [...boxes].reduce((sum, one) => sum + hands(one), 0);
+      for (const one of boxes) {
+        const share = all ? hands(one) / all : 0;
+        const meter = (
+          /** @type {HTMLMeterElement} */
+          one.nextElementSibling
+        );
+        meter.value = share;
+        say(
+          /** @type {Element} */
+          meter.nextElementSibling,
+          `${hands(one)} of ${all}`
+        );
+      }
+    });
+  }
+  function made(className, text) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = className;
+    button.textContent = text;
+    return button;
   }
 
   // src/runtime-failure.js
@@ -5980,7 +6631,13 @@ ${lines2.join("\n")}
     const base = new URL("runtime/", own).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
     customElements.define("carts-scene", sceneElement(client));
+    for (const scene of document.querySelectorAll("carts-scene"))
+      offerProjector(
+        /** @type {HTMLElement} */
+        scene
+      );
     customElements.define("carts-map", mapElement(client));
+    customElements.define("carts-cost", costElement(client));
     if (document.querySelector("carts-scene")) {
       if (typeof requestIdleCallback === "function") {
         requestIdleCallback(() => client.wake(), { timeout: 1e3 });

@@ -10,6 +10,13 @@ export class Announcer {
     this.region = need(root, ".carts-announcer");
   }
 
+  /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+  leadTo(next, sentence) {
+    const focused = document.activeElement;
+    if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+    this.tell([sentence]);
+  }
+
   /** @param {string[]} sentences */
   tell(sentences) {
     if (sentences.length) this.region.textContent = sentences.slice(-MOST).join(" ");

@@ -53,9 +53,28 @@ export function forcesAt({ header, trajectory }, t, always = false) {
   return found;
 }
 
-/** @param {Acting} force @returns {string} what stands beside its arrow */
-export function label({ kind, on, by, size }) {
-  return `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`;
+/** @param {Acting} force @returns {string[]} what may stand beside its arrow; the shorter where room is scarce */
+export function labels({ kind, on, by, size }) {
+  const brief = by.replaceAll("the ", "");
+  return [
+    `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
+    `on ${on} by ${brief}: ${size} N`,
+    `by ${brief}: ${size} N`, // whose force it is tells the line from the cart
+  ];
+}
+
+/** @param {Header} header @returns {string} what gets the momentum that the carts give away: “wall + Earth”, “air”; “” where nothing */
+export function outside({ effects, track }) {
+  const walls = track.left === "wall" || track.right === "wall";
+  const has = (/** @type {string} */ kind) => effects.some((effect) => effect.kind === kind);
+  const parts = [
+    walls ? "wall" : "",
+    has("friction") ? "track" : "",
+    has("drag") ? "air" : "",
+    ...effects.filter(({ kind }) => kind === "push").map(agent),
+    walls || has("friction") || has("incline") ? "Earth" : "",
+  ];
+  return [...new Set(parts.filter(Boolean))].join(" + ");
 }
 
 /** @param {Header} header @param {string} pair @returns {string} “spring” or “magnets” where one acts between the two, else “” */

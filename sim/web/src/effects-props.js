@@ -20,6 +20,10 @@ const LEAD = 5; // units of straight wire at each end of a coil
 const COIL = 7; // half its height
 const TOOTH = 4; // units of the rough track
 const POLE = 12; // units, width of a pole of a magnet
+const POLES = [
+  ["N", "carts-north"],
+  ["S", "carts-south"], // only where there is room
+];
 const STEEPEST = 22; // units, height of the wedge
 /** @type {Record<string, number>} */
 const WEDGE = { wide: 120, narrow: 90 }; // units, length of the wedge
@@ -44,8 +48,8 @@ export function props(header, layout, t, face, centre) {
           return springCoil(effect, layout, key, face(a, "right"), face(b, "left"));
         case "magnets":
           return [
-            ...magnet(`${key} ${a}`, face(a, "right"), y, -1),
-            ...magnet(`${key} ${b}`, face(b, "left"), y, 1),
+            ...magnet(`${key} ${a}`, face(a, "right"), y, -1, layout),
+            ...magnet(`${key} ${b}`, face(b, "left"), y, 1, layout),
           ];
         case "release":
           if (t >= (effect.numbers.at ?? 0)) return [];
@@ -86,14 +90,11 @@ function springCoil(effect, layout, key, start, end) {
   ];
 }
 
-/** Two poles on top of a bumper, north at the facing edge. */
-/** @param {string} key @param {number} x @param {number} y @param {1 | -1} way into the body @returns {Piece[]} */
-function magnet(key, x, y, way) {
+/** The poles on top of a bumper, north at the facing edge. */
+/** @param {string} key @param {number} x @param {number} y @param {1 | -1} way into the body @param {Layout} layout @returns {Piece[]} */
+function magnet(key, x, y, way, { kind }) {
   const top = y - 40;
-  return [
-    ["N", "carts-north"],
-    ["S", "carts-south"],
-  ].flatMap(([pole, cls], k) => {
+  return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole, cls], k) => {
     const start = x + way * k * POLE;
     const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
     return [
@@ -124,13 +125,13 @@ function hand({ carts: [name = ""], numbers }, { bodies }, layout, key, centre) 
 /** A coil squeezed between two plates, and the latch that holds them. */
 /** @param {string} key @param {number} x @param {number} y @returns {Piece[]} */
 function exploder(key, x, y) {
-  const low = y - 34;
+  const low = y - 28;
   return [
-    { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 5) },
+    { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 4) },
     {
       key: `${key} latch`,
       cls: "carts-latch",
-      d: `M${px(x - 10)} ${px(low + 8)}v-18h20v18`,
+      d: `M${px(x - 10)} ${px(low + 7)}v-15h20v15`,
     },
   ];
 }

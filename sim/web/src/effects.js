@@ -5,7 +5,7 @@
  */
 
 import { need, put, say, svg } from "./dom.js";
-import { FEW, forcesAt, label } from "./effects-forces.js";
+import { FEW, forcesAt, labels } from "./effects-forces.js";
 import { props } from "./effects-props.js";
 import { styleOf } from "./markers.js";
 import { px } from "./numbers.js";
@@ -106,10 +106,8 @@ export function arrows(run, layout, full, t, centre) {
     pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
     const row = `row ${force.kind}`;
     if (named) {
-      const told = label(force) + (cut ? ", arrow cut" : "");
-      // whose force it is tells the line from the cart
-      const fit = fits(x, length, told, layout.width);
-      const text = fit ? told : told.slice(told.indexOf("by "));
+      const told = labels(force).map((one) => one + (cut ? ", arrow cut" : ""));
+      const text = told.find((one) => fits(x, length, one, layout.width)) ?? String(told.at(-1));
       const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
       const cls = `carts-acts-name ${style}`;
       pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });

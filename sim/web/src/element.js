@@ -9,7 +9,7 @@ import { followLink } from "./share.js";
 import { TakeAlong } from "./take-along.js";
 import { fromWire } from "./trajectory.js";
 import { Values } from "./values.js";
-import { deferred, frame, refusal } from "./waiting.js";
+import { deferred, drawn, frame, refusal } from "./waiting.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */
@@ -158,11 +158,7 @@ export function sceneElement(client) {
       if (generation !== this.#generation) return;
       this.#values.good = reply.sent.set;
       this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
-      await frame();
-      performance.measure("carts:update", { start: at, end: performance.now() });
-      this.dispatchEvent(
-        new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#values.good } }),
-      );
+      await drawn(this, at, { ...this.#values.good });
     }
 
     get #told() {
@@ -261,8 +257,13 @@ export function sceneElement(client) {
       this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
 
-    /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now */
-    async #reveal(now) {
+    /** The run without a prediction, for a whole class: nothing is kept. */
+    async reveal() {
+      if (!this.#told) await this.#reveal(false, false);
+    }
+
+    /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
+    async #reveal(now, own = true) {
       this.#predict?.complain("");
       const generation = this.#generation;
       try {
@@ -276,19 +277,12 @@ export function sceneElement(client) {
         this.#draw(run);
         this.#view?.enable(true);
         this.#controls?.enable(true);
-        this.#predict?.compare(run);
-        if (now) this.#tell();
+        if (own) this.#predict?.compare(run);
+        if (now)
+          this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
       } catch (error) {
         this.#predict?.complain(`${/** @type {Error} */ (error).message} Your prediction is kept.`);
       }
-    }
-
-    /** The lock's button is gone: the next thing to do is Play. */
-    #tell() {
-      const focused = document.activeElement;
-      const lost = !focused || focused === document.body || focused.matches(".carts-lock");
-      if (lost) need(this, ".carts-play").focus();
-      this.#view?.announcer.tell([this.#predict?.spoken ?? ""]);
     }
 
     /** @param {string} target @param {Error} error */

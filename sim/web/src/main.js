@@ -1,9 +1,11 @@
 /** The page's script: one worker for all scenes, started when the page is idle or first touched. */
 
 import { Client } from "./client.js";
+import { costElement } from "./cost-element.js";
 import { sceneElement } from "./element.js";
 import { excuse, missingFeatures } from "./features.js";
 import { mapElement } from "./map-element.js";
+import { offerProjector } from "./projector.js";
 import { startRuntime } from "./runtime.js";
 
 const own =
@@ -23,7 +25,10 @@ if (missing.length) {
   const base = new URL("runtime/", own).href;
   const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
   customElements.define("carts-scene", sceneElement(client));
+  for (const scene of document.querySelectorAll("carts-scene"))
+    offerProjector(/** @type {HTMLElement} */ (scene));
   customElements.define("carts-map", mapElement(client));
+  customElements.define("carts-cost", costElement(client));
   if (document.querySelector("carts-scene")) {
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1000 });

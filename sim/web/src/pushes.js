@@ -133,7 +133,8 @@ export class Pushes {
     const [low, high] = this.#between();
     if (high - low >= left + right + 2 * GAP && !push.bodies.some(isWall)) {
       const begin = Math.min(Math.max(x + GAP, low + left + 2 * GAP), high - right);
-      write(first, labels[0] ?? "", Math.min(x - GAP, begin - 2 * GAP), push.row, "end");
+      const end = Math.max(low + left, Math.min(x - GAP, begin - 2 * GAP));
+      write(first, labels[0] ?? "", end, push.row, "end");
       write(second, labels[1] ?? "", begin, push.row, "start");
       return true;
     }

@@ -1,5 +1,6 @@
 /** The curves of each graph. Twin of `sim/pages/widget/series.py`. */
 
+import { outside } from "./effects-forces.js";
 import { styleOf } from "./markers.js";
 import { brief } from "./words.js";
 
@@ -47,22 +48,17 @@ export function seriesOf(quantity, header, run, camera, signed = false, per = 1)
         return { ...curve, values: seen.map((s) => (mass * s * s) / 2), slopes: null };
     }
   });
-  if (quantity === "p" && hasPartner(header)) curves.push(partner(curves));
+  if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
   if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
   return curves;
 }
 
-/** @param {Header} header @returns {boolean} whether something outside of the carts takes momentum */
-export function hasPartner({ track }) {
-  return track.left === "wall" || track.right === "wall";
-}
-
-/** What the carts have given to the wall, and the wall to the Earth. @param {Series[]} curves of all carts @returns {Series} */
-function partner(curves) {
+/** What the carts have given away: to the wall, and the wall to the Earth. @param {Series[]} curves of all carts @param {string} label @returns {Series} */
+function partner(curves, label) {
   const { values, slopes } = total(curves);
   const start = Number(values[0]);
   return {
-    label: "wall + Earth",
+    label,
     style: "wall",
     over: false,
     values: Float64Array.from(values, (value) => start - value),

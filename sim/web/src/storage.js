@@ -70,9 +70,10 @@ export function forStudent(all, code) {
 /** @param {string} site @returns {Promise<Store>} */
 async function openOnce(site) {
   try {
-    return indexed(await reopening(`carts:${site}`));
+    return sheltered(indexed(await reopening(`carts:${site}`)));
   } catch {
-    return textStore(site) ?? memory();
+    const texts = textStore(site);
+    return texts ? sheltered(texts) : memory();
   }
 }
 
@@ -191,9 +192,42 @@ function textStore(site) {
   };
 }
 
+/**
+ * What a browser refuses to keep, as long as the page is open: it can still be saved as a file. The
+ * scripts of a page share it.
+ * @returns {Map<string, any>}
+ */
+function shelter() {
+  const page = /** @type {any} */ (globalThis);
+  const name = Symbol.for("carts-shelter");
+  page[name] ??= new Map();
+  return page[name];
+}
+
+/** The same store, and what it refused. @param {Store} store @returns {Store} */
+function sheltered(store) {
+  return {
+    ...store,
+    put: async (key, value) => {
+      try {
+        await store.put(key, value);
+        shelter().delete(key);
+      } catch (error) {
+        shelter().set(key, keepEarlier(shelter().get(key), value));
+        throw error;
+      }
+    },
+    remove: async (key) => {
+      shelter().delete(key);
+      await store.remove(key);
+    },
+    entries: async () => [...new Map([...(await store.entries()), ...shelter()])],
+  };
+}
+
 /** @returns {Store} */
 function memory() {
-  const kept = new Map();
+  const kept = shelter();
   return {
     kind: "memory",
     how: "memory",

@@ -5,6 +5,16 @@ export function frame() {
   return new Promise((resolve) => requestAnimationFrame(resolve));
 }
 
+/**
+ * Waits until a change is on the screen, measures how long that took, and tells whoever listens.
+ * @param {HTMLElement} scene @param {number} at when the reader asked for it @param {object} detail the values now
+ */
+export async function drawn(scene, at, detail) {
+  await frame();
+  performance.measure("carts:update", { start: at, end: performance.now() });
+  scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+}
+
 /** @returns {{promise: Promise<unknown>, resolve: (value: unknown) => void, reject: (error: unknown) => void}} */
 export function deferred() {
   /** @type {any} */

@@ -134,7 +134,7 @@ export class Book extends EventTarget {
       this.#channel = new BroadcastChannel(`carts:${this.site}`);
       this.#channel.onmessage = ({ data }) => void this.#hear(data);
     }
-    document.addEventListener("carts-kept", () => void this.#refresh());
+    document.addEventListener("carts-kept", () => void this.refresh());
   }
 
   async #read() {
@@ -146,8 +146,8 @@ export class Book extends EventTarget {
     }
   }
 
-  /** A prediction was kept by the scene's own script. */
-  async #refresh() {
+  /** Takes in what the scene's own script has kept: predictions. */
+  async refresh() {
     await this.#read();
     this.dispatchEvent(new CustomEvent("change", { detail: null }));
   }

@@ -75,6 +75,25 @@ function rows(book, told) {
   });
 }
 
+/** What to do to see answers that are not this page's or this student's; empty: nothing. */
+/** @param {{student: string, lesson: string, entries: [string, any][]}} found @param {import("./book.js").Book} book */
+function elsewhere(found, book) {
+  const words = [];
+  if (found.student !== book.student) {
+    const whose = found.student || "somebody without a code word";
+    words.push(` They belong to ${whose}: continue under that code word to see them.`);
+  }
+  if (!found.entries.some(([key]) => key.startsWith(`${book.page}#`))) {
+    // Firefox keeps what a page of a folder has for that page alone.
+    const alone = location.protocol === "file:" && navigator.userAgent.includes("Firefox/");
+    const how = alone
+      ? "open that page and bring the file back there"
+      : "open that page to see them";
+    words.push(` They belong to the page “${found.lesson}”: ${how}.`);
+  }
+  return words.join("");
+}
+
 /** @param {import("./book.js").Book} book @param {HTMLElement} told */
 function importRow(book, told) {
   const row = html("p", "carts-answers-import");
@@ -93,17 +112,12 @@ function importRow(book, told) {
     const changed = await book.take(found.student, found.entries).catch(() => -1);
     if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
     box.value = "";
-    const whose =
-      found.student === book.student
-        ? ""
-        : ` They belong to ${found.student || "somebody without a code word"}: continue under that code word to see them.`;
-    say(
-      told,
-      `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file; nothing that was here is lost.${whose}`,
-    );
+    const where = elsewhere(found, book);
+    const count = `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file`;
+    say(told, `${count}; nothing that was here is lost.${where}`);
     // A scene takes its prediction up only when the page is read.
     const predicted = found.entries.some(([, entry]) => entry.locked);
-    if (!whose && changed && predicted) setTimeout(() => location.reload(), 1500);
+    if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);
   });
   return row;
 }

@@ -23,6 +23,9 @@ export function listPart(book) {
       button("Print empty", () => print(true)),
     );
     root.append(row);
+    const told =
+      "Check works without a network because the right answers of worksheets are in their pages.";
+    root.append(html("p", "carts-quiet", told));
   }
   if (!shown.length) root.append(html("p", "carts-quiet", "Nothing to show."));
   if (hidden)

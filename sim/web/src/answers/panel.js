@@ -24,6 +24,7 @@ export class Panel {
 
   async open() {
     await this.book.ready;
+    await this.book.refresh();
     const title = html("h2", "carts-answers-title", "My answers");
     title.id = "carts-answers-title";
     const close = html("button", "carts-button carts-answers-close", "Close");

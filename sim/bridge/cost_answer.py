@@ -1,0 +1,119 @@
+"""What accuracy costs, as the wire delivers it: one run by a method, or one row of the table.
+
+    {"id": 8, "kind": "cost", "scene": {...}, "method": "euler", "parts": 103}
+    {"id": 9, "kind": "cost", "scene": {...}, "row": 3}
+
+The first is answered with both runs over one time grid, column after column: t, x of each cart as
+stepped, x of each cart exactly, energy of motion as stepped and exactly. `parts` is how many steps
+the run's length is divided into; `adaptive` has `rtol` instead. The second is answered with one
+measured row (several for row 0) of about `of`; a page asks for them one by one.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Mapping
+from typing import Any
+
+from sim.dynamics.cost.exact import exact
+from sim.dynamics.cost.measure import exact_rows, row, ways
+from sim.dynamics.cost.report import row_object
+from sim.dynamics.ledger import kinetic
+from sim.dynamics.report import finite
+from sim.dynamics.run import run
+from sim.dynamics.stepping.methods import NAMES, Way
+from sim.dynamics.stepping.recorded import SteppedRun, stepped
+from sim.dynamics.trajectory import sample
+from sim.scene import Problem, Scene, SceneError, read_scene
+
+MOST_PARTS = 20_000
+"""Steps of a run that a page may ask for."""
+
+FINEST = 1_000
+"""Parts of the finest row that a page measures: a slow laptop has to be done in a few seconds."""
+
+FRAMES = 400
+"""Samples of a run that are sent; steps between them are left out, none is put in between."""
+
+
+def cost_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
+    """Header and numbers; raises SceneError for what makes no sense."""
+    scene = read_scene(request.get("scene") or {})
+    number = request.get("row")
+    if isinstance(number, int):
+        return _row(scene, number), array("d")
+    return _run(scene, _way(scene, request))
+
+
+def _row(scene: Scene, number: int) -> dict[str, Any]:
+    listed = ways(scene, finest=FINEST)
+    truth = exact(scene)
+    if number <= 0 or number > len(listed):
+        rows = exact_rows(scene, truth)
+    else:
+        rows = [row(scene, truth, listed[number - 1])]
+    return {"rows": [row_object(one) for one in rows], "of": len(listed) + 1}
+
+
+def _way(scene: Scene, request: Mapping[str, Any]) -> Way:
+    method, parts = request.get("method"), request.get("parts", 1_000)
+    if method not in NAMES:
+        raise SceneError(
+            [Problem(("method",), "unknown-method", "there is no such method", ", ".join(NAMES))]
+        )
+    if method == "adaptive":
+        return Way("adaptive", rtol=min(0.1, max(1e-13, float(request.get("rtol", 1e-9)))))
+    if not isinstance(parts, int) or not 1 <= parts <= MOST_PARTS:
+        problem = Problem(("parts",), "range", "too many steps for a page", f"1 to {MOST_PARTS}")
+        raise SceneError([problem])
+    return Way(str(method), step=scene.until / parts)
+
+
+def _run(scene: Scene, way: Way) -> tuple[dict[str, Any], array[float]]:
+    solved, result = run(scene), stepped(scene, way)
+    names = [cart.name for cart in scene.carts]
+    header = {
+        "until": scene.until,
+        "bodies": [{"name": c.name, "mass": c.mass, "length": c.length} for c in scene.carts],
+        "track": {
+            "left": scene.track.left,
+            "right": scene.track.right,
+            "length": scene.track.length,
+        },
+        "steps": result.steps,
+        "evaluations": result.evaluations,
+        "v": {"stepped": _named(names, result.run.v), "exact": _named(names, solved.v)},
+        "energy": {
+            "initial": solved.ledger.energy_initial,
+            "stepped": result.run.ledger.energy_final,
+            "exact": solved.ledger.energy_final,
+            "imbalance": result.lost_energy,
+        },
+    }
+    numbers, rows = _columns(scene, solved, result)
+    return {**{key: finite(value) for key, value in header.items()}, "rows": rows}, numbers
+
+
+def _named(names: list[str], values: tuple[float, ...]) -> dict[str, float]:
+    return dict(zip(names, values, strict=True))
+
+
+def _columns(scene: Scene, solved: Any, result: SteppedRun) -> tuple[array[float], int]:
+    """Both runs at the ends of steps."""
+    columns = result.samples.columns
+    times = columns[("t",)]
+    every = max(1, len(times) // FRAMES)
+    places = [*range(0, len(times) - 1, every), len(times) - 1]
+    names = [cart.name for cart in scene.carts]
+    exactly = [sample(solved, times[k]) for k in places]
+    lines = [
+        [times[k] for k in places],
+        *([columns[("x", name)][k] for k in places] for name in names),
+        *([x[cart] for x, _ in exactly] for cart in range(len(names))),
+        [kinetic(scene, [columns[("v", name)][k] for name in names]) for k in places],
+        [kinetic(scene, v) for _, v in exactly],
+    ]
+    numbers = array("d")
+    for line in lines:
+        numbers.extend(line)
+    return numbers, len(places)

@@ -1,0 +1,44 @@
+"""“What accuracy costs” in the page: another method, a measurement that fills, and stopping it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from sim.bridge.protocol import answer
+from tests import registry
+from tests.web.conftest import OpenPage
+from tests.web.widget_site import LIVE
+
+
+@pytest.mark.browser
+@pytest.mark.slow
+def test_methods_run_and_are_measured_in_the_readers_browser(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "accuracy" / "index.html", folder=site)
+    cost = page.locator("#cost-two-runs")
+    expect(cost.locator(".carts-cost-told")).to_contain_text("145.4 %")  # without Python
+    baked = cost.locator(".carts-cost-figure [transform].carts-cost-point").count()
+    cost.locator(".carts-cost-method").select_option("semi-implicit")
+    expect(cost).to_have_attribute("data-state", "live", timeout=LIVE)
+    # Both runs are those that are computed here.
+    request = {"id": 1, "kind": "cost", "scene": registry.plain("paper-two-carts")}
+    header, numbers = answer(request | {"method": "semi-implicit", "parts": 103})
+    seen = cost.evaluate("(el) => ({v: el.run.header.v, numbers: [...el.run.numbers]})")
+    assert seen["v"]["exact"] == header["v"]["exact"]
+    assert seen["numbers"] == pytest.approx(list(numbers), abs=1e-12)
+    # A measurement shows row after row; stopped, it keeps them.
+    cost.locator(".carts-cost-go").click()
+    page.wait_for_function(
+        "() => document.querySelector('carts-cost').rows.length === 4", timeout=LIVE
+    )
+    cost.locator(".carts-cost-stop").click()
+    expect(cost.locator(".carts-cost-go")).to_be_visible()
+    expect(cost.locator(".carts-cost-say")).to_contain_text("Stopped after")
+    assert cost.locator(".carts-cost-figure [transform].carts-cost-point").count() < baked
+    first, _, euler, *_ = cost.evaluate("(el) => el.rows")
+    assert (first["method"], first["time_ratio"], euler["evaluations"]) == ("exact", 1, 103)
+    assert first["error_v"] <= 4e-16
