@@ -20,7 +20,7 @@ LAYERS = ("scene", "dynamics", "bridge")
 """What a page asks for. Questions are marked in JavaScript: no page runs `lesson` or `classroom`."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
-APART = ("sim.lesson", "sim.classroom", "sim.dynamics.batch")
+APART = ("sim.dynamics.batch",)
 """Left out of the picture of the memory: no scene needs them. Pages that do carry packages too, and
 those load the wheel."""
 
