@@ -126,7 +126,7 @@ class Cluster:
             over, force = self.series.over[k], self.series.force[k]
             if gap.touching is None:
                 found += [((cause, k), p) for cause, p in watch.linked(gap, over)]
-            elif branch.locked and sizes[k] <= noise:
+            elif branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
                 found.append((("apart", k), [-1.0]))  # nobody pushes them together any more
             elif sizes[k] >= noise:
                 found += [((cause, k), p) for cause, p in watch.contact(gap, branch, over, force)]

@@ -244,6 +244,8 @@ class _Run:
             for other in gaps:
                 if other is not gap and not other.joined:
                     other.rate = other.right.v - other.left.v
+                    if other.law is None and other.rate != 0.0:
+                        other.touching = None  # it rested; now it opens, or is struck in its turn
             bodies = [body for body in bodies if any(body is one for one in self.chain.bodies)]
         self.form_again(bodies, gaps, now)
 
