@@ -12,13 +12,15 @@ import math
 from typing import TYPE_CHECKING
 
 from sim.dynamics.laws import Bumper
-from sim.dynamics.polynomial import cube_integral, integral, square_integral, value
+from sim.dynamics.polynomial import Poly, cube_integral, integral, square_integral, value
 
 if TYPE_CHECKING:
+    from sim.dynamics.chain import Gap
     from sim.dynamics.cluster import Cluster
     from sim.dynamics.flight import Flight
     from sim.dynamics.forces import Load
     from sim.dynamics.ledger import Ledger
+    from sim.dynamics.series import Branch
 
 
 def _pulls(
@@ -75,23 +77,21 @@ def cluster(ledger: Ledger, step: Cluster, t: float) -> None:
             if damping:
                 rate = [n * c for n, c in enumerate(step.series.over[k])][1:]
                 ledger.work(link.kind, -damping * square_integral(rate, t))
-        if gap.links and (gap.left.mass == math.inf or gap.right.mass == math.inf):
+        if gap.links and math.inf in (gap.left.mass, gap.right.mass):
             impulse = value(integral(step.series.pull[k]), t)
             toward = 1.0 if gap.left.mass == math.inf else -1.0
             ledger.push_from_outside(toward * impulse, gap.links[0].kind)
 
 
-def warmed(step: Cluster, k: int, t: float) -> float:
+def warmed(gap: Gap, branch: Branch, over: Poly, t: float) -> float:
     """J. What a touching gap does not give back of the work pressed in, up to t s."""
-    gap, branch, over = step.members[k], step.branches[k], step.series.over[k]
     loss = 0.0
     if branch.gamma:
         rate = [n * c for n, c in enumerate(over)][1:]
         loss += branch.gamma * square_integral(rate, t)
     law = gap.law
     if isinstance(law, Bumper) and branch.kappa == law.stiffness and law.e < 1.0:
+        kept = 0.5 * law.stiffness * (1.0 - law.e) * (1.0 + law.e)
         end = value(over, t)
-        loss += (
-            0.5 * law.stiffness * (1.0 - law.e) * (1.0 + law.e) * (end - over[0]) * (end + over[0])
-        )
+        loss += kept * (end - over[0]) * (end + over[0])
     return loss

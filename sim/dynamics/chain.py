@@ -137,7 +137,8 @@ def component(chain: Chain, body: Body) -> tuple[list[Body], list[Gap]]:
 
     Walls belong to no component: they do not move.
     """
-    bodies, gaps = [body], []
+    bodies: list[Body] = [body]
+    gaps: list[Gap] = []
     while (gap := chain.gaps[bodies[0].left]) is not None and gap.member:
         gaps.insert(0, gap)
         if not gap.left.carts:

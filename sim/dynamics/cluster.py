@@ -9,16 +9,18 @@ and what still belongs together forms anew, by the cheapest solver that is exact
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from sim.dynamics import modes, watch
+from sim.dynamics import booking, modes, watch
 from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.polynomial import Poly, first_fall, integral, size, slope, value
 from sim.dynamics.series import Branch, Expansion, Row, converged_step, expand, step_length
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
+    from sim.dynamics.forces import Load
 
 NEGLIGIBLE = 1e-13
 """Of the largest force in the cluster. Far ahead of the push that runs through a touching chain the
@@ -43,12 +45,21 @@ class Cluster:
     path: list[Poly] = field(init=False)  # m, from where they were
     duration: float = field(init=False)
     ends: list[watch.End] = field(init=False, default_factory=list)
-    name = "coupled-contacts"
+    touched: list[bool] = field(init=False)  # which gaps are contacts, not links alone
+    loads: list[Load] = field(init=False)
+    name = "power-series"
     tier = 2
 
     def __post_init__(self) -> None:
+        self.touched = [gap.touching is not None for gap in self.members]
+        self.loads = [body.load for body in self.bodies]
         self.branches = [watch.branch_of(gap) for gap in self.members]
         modes.decide(self.bodies, self.members, self.branches)
+        self._solve()
+        self._find_ends()
+
+    def _solve(self) -> None:
+        """The series, and a step in which it has converged."""
         self._expand([self._drag_sign(body) for body in self.bodies])
         unsigned = [
             i for i, body in enumerate(self.bodies) if body.load.quadratic and not body.sliding
@@ -61,15 +72,23 @@ class Cluster:
         self.duration = min(step_length(self.row), self.limit)
         if self.row.nonlinear:
             self.duration = converged_step(self.row, self.series, self.speed, self.duration)
-        self._find_ends()
 
     @staticmethod
     def _drag_sign(body: Body) -> float:
         return body.sliding * body.load.quadratic
 
     def _expand(self, quadratic: list[float]) -> None:
+        self.row = self._row(quadratic)
+        self.series = expand(self.row)
+        self.speed = [
+            [body.v, *integral(a)[1:]]
+            for body, a in zip(self.bodies, self.series.bodies, strict=True)
+        ]
+        self.path = [integral(v) for v in self.speed]
+
+    def _row(self, quadratic: list[float]) -> Row:
         bodies, gaps = self.bodies, self.members
-        self.row = Row(
+        return Row(
             inverse=[0.0 if body.held else 1.0 / body.mass for body in bodies],
             speeds=[body.v for body in bodies],
             overlaps=[-gap.room for gap in gaps],
@@ -80,11 +99,6 @@ class Cluster:
             linear=[body.load.linear for body in bodies],
             quadratic=quadratic,
         )
-        self.series = expand(self.row)
-        self.speed = [
-            [body.v, *integral(a)[1:]] for body, a in zip(bodies, self.series.bodies, strict=True)
-        ]
-        self.path = [integral(v) for v in self.speed]
 
     def _steady(self) -> list[float]:
         """N on each body besides its neighbours and drag: constant in the step."""
@@ -103,14 +117,14 @@ class Cluster:
         for k, sign in ((i - 1, 1.0), (i, -1.0)):
             if 0 <= k < len(self.members):
                 gap, branch = self.members[k], self.branches[k]
-                push = branch.force(-gap.room, -gap.rate)
+                push = watch.force_now(gap, branch)
                 push += sum(link.force(gap.room, gap.rate) for link in gap.links)
                 total += sign * push
         return total
 
     def _find_ends(self) -> None:
-        sizes = [size(force, self.duration) for force in self.series.force]
-        noise = NEGLIGIBLE * max(sizes, default=0.0)
+        sizes = self._sizes()
+        noise = NEGLIGIBLE * max((s for s in sizes if s < math.inf), default=0.0)
         for end, watched in self._watched(sizes, noise):
             found = first_fall(watched, self.duration)
             if found is not None:
@@ -118,6 +132,10 @@ class Cluster:
                     self.ends.clear()
                 self.ends.append(end)
                 self.duration = found
+
+    def _sizes(self) -> list[float]:
+        """N. Bounds on the contact forces in the step."""
+        return [size(force, self.duration) for force in self.series.force]
 
     def _watched(self, sizes: list[float], noise: float) -> list[tuple[watch.End, Poly]]:
         """Everything that ends the step when it falls to zero."""
@@ -141,6 +159,24 @@ class Cluster:
     def gaps(self) -> tuple[int, ...]:
         """The gaps of the chain that it moves."""
         return tuple(gap.index for gap in self.members)
+
+    def impulse(self, k: int, t: float) -> float:
+        """N s. Of the contact in gap k, up to t."""
+        return value(integral(self.series.force[k]), t)
+
+    def contact_force(self, k: int, t: float) -> float:
+        """N. Of the contact in gap k at t."""
+        return value(self.series.force[k], t)
+
+    def greatest(self, k: int, t: float) -> list[float]:
+        """Times up to t at which a contact's force may be greatest: ends, and where it turns."""
+        growth = slope(self.series.force[k])
+        turn = first_fall(growth, t) if value(growth, t) < 0.0 else None
+        return [0.0, t] if turn is None else [0.0, turn, t]
+
+    def warmed(self, k: int, t: float) -> float:
+        """J. What the contact in gap k does not give back of the work pressed in, up to t."""
+        return booking.warmed(self.members[k], self.branches[k], self.series.over[k], t)
 
     def push(self, k: int) -> Poly:
         """N of gap k: contact and links."""

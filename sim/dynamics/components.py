@@ -15,7 +15,7 @@ from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.flight import Flight
 from sim.dynamics.ledger import Ledger
-from sim.dynamics.polynomial import first_fall, integral, slope, value
+from sim.dynamics.polynomial import first_fall, slope, value
 from sim.dynamics.record import Record
 from sim.dynamics.resolve import outside
 from sim.dynamics.touching import Peak
@@ -93,10 +93,10 @@ def _settle_cluster(solver: Cluster, now: Time, record: Record, ledger: Ledger) 
         if gap.touching is not None:
             if record.keep_events:
                 _see_peaks(solver, k, t, gap)
-            impulse = value(integral(solver.series.force[k]), t)
+            impulse = solver.impulse(k, t)
             gap.touching.impulse += impulse
             outside(gap.left, gap.right, impulse, ledger)
-            ledger.warm(booking.warmed(solver, k, t))
+            ledger.warm(solver.warmed(k, t))
         if gap.touching is not None and gap.law is not None:
             deepest = max(-gap.room, over)
             if -gap.rate > 0.0 > rate and (turn := first_fall(slope(series), t)) is not None:
@@ -112,10 +112,7 @@ def _see_peaks(solver: Cluster, k: int, t: float, gap: Gap) -> None:
     """The greatest force in the step: at its ends, or where it stops growing."""
     touching = gap.touching
     assert touching is not None
-    force = solver.series.force[k]
-    growth = slope(force)
-    turn = first_fall(growth, t) if value(growth, t) < 0.0 else None
-    for when in (0.0, t) if turn is None else (0.0, turn, t):
+    for when in solver.greatest(k, t):
         after = (value(solver.speed[k], when), value(solver.speed[k + 1], when))
-        impulse = touching.impulse + value(integral(force), when)
-        touching.see(Peak(later(solver.begun, when), value(force, when), impulse, after))
+        impulse = touching.impulse + solver.impulse(k, when)
+        touching.see(Peak(later(solver.begun, when), solver.contact_force(k, when), impulse, after))

@@ -33,16 +33,21 @@ class Run:
     forces: Forces | None = None
 
 
-def outcome_of(scene: Scene, t: float, v: list[float], stopped_after: int | None) -> Outcome:
-    """Why a run ended at t [s] with velocities v; `stopped_after` so many events, or not at all."""
-    fastest = max(abs(cart.velocity) for cart in scene.carts)
-    if stopped_after is not None:
+def outcome_of(
+    scene: Scene, t: float, v: list[float], stopped: str | None, *, moving_on: bool
+) -> Outcome:
+    """Why a run ended at t [s] with velocities v.
+
+    `stopped`: what there was too much of. `moving_on`: forces are left that will move a cart.
+    """
+    if stopped is not None:
         return Outcome(
             "too-many-events",
-            f"The run was stopped at t = {t:.6g} s after {stopped_after} events. "
-            "Ask for an earlier end (until), more events (--max-events), or a larger "
-            "restitution.",
+            f"The run was stopped at t = {t:.6g} s after {stopped}. Ask for an earlier end "
+            "(until), more events (--max-events), a larger restitution, or stiffnesses and masses "
+            "that differ less.",
         )
-    if all(abs(speed) <= REST * fastest for speed in v):
+    fastest = max(abs(cart.velocity) for cart in scene.carts)
+    if all(abs(speed) <= REST * fastest for speed in v) and not moving_on:
         return Outcome("came-to-rest", f"Every cart is at rest at t = {t:.6g} s.")
     return Outcome("reached-end", f"The run reached its end at t = {t:.6g} s.")

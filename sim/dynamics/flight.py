@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 class Course(Protocol):
     """Motion from x = 0 with v0 at t = 0."""
 
-    sparse: bool  # x is a polynomial of degree 2 at most: two samples draw it
+    @property
+    def sparse(self) -> bool:
+        """Is x a polynomial of degree 2 at most, so that two samples draw it?"""
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x [m], v [m/s], a [m/s²]."""
@@ -133,11 +135,13 @@ class Flight:
     sliding: int  # direction in which friction sees it slide; 0: no friction
     course: Course
     duration: float = field(init=False)
+    carts: tuple[int, ...] = field(init=False)  # a body may grow or split later
     name = "flight"
     tier = 0
     gaps: tuple[()] = ()
 
     def __post_init__(self) -> None:
+        self.carts = self.body.carts
         self.duration = self.course.halt() if self.load.static > 0.0 else math.inf
 
     def shift(self, body: Body, start: Time, end: Time) -> float:

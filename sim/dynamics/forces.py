@@ -10,7 +10,7 @@ import math
 from collections import Counter
 from dataclasses import dataclass
 
-from sim.dynamics.effects import Acting, Link, Pull, acting
+from sim.dynamics.effects import Link, Pull, acting
 from sim.dynamics.effects.base import Burst
 from sim.scene.model import Scene
 
@@ -47,6 +47,19 @@ class Forces:
         self.bursts: tuple[Burst, ...] = tuple(b for one in self._acting for b in one.bursts())
         switches = {t for one in self._acting for t in one.switches()}
         self.switches = sorted(t for t in switches if 0.0 < t < math.inf)
+
+    def switches_after(self, t: float) -> bool:
+        """Does anything begin, end or burst after t s?"""
+        return any(s > t for s in (*self.switches, *(burst.time for burst in self.bursts)))
+
+    def on_cart(self, cart: int, t: float) -> list[Pull]:
+        """The pulls on one cart just after t s, for drawing."""
+        return [p for one in self._acting if (p := one.pull(cart, t)) is not None]
+
+    def grip_of(self, cart: int) -> float | None:
+        """N. Kinetic friction on one cart; None where there is none."""
+        grips = [grip.kinetic for one in self._acting if (grip := one.grip(cart)) is not None]
+        return math.fsum(grips) if grips else None
 
     def move_to(self, t: float) -> None:
         """A switch has been reached, at t s."""

@@ -15,6 +15,7 @@ from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.flight import Flight
 from sim.dynamics.forces import NO_LOAD, Forces
+from sim.dynamics.laws import Hertz
 from sim.dynamics.modes import decide
 from sim.dynamics.record import Record
 from sim.dynamics.resolve import pair_contact
@@ -66,7 +67,9 @@ def _solver(
     loaded = any(body.load is not NO_LOAD for body in row)
     if len(row) == 1:
         return _flight(row[0], now, end, forces) if loaded else None
-    if len(gaps) == 1 and not loaded and not gaps[0].links and gaps[0].law is not None:
+    law = gaps[0].law
+    closed = law is not None and not isinstance(law, Hertz)
+    if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
         return pair_contact(gaps[0], now)
     return _cluster(row, gaps, now, end, forces)
 
@@ -92,4 +95,9 @@ def _cluster(
         for body in row:
             forces.count(body.load, (), ORDER - 1)
         forces.count(NO_LOAD, tuple(link for gap in gaps for link in gap.links), ORDER - 1)
-    return Cluster(row, gaps, now, max(elapsed(now, end), 0.0))
+    limit = max(elapsed(now, end), 0.0)
+    if any(gap.touching is not None and isinstance(gap.law, Hertz) for gap in gaps):
+        from sim.dynamics.adaptive import Adaptive  # only where a scene calls for it
+
+        return Adaptive(row, gaps, now, limit)
+    return Cluster(row, gaps, now, limit)

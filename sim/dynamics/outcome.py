@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from sim.scene.model import Scene
-
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
@@ -25,15 +23,3 @@ class UnsolvedError(ValueError):
     def __init__(self, message: str, hint: str, time: float, bodies: tuple[str, ...]) -> None:
         super().__init__(message)
         self.message, self.hint, self.time, self.bodies = message, hint, time, bodies
-
-
-def refuse_what_is_not_solved(scene: Scene) -> None:
-    """Raise UnsolvedError for an effect or a law that has no solver yet."""
-    for k, contact in enumerate(scene.contacts):
-        if contact is not None and contact.law == "hertz":
-            raise UnsolvedError(
-                "the contact law hertz is not simulated yet",
-                "use law: bumper",
-                0.0,
-                scene.names_at(k),
-            )

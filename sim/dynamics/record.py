@@ -12,6 +12,9 @@ from sim.dynamics.clock import Time
 from sim.dynamics.events import ORDER, Event
 from sim.scene.model import Scene
 
+TOLD = 100
+"""Parts kept for the plan where nothing else is kept."""
+
 
 @dataclass(slots=True)
 class Piece:
@@ -56,6 +59,7 @@ class Record:
     counts: Counter[str] = field(default_factory=Counter)
     pieces: list[list[Piece]] = field(default_factory=list)
     solved: list[Solved] = field(default_factory=list)
+    solved_all: bool = True
     joints: list[Joint] = field(default_factory=list)
     idle_bursts: list[tuple[int, float, float]] = field(default_factory=list)
     """Gap, time [s] and room [m] of exploders whose carts did not touch."""
@@ -105,8 +109,10 @@ class Record:
 
     def finished(self, solver: Motion, end: float) -> None:
         """A solver has done its part, at `end` s."""
-        if self.keep_motion:
+        if self.keep_motion or len(self.solved) < TOLD:
             self.solved.append(Solved(solver, solver.gaps, solver.begun[0], end))
+        else:
+            self.solved_all = False
 
     def end(self, t: float, v: Sequence[float]) -> None:
         """The last event; then everything is put in order."""

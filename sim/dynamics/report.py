@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from sim.dynamics.finished import Run
+from sim.dynamics.ledger import kinetic
 from sim.dynamics.plan import Phase, plan
 from sim.dynamics.warnings import warnings
 
@@ -47,16 +48,30 @@ def report(run: Run) -> dict[str, Any]:
             "initial": ledger.energy_initial,
             "final": ledger.energy_final,
             "warmed": ledger.warmed,
+            "parts": energy_parts(run),
         },
         "momentum": {
             "initial": ledger.momentum_initial,
             "final": ledger.momentum_final,
             "external": ledger.external,
+            "by": ledger.impulses,
         },
-        "work": {},
-        "evaluations": {"effects": {}, "solvers": dict(run.solvers)},
+        "work": ledger.works,
+        "evaluations": {"effects": dict(run.effects), "solvers": dict(run.solvers)},
     }
     return {key: finite(value) for key, value in document.items()}
+
+
+def energy_parts(run: Run) -> dict[str, dict[str, float]]:
+    """J at both ends, by where it is: in motion, in bumpers, and in each effect that stores it."""
+    scene, ledger = run.scene, run.ledger
+    start = [cart.velocity for cart in scene.carts]
+    parts = {
+        "kinetic": (kinetic(scene, start), kinetic(scene, run.v)),
+        "bumpers": (ledger.stored_initial, ledger.stored_final),
+        **ledger.potential,
+    }
+    return {name: {"initial": first, "final": last} for name, (first, last) in parts.items()}
 
 
 def phase_object(phase: Phase) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from sim.dynamics.impact import outgoing
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.record import Record
 from sim.dynamics.touching import Peak, Touching
-from sim.dynamics.watch import branch_of
+from sim.dynamics.watch import branch_of, force_now
 
 
 def common_velocity(left: Body, right: Body) -> float:
@@ -168,7 +168,7 @@ def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
 
 def contact_force(gap: Gap) -> float:
     """N. The force of a touching gap just now, by the branch of its law that holds."""
-    return branch_of(gap).force(-gap.room, -gap.rate)
+    return force_now(gap, branch_of(gap))
 
 
 def pair_contact(gap: Gap, now: Time) -> PairContact:

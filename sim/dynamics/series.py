@@ -122,9 +122,8 @@ def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: floa
     step = longest
     watched = [over for over, links in zip(found.over, row.links, strict=True) if links]
     largest = max((abs(v[0]) for v in speeds), default=0.0)
-    for series, scale in [*((p, abs(p[0])) for p in watched), *((v, largest) for v in speeds)]:
-        if scale == 0.0:
-            scale = size(series, step)
+    for series, first in [*((p, abs(p[0])) for p in watched), *((v, largest) for v in speeds)]:
+        scale = first or size(series, step)
         for n in (len(series) - 2, len(series) - 1):
             if series[n] != 0.0 and scale > 0.0:
                 step = min(step, CONVERGED * (scale / abs(series[n])) ** (1.0 / n))
@@ -196,6 +195,16 @@ def _locked_runs(branches: list[Branch]) -> list[range]:
             else:
                 runs.append(range(k, k + 1))
     return runs
+
+
+def hold_now(
+    branches: list[Branch], push: list[float], inverse: list[float], outside: list[float]
+) -> None:
+    """Fill in the forces of locked gaps among the others, at one instant."""
+    force = [[p] for p in push]
+    for run in _locked_runs(branches):
+        _hold(run, force, inverse, outside, 0)
+    push[:] = [p[0] for p in force]
 
 
 def _hold(

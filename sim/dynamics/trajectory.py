@@ -13,10 +13,11 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from itertools import pairwise
 
+from sim.dynamics import outer_forces
 from sim.dynamics.contact import PairContact
 from sim.dynamics.finished import Run
+from sim.dynamics.flight import Flight
 from sim.dynamics.record import Piece, Solved
-from sim.scene.model import Scene
 
 PER_STRETCH = 16
 """Samples in one stretch of a contact (a quarter swing of a bumper): cubic error below 1e-8."""
@@ -54,6 +55,8 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
     for gap in gaps:
         pair = "-".join(scene.names_at(gap))
         columns.update({(kind, pair): array("d") for kind in ("F", "dF")})
+    named = outer_forces.names(run)
+    columns.update({("E", kind, name): array("d") for kind, name in named})
     dense = min(per_stretch, _density(len(solved), len(columns)))
     starts = [[piece.start[0] for piece in pieces] for pieces in record.pieces]
     live: list[Solved] = []
@@ -70,7 +73,7 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
         ]
         stuck = {joint.gap for joint in record.joints if joint.begin <= begin < joint.end}
         for t in _times(begin, end, live, dense):
-            row = _row(t, scene, motion, live, gaps, stuck)
+            row = _row(t, run, motion, live, gaps, stuck, named, middle)
             if row != last:
                 for column, value in zip(columns.values(), row, strict=True):
                     column.append(value)
@@ -99,6 +102,7 @@ def _density(contacts: int, columns: int) -> int:
 
 def _times(begin: float, end: float, live: list[Solved], dense: int) -> list[float]:
     """Sample times from begin to end, both included."""
+    live = [p for p in live if not (isinstance(p.solver, Flight) and p.solver.course.sparse)]
     if not live:
         return [begin, end]
     count = dense
@@ -124,51 +128,61 @@ def _times(begin: float, end: float, live: list[Solved], dense: int) -> list[flo
 
 def _row(
     t: float,
-    scene: Scene,
+    run: Run,
     motion: list[Piece],
     live: list[Solved],
     gaps: list[int],
     stuck: set[int],
+    named: list[tuple[str, str]],
+    middle: float,
 ) -> list[float]:
-    """All columns at t, with the formulas that hold in the interval that t belongs to."""
+    """All columns at t, with the formulas that hold in the interval around `middle`."""
     row = [t]
-    accelerations = []
+    states = []
     for piece in motion:
         tau = (t - piece.start[0]) - piece.start[1]
         if piece.motion is None:
-            row += (piece.x + piece.v * tau, piece.v, 0.0)
-            accelerations.append(0.0)
+            states.append((piece.x + piece.v * tau, piece.v, 0.0))
         else:
             shift, v, a = piece.motion.state(piece.side, tau)
-            row += (piece.x + shift, v, a)
-            accelerations.append(a)
+            states.append((piece.x + shift, v, a))
+        row += states[-1]
     forces = dict.fromkeys(gaps, (0.0, 0.0))
     for part in live:
         tau = (t - part.begin) - part.solver.begun[1]
         for gap in part.gaps:
             forces[gap] = part.solver.force(gap, tau)
+    outer: dict[tuple[str, str], float] = {}
+    if named:
+        between = {gap: force for gap, (force, _) in forces.items() if gap not in stuck}
+        outer = outer_forces.at(run, states, motion, between, middle)
     if stuck:
-        _joint_forces(scene, accelerations, forces, stuck)
+        left_over = [
+            cart.mass * a - sum(force for (_, name), force in outer.items() if name == cart.name)
+            for cart, (_, _, a) in zip(run.scene.carts, states, strict=True)
+        ]
+        _joint_forces(left_over, forces, stuck)
     for gap in gaps:
         row += forces[gap]
-    return row
+    return row + [outer.get(name, 0.0) for name in named]
 
 
 def _joint_forces(
-    scene: Scene, a: list[float], forces: dict[int, tuple[float, float]], stuck: set[int]
+    left_over: list[float], forces: dict[int, tuple[float, float]], stuck: set[int]
 ) -> None:
-    """Forces between carts that stick together, from m a = F_left − F_right of each cart.
+    """Forces between carts that stick together, from what m a leaves over for its neighbours.
 
-    Summed from the left end of a group; a group that holds on to the left wall from its right end.
+    left_over = F_left − F_right of each cart. Summed from the left end of a group; a group that
+    holds on to the left wall from its right end.
     """
-    carts = scene.carts
-    to_wall = [k for k in range(len(carts)) if set(range(k + 1)) <= stuck]
+    count = len(left_over)
+    to_wall = [k for k in range(count) if set(range(k + 1)) <= stuck]
     for gap in reversed(to_wall):
         beyond = forces.get(gap + 1, (0.0, 0.0))[0]
-        forces[gap] = (beyond + carts[gap].mass * a[gap], 0.0)
+        forces[gap] = (beyond + left_over[gap], 0.0)
     for gap in sorted(stuck - set(to_wall)):
         before = forces.get(gap - 1, (0.0, 0.0))[0]
-        forces[gap] = (before - carts[gap - 1].mass * a[gap - 1], 0.0)
+        forces[gap] = (before - left_over[gap - 1], 0.0)
 
 
 def sample(run: Run, t: float) -> tuple[list[float], list[float]]:

@@ -43,7 +43,20 @@ def warnings(run: Run) -> tuple[Warning, ...]:
                 f"{_down(speed * room / deepest)} m/s or less."
             )
         found.append((deepest - room, Warning("bumper-bottoms", message)))
-    return tuple(warning for _, warning in sorted(found, key=lambda item: -item[0]))
+    found = sorted(found, key=lambda item: -item[0])
+    return (*(warning for _, warning in found), *_idle(run))
+
+
+def _idle(run: Run) -> list[Warning]:
+    """Exploders whose carts had parted."""
+    return [
+        Warning(
+            "release-apart",
+            f"The release between {' and '.join(run.scene.names_at(gap))} at {t:.6g} s did "
+            f"nothing: there were {100 * room:.3g} cm between them. Let them touch at that time.",
+        )
+        for gap, t, room in run.record.idle_bursts
+    ]
 
 
 def _up(value: float) -> str:

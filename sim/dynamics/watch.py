@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from sim.dynamics.laws import Bumper, Paper, PushOnly
+from sim.dynamics.laws import Bumper, Hertz, Paper, PushOnly
 from sim.dynamics.polynomial import Poly, slope
 from sim.dynamics.series import APART, LOCKED, Branch
 
@@ -21,6 +21,17 @@ if TYPE_CHECKING:
 Cause = Literal["apart", "turn", "climb", "touch", "clear", "halt", "slip"]
 End = tuple[Cause, int]
 """What happened, and in which gap (the first five) or to which body (the last two)."""
+
+
+CURVED = Branch(0.0, 0.0, 0.0)
+"""No linear branch: the force follows from the law itself (`adaptive`)."""
+
+
+def force_now(gap: Gap, branch: Branch) -> float:
+    """N. The contact's force just now; 0 for a locked one."""
+    if isinstance(gap.law, Hertz) and gap.touching is not None:
+        return gap.law.force(gap.mu, -gap.room, -gap.rate)
+    return branch.force(-gap.room, -gap.rate)
 
 
 def branch_of(gap: Gap) -> Branch:
@@ -36,6 +47,8 @@ def branch_of(gap: Gap) -> Branch:
         if law.e == 0.0:
             return LOCKED
         return Branch(law.stiffness / law.e**2, 0.0, law.resting_overlap(max(memory, d)))
+    if isinstance(law, Hertz):
+        return CURVED
     assert isinstance(law, (Paper, PushOnly))
     return Branch(law.stiffness, law.damper(gap.mu), 0.0)
 
@@ -45,7 +58,7 @@ def contact(gap: Gap, branch: Branch, over: Poly, force: Poly) -> list[tuple[Cau
     law = gap.law
     if law is None:
         return [("apart", force)]
-    if isinstance(law, Paper):
+    if isinstance(law, (Paper, Hertz)):
         return [("apart", over)]
     if not isinstance(law, Bumper) or law.e == 1.0:
         return [("apart", force)]

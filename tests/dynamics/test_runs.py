@@ -7,7 +7,6 @@ from fractions import Fraction
 
 import pytest
 
-from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.run import run
 from sim.dynamics.trajectory import sample, trajectory
 from sim.scene import apply_changes, read_scene
@@ -302,9 +301,3 @@ def test_a_run_with_too_many_events_says_so_and_what_to_change():
     finished = run(registry.scene("off-the-wall"), max_events=3)
     assert finished.outcome.kind == "too-many-events"
     assert "--max-events" in finished.outcome.sentence
-
-
-def test_what_is_not_solved_yet_is_refused_by_name():
-    plain = registry.two_carts() | {"effects": [{"friction": {"coefficient": "0.1"}}]}
-    with pytest.raises(UnsolvedError, match="friction"):
-        run(read_scene(plain))

@@ -10,12 +10,14 @@ Each law is a file with its formula on top. A law of finite duration gives
 from sim.dynamics.laws.base import Figures, FiniteLaw, Memory
 from sim.dynamics.laws.bumper import Bumper
 from sim.dynamics.laws.dashpot import Paper, PushOnly, PushOnlyUncorrected
+from sim.dynamics.laws.hertz import Hertz
 from sim.dynamics.laws.lookup import finite_law
 
 __all__ = [
     "Bumper",
     "Figures",
     "FiniteLaw",
+    "Hertz",
     "Memory",
     "Paper",
     "PushOnly",

@@ -8,6 +8,7 @@ from functools import lru_cache
 from sim.dynamics.laws.base import FiniteLaw
 from sim.dynamics.laws.bumper import Bumper
 from sim.dynamics.laws.dashpot import Paper, PushOnly, PushOnlyUncorrected
+from sim.dynamics.laws.hertz import Hertz
 from sim.scene.model import Contact
 
 FINITE: dict[str, Callable[[float, float], FiniteLaw]] = {
@@ -15,6 +16,7 @@ FINITE: dict[str, Callable[[float, float], FiniteLaw]] = {
     "paper": Paper,
     "push-only": PushOnly,
     "push-only-uncorrected": PushOnlyUncorrected,
+    "hertz": Hertz,
 }
 
 

@@ -1,0 +1,246 @@
+"""What happens in a run, event by event: a touch, a separation, the end of a step, a push.
+
+Each settles the components that it concerns, changes what it has to, lets them form anew and
+predicts what comes next around them. Two bodies that fly freely and meet are the common case: they
+have a shorter way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+from sim.dynamics import bursts, components, ending, resolve
+from sim.dynamics.calendar import Calendar
+from sim.dynamics.chain import Body, Chain, Gap, component, moved, velocity
+from sim.dynamics.clock import Time, elapsed
+from sim.dynamics.cluster import Cluster
+from sim.dynamics.contact import PairContact
+from sim.dynamics.detect import next_touch, resting, touch_in_motion
+from sim.dynamics.forces import Forces
+from sim.dynamics.form import form
+from sim.dynamics.ledger import Ledger
+from sim.dynamics.record import Record
+from sim.scene.model import Scene
+
+
+class Happenings:
+    """The state of a run in progress, and what may happen to it."""
+
+    def __init__(self, scene: Scene, record: Record) -> None:
+        self.scene, self.record = scene, record
+        self.forces = Forces(scene) if scene.effects else None
+        self.chain = Chain(scene, self.forces)
+        self.calendar = Calendar(len(self.chain.gaps))
+        self.ledger = Ledger()
+        self.solvers: Counter[str] = Counter()
+        self.end: Time = (scene.until, 0.0)
+        self.fastest = max(abs(cart.velocity) for cart in scene.carts)
+        self.happened = 0
+        self.steps = 0
+
+    def at_gap(self, gap: Gap, now: Time) -> None:
+        """What was predicted for a gap happens."""
+        if gap.solver is None:
+            self.chain.advance(gap, now)
+            self.begin(gap, now)
+        elif isinstance(gap.solver, PairContact):
+            self.separate(gap, now)
+        else:
+            self.step(gap.left if gap.left.carts else gap.right, now)
+
+    def predict(self, gap: Gap, now: Time, own_separation: bool = False) -> None:
+        """When does this gap close? The gap is up to date."""
+        if gap.left.motion is None and gap.right.motion is None:
+            self.calendar.gap(gap, now, next_touch(gap, now, own_separation))
+        else:
+            self.calendar.gap(gap, now, touch_in_motion(gap, now, self.end, own_separation))
+
+    def around(self, gap: Gap, now: Time) -> None:
+        """Bring the neighbouring gaps up to date before the bodies of `gap` change."""
+        for other in self.chain.neighbours(gap):
+            if other is not None and other.solver is None:
+                self.chain.advance(other, now)
+
+    def predict_around(self, gap: Gap, now: Time) -> None:
+        """The bodies of `gap` have changed: their other neighbours may touch at another time."""
+        for other in self.chain.neighbours(gap):
+            if other is not None and other.solver is None:
+                other.rate = velocity(other.right, now) - velocity(other.left, now)
+                self.predict(other, now)
+
+    def place(self, body: Body, now: Time) -> None:
+        """Bring a free body's position to `now`."""
+        if body.carts:
+            body.x += moved(body, body.time, now)
+            body.time = now
+
+    def begin(self, gap: Gap, now: Time) -> None:
+        """Two bodies touch."""
+        self.happened += 1 if gap.law is None else 2
+        if self.forces is not None or not (gap.left.motion is None and gap.right.motion is None):
+            self.join(gap, now)
+            return
+        self.around(gap, now)
+        self.place(gap.left, now)
+        self.place(gap.right, now)
+        if gap.law is None:
+            self.at_once(gap, now, stays=False)
+            self.predict(gap, now)
+            self.predict_around(gap, now)
+            return
+        if gap.contact.law == "hertz":
+            self.join(gap, now)
+            return
+        resolve.touch(gap, now, self.record, self.ledger)
+        self.solvers["pair-contact"] += 1
+        contact = gap.solver = resolve.pair_contact(gap, now)
+        for body in (gap.left, gap.right):
+            if body.carts:  # a wall can be in two contacts: it does not move in either
+                body.motion = contact
+                self.record.piece(body)
+        self.calendar.gap(gap, now, contact.duration)
+        for other in self.chain.neighbours(gap):
+            if other is not None and other.solver is None:
+                # Velocities do not jump at a touch, but a neighbour in a contact has moved on.
+                if other.left.motion is not None and other.right.motion is not None:
+                    other.rate = velocity(other.right, now) - velocity(other.left, now)
+                self.predict(other, now)
+
+    def at_once(self, gap: Gap, now: Time, *, stays: bool) -> None:
+        """A contact without duration between two bodies that are free, or settled."""
+        self.solvers[gap.contact.law] += 1
+        if gap.contact.law == "instant":
+            resolve.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
+            return
+        resolve.join(self.chain, gap, now, self.record, self.ledger)
+        for other in self.chain.neighbours(gap):
+            if other is not None and other.solver is None:
+                self.chain.advance(other, now)
+
+    def separate(self, gap: Gap, now: Time) -> None:
+        """The force of a contact that is alone has become zero."""
+        self.happened += 1
+        self.around(gap, now)
+        resolve.separate_pair(gap, now, self.record, self.ledger)
+        self.predict(gap, now, own_separation=True)
+        self.predict_around(gap, now)
+
+    def join(self, gap: Gap, now: Time) -> None:
+        """A touch of bodies that are not both free: everything that moves them forms anew."""
+        rest = resting(gap)
+        if not ending.is_push(gap):
+            gap.room = -rest  # rounding of the search left: that is what a touch is
+        in_contact = any(
+            isinstance(b.motion, (PairContact, Cluster)) for b in (gap.left, gap.right)
+        )
+        bodies, gaps = self.settle([gap.left, gap.right], now)
+        if gap.left.mass < math.inf or gap.right.mass < math.inf:
+            gap.rate = gap.right.v - gap.left.v
+        self.fastest = max(self.fastest, -gap.rate)
+        gaps = [*gaps, gap]
+        if gap.law is not None:
+            resolve.touch(gap, now, self.record, self.ledger)
+        else:
+            self.at_once(gap, now, stays=resolve.rests(gap, self.fastest, in_contact=in_contact))
+            for other in gaps:
+                if other is not gap and not other.joined:
+                    other.rate = other.right.v - other.left.v
+                    if other.law is None and other.rate != 0.0:
+                        other.touching = None  # it rested; now it opens, or is struck in its turn
+            bodies = [body for body in bodies if any(body is one for one in self.chain.bodies)]
+        self.form_again(bodies, gaps, now)
+
+    def settle(self, bodies: list[Body], now: Time) -> tuple[list[Body], list[Gap]]:
+        """Settle the components of these bodies; the free gaps around them are brought to `now`.
+
+        Returns all their bodies and member gaps, from left to right.
+        """
+        row: list[Body] = []
+        gaps: list[Gap] = []
+        for body in bodies:
+            if body.carts and not any(body is other for other in row):
+                more, between = component(self.chain, body)
+                row += more
+                gaps += between
+        for body in row:
+            for index in (body.left, body.right):
+                other = self.chain.gaps[index]
+                if other is not None and other.solver is None:
+                    self.chain.advance(other, now)
+        components.settle(row, gaps, now, self.record, self.ledger)
+        return row, gaps
+
+    def step(self, body: Body, now: Time) -> None:
+        """A cluster's step or a flight is over, or something happened in it."""
+        solver = body.motion
+        bodies, gaps = self.settle([body], now)
+        if isinstance(solver, Cluster):
+            happened = ending.leave(solver, now, self.record, self.ledger)
+            self.happened += happened
+        else:
+            body.v = 0.0
+            ending.tell_stop(body, now, self.record)
+            self.happened += 1
+        self.form_again(bodies, gaps, now)
+
+    def from_outside(self, number: int, now: Time) -> None:
+        """A push begins or ends, or an exploder sets its energy free."""
+        forces = self.forces
+        assert forces is not None
+        if number < len(forces.bursts):
+            burst = forces.bursts[number]
+            gap = self.chain.gaps[burst.gap]
+            assert gap is not None
+            bodies, gaps = self.settle([gap.left, gap.right], now)
+            if gap.solver is None and not gap.joined:
+                self.chain.advance(gap, now)
+            changed = bursts.set_free(self.chain, gap, burst, now, self.record, self.ledger)
+            self.happened += changed
+            bodies = [b for b in dict.fromkeys([*bodies, gap.left, gap.right]) if b.carts]
+            self.form_again(bodies, [*gaps, gap], now)
+            return
+        forces.move_to(now[0])
+        bodies, gaps = self.settle(list(dict.fromkeys(self.chain.bodies)), now)
+        self.form_again(bodies, gaps, now)
+
+    def form_again(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
+        """What still belongs together gets new solvers; everything around is predicted anew."""
+        bodies = sorted(bodies, key=lambda body: body.carts)
+        ready = elapsed(now, self.end) > 0.0
+        for solver in form(bodies, gaps, now, self.end, self.forces, self.record):
+            self.solvers[solver.name] += 1
+            if isinstance(solver, Cluster):
+                self.steps += 1
+            if not ready:
+                continue
+            if isinstance(solver, PairContact):
+                first = self.chain.gaps[solver.gap]
+                assert first is not None
+                self.calendar.gap(first, now, solver.duration)
+            elif isinstance(solver, Cluster) and solver.members:
+                self.calendar.gap(solver.members[0], now, solver.duration)
+            else:
+                body = solver.bodies[0] if isinstance(solver, Cluster) else solver.body
+                self.calendar.body(body, now, solver.duration)
+        self.predict_all(bodies, gaps, now)
+
+    def predict_all(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
+        """Void what was predicted for members; predict every free gap of these bodies."""
+        found: dict[int, Gap] = {}
+        for body in bodies:
+            if body.motion is None or isinstance(body.motion, PairContact):
+                body.turn += 1
+            for index in (body.left, body.right):
+                other = self.chain.gaps[index]
+                if other is not None:
+                    found[index] = other
+        for gap in found.values():
+            solver = gap.solver
+            if isinstance(solver, Cluster) and gap is not solver.members[0]:
+                gap.turn += 1  # the cluster's events stand under its first gap
+            elif solver is None and not gap.joined:
+                mine = gap in gaps
+                if not mine:
+                    gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
+                self.predict(gap, now, own_separation=mine)

@@ -1,0 +1,69 @@
+"""hertz: two elastic spheres, for the hard cases.
+
+    N = K d^(3/2) + C d^(1/4) d'      until the overlap is zero again
+
+K [N/m^1.5] is the stiffness. The damping C = zeta sqrt(5 K mu) returns the asked-for e exactly, at
+every speed: y = d^(5/4) obeys the linear equation of `paper`, zeta = L/sqrt(pi² + L²), L = −ln e.
+e = 1 is Hertz's own law. Energy (2/5) K d^(5/2). With the approach speed u and e = 1:
+
+    greatest overlap (5 mu u²/(4 K))^(2/5)      duration 3.21806545972 (mu²/(K² u))^(1/5)
+
+There is no closed form for d(t): this law is integrated (`sim.dynamics.adaptive`). Sources: Hertz,
+J. reine angew. Math. 92 (1882) 156; the mapping: Antypov & Elliott, EPL 94 (2011) 50004.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from sim.dynamics.laws.base import Figures, Memory
+from sim.dynamics.laws.dashpot import damping_to_zero_overlap
+from sim.dynamics.laws.swing import Swing
+
+
+@dataclass(frozen=True, slots=True)
+class Hertz:
+    """A force law without a closed form in time."""
+
+    stiffness: float  # N/m^1.5
+    e: float
+    zeta: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "zeta", damping_to_zero_overlap(self.e).zeta)
+
+    def damper(self, mu: float) -> float:
+        """C in N s/m^1.25."""
+        return self.zeta * math.sqrt(5.0 * self.stiffness * mu)
+
+    def force(self, mu: float, d: float, v: float) -> float:
+        """N at overlap d [m] and rate v [m/s]; 0 without overlap."""
+        if d <= 0.0:
+            return 0.0
+        root = math.sqrt(d)
+        return self.stiffness * d * root + self.damper(mu) * math.sqrt(root) * v
+
+    def dissipated(self, mu: float, d: float, v: float) -> float:
+        """W. What the damper takes just now."""
+        return self.damper(mu) * math.sqrt(math.sqrt(d)) * v * v if d > 0.0 else 0.0
+
+    def figures(self, mu: float) -> Figures:
+        """Not proportional to the speed."""
+        raise NotImplementedError
+
+    def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
+        """No closed form."""
+        raise NotImplementedError
+
+    def resting_overlap(self, memory: Memory) -> float:
+        """Nothing is remembered."""
+        return 0.0
+
+    def stored(self, d: float, v: float, memory: Memory) -> float:
+        """(2/5) K d^(5/2)."""
+        return 0.4 * self.stiffness * d * d * math.sqrt(d) if d > 0.0 else 0.0
+
+    def remember(self, d: float, memory: Memory) -> Memory:
+        """Nothing."""
+        return 0.0
