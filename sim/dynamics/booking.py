@@ -77,10 +77,12 @@ def cluster(ledger: Ledger, step: Cluster, t: float) -> None:
             if damping:
                 rate = [n * c for n, c in enumerate(step.series.over[k])][1:]
                 ledger.work(link.kind, -damping * square_integral(rate, t))
-        if gap.links and math.inf in (gap.left.mass, gap.right.mass):
+        fixed = [body for body in (gap.left, gap.right) if body.mass == math.inf]
+        if gap.links and len(fixed) == 1:
             impulse = value(integral(step.series.pull[k]), t)
             toward = 1.0 if gap.left.mass == math.inf else -1.0
-            ledger.push_from_outside(toward * impulse, gap.links[0].kind)
+            by = "walls" if fixed[0].carts else gap.links[0].kind  # a cart that sticks to a wall
+            ledger.push_from_outside(toward * impulse, by)
 
 
 def warmed(gap: Gap, branch: Branch, over: Poly, t: float) -> float:

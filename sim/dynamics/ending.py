@@ -23,7 +23,10 @@ velocities differ by rounding only."""
 
 
 def leave(cluster: Cluster, now: Time, record: Record, ledger: Ledger) -> int:
-    """Carry out all that ended the step. Returns the number of events that it told."""
+    """Carry out all that ended the step, but for touches without a duration (`struck`).
+
+    Returns the number of events that it told.
+    """
     happened = 0
     for cause, k in cluster.ends:
         if cause == "halt":
@@ -76,10 +79,19 @@ def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
 
 def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
     """Of a pair that a spring holds: the contact begins at its resting overlap."""
-    assert gap.law is not None
-    gap.room = -gap.law.resting_overlap(gap.memory) if gap.memory else 0.0
+    if gap.law is None:
+        gap.room = 0.0
+        return 0
+    if not is_push(gap):
+        gap.room = -gap.law.resting_overlap(gap.memory) if gap.memory else 0.0
     resolve.touch(gap, now, record, ledger)
     return 2
+
+
+def struck(cluster: Cluster) -> list[Gap]:
+    """Linked pairs that touch at the end of the step by a law without a duration."""
+    touched = [cluster.members[k] for cause, k in cluster.ends if cause == "touch"]
+    return [gap for gap in touched if gap.law is None]
 
 
 def _halt(cluster: Cluster, k: int, now: Time, record: Record) -> int:

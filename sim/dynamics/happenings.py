@@ -142,14 +142,20 @@ class Happenings:
         if gap.law is not None:
             resolve.touch(gap, now, self.record, self.ledger)
         else:
-            self.at_once(gap, now, stays=resolve.rests(gap, self.fastest, in_contact=in_contact))
-            for other in gaps:
-                if other is not gap and not other.joined:
-                    other.rate = other.right.v - other.left.v
-                    if other.law is None and other.rate != 0.0:
-                        other.touching = None  # it rested; now it opens, or is struck in its turn
-            bodies = [body for body in bodies if any(body is one for one in self.chain.bodies)]
+            bodies = self.strike(gap, bodies, gaps, now, in_contact=in_contact)
         self.form_again(bodies, gaps, now)
+
+    def strike(
+        self, gap: Gap, bodies: list[Body], gaps: list[Gap], now: Time, *, in_contact: bool
+    ) -> list[Body]:
+        """An impact without duration among settled bodies; returns those that are left."""
+        self.at_once(gap, now, stays=resolve.rests(gap, self.fastest, in_contact=in_contact))
+        for other in gaps:
+            if other is not gap and not other.joined:
+                other.rate = other.right.v - other.left.v
+                if other.law is None and other.rate != 0.0:
+                    other.touching = None  # it rested; now it opens, or is struck in its turn
+        return [body for body in bodies if self.chain.bodies[body.carts[0]] is body]
 
     def settle(self, bodies: list[Body], now: Time) -> tuple[list[Body], list[Gap]]:
         """Settle the components of these bodies; the free gaps around them are brought to `now`.
@@ -176,8 +182,11 @@ class Happenings:
         solver = body.motion
         bodies, gaps = self.settle([body], now)
         if isinstance(solver, Cluster):
-            happened = ending.leave(solver, now, self.record, self.ledger)
-            self.happened += happened
+            self.happened += ending.leave(solver, now, self.record, self.ledger)
+            for gap in ending.struck(solver):
+                self.happened += 1
+                self.fastest = max(self.fastest, -gap.rate)
+                bodies = self.strike(gap, bodies, gaps, now, in_contact=True)
         else:
             body.v = 0.0
             ending.tell_stop(body, now, self.record)
@@ -208,6 +217,8 @@ class Happenings:
         """What still belongs together gets new solvers; everything around is predicted anew."""
         bodies = sorted(bodies, key=lambda body: body.carts)
         ready = elapsed(now, self.end) > 0.0
+        for body in bodies:
+            body.turn += 1  # what was predicted for its flight is void
         for solver in form(bodies, gaps, now, self.end, self.forces, self.record):
             self.solvers[solver.name] += 1
             if isinstance(solver, Cluster):
@@ -229,8 +240,6 @@ class Happenings:
         """Void what was predicted for members; predict every free gap of these bodies."""
         found: dict[int, Gap] = {}
         for body in bodies:
-            if body.motion is None or isinstance(body.motion, PairContact):
-                body.turn += 1
             for index in (body.left, body.right):
                 other = self.chain.gaps[index]
                 if other is not None:

@@ -156,7 +156,9 @@ def reclaim(gap: Gap, now: Time, ledger: Ledger) -> None:
 def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     """A contact of finite duration begins between two settled bodies; nothing moves it yet."""
     left, right = gap.left, gap.right
+    assert gap.law is not None
     gap.room = min(gap.room, 0.0)
+    gap.memory = gap.law.remember(-gap.room, gap.memory)
     reclaim(gap, now, ledger)
     gap.touching = Touching(now, (left.v, right.v))
     if not record.keep_events:

@@ -144,6 +144,7 @@ def expand(row: Row) -> Expansion:
     linked = any(terms)
     dragged = any(row.linear) or any(row.quadratic)
     nothing = [0.0] * len(inverse)
+    loaded = dragged or any(row.steady)
     for n in range(ORDER - 1):
         outside = nothing if n else row.steady
         if dragged or linked:
@@ -172,8 +173,20 @@ def expand(row: Row) -> Expansion:
             speed[i].append(a / (n + 1))
         scale = 1.0 / ((n + 1) * (n + 2))
         for k in range(count):
-            over[k].append(0.0 if branches[k].locked else (bodies[k][n] - bodies[k + 1][n]) * scale)
+            relative = bodies[k][n] - bodies[k + 1][n]
+            if branches[k].locked or (loaded and _is_rounding(relative, bodies[k][n])):
+                relative = 0.0
+            over[k].append(relative * scale)
     return Expansion(over, force, pull, bodies)
+
+
+ALIKE = 1e-15
+"""Relative. Two bodies that gravity or drag accelerates alike keep their distance: what rounding
+leaves of the difference would part them, or press them together."""
+
+
+def _is_rounding(difference: float, value: float) -> bool:
+    return abs(difference) <= ALIKE * abs(value)
 
 
 def _add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:

@@ -12,11 +12,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal
 
 from sim.dynamics.laws import Bumper, Hertz, Paper, PushOnly
+from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.polynomial import Poly, slope
+from sim.dynamics.pushed_again import PUSH_ROUNDING
 from sim.dynamics.series import APART, LOCKED, Branch
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
+    from sim.dynamics.clock import Time
 
 Cause = Literal["apart", "turn", "climb", "touch", "clear", "halt", "slip"]
 End = tuple[Cause, int]
@@ -25,6 +28,11 @@ End = tuple[Cause, int]
 
 CURVED = Branch(0.0, 0.0, 0.0)
 """No linear branch: the force follows from the law itself (`adaptive`)."""
+
+
+NEAREST = 1e-9
+"""m. Nearer than atoms are to each other: magnets with n = 1 would let a fast cart come as close as
+1e-100 m."""
 
 
 def force_now(gap: Gap, branch: Branch) -> float:
@@ -70,12 +78,32 @@ def contact(gap: Gap, branch: Branch, over: Poly, force: Poly) -> list[tuple[Cau
     return [("apart", force), ("climb", [gap.memory - over[0], *(-c for c in over[1:])])]
 
 
+def refuse_magnets_too_near(gaps: list[Gap], now: Time) -> None:
+    """Raise UnsolvedError where magnets are closer than their law can be followed."""
+    for gap in gaps:
+        if gap.room < NEAREST and any(link.kind == "magnets" for link in gap.links):
+            raise UnsolvedError(
+                f"at t = {now[0]:.6g} s the magnets are nearer than {NEAREST:g} m: they are too "
+                "weak to keep their carts apart",
+                "a larger strength or power, or a lower speed",
+                now[0],
+                (),
+            )
+
+
 def linked(gap: Gap, over: Poly) -> list[tuple[Cause, Poly]]:
     """A pair that is linked but does not touch: until it touches.
 
-    A bumper that has not cleared touches at its resting overlap, unless it clears first.
+    A bumper that has not cleared touches at its resting overlap, a push-only pair when its force
+    turns positive, unless it clears first.
     """
     rest = 0.0
+    if gap.room < 0.0 and isinstance(gap.law, PushOnly):
+        k, c = gap.law.stiffness, gap.law.damper(gap.mu)
+        pull = [-(k * o + c * rate) for o, rate in zip(over, slope(over), strict=False)]
+        if abs(pull[0]) <= PUSH_ROUNDING * k * over[0]:
+            pull[0] = 0.0
+        return [("touch", pull), ("clear", over)]
     if gap.room < 0.0 and gap.law is not None:
         rest = gap.law.resting_overlap(gap.memory)
     found: list[tuple[Cause, Poly]] = [("touch", [rest - over[0], *(-c for c in over[1:])])]

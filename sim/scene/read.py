@@ -12,7 +12,7 @@ from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
-from sim.scene.read_effects import read_effects
+from sim.scene.read_effects import magnets_apart, read_effects
 from sim.scene.tables import mapping, number, unknown_keys
 
 SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
@@ -58,6 +58,8 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     for k, gap in enumerate(gaps):
         if gap is not None and gap < 0 and not overlap_allowed:
             _overlap(k, gap, names, released, problems)
+    if len(problems) == before:
+        magnets_apart(effects, gaps, names, problems)
     if len(problems) > before:
         return None
     return Scene(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 from sim.scene.effects import KINDS, Effect, EffectKind
@@ -159,3 +160,27 @@ def _bodies(
         )
         return (), None
     return tuple(name for name in names if name in carts), None
+
+
+def magnets_apart(
+    effects: tuple[Effect, ...],
+    gaps: Sequence[Fraction | None],
+    names: list[str],
+    problems: list[Problem],
+) -> None:
+    """Magnets need room between them: at no distance their force has no limit."""
+    row = ["left", *names, "right"]
+    for k, effect in enumerate(effects):
+        if effect.kind != "magnets" or effect.between is None:
+            continue
+        gap = gaps[row.index(effect.between[0])]
+        if gap is not None and gap <= 0:
+            a, b = effect.between
+            problems.append(
+                Problem(
+                    ("effects", k, "magnets", "between"),
+                    "overlap",
+                    f"magnets need room between them, but {a} and {b} touch at the start",
+                    "move them apart",
+                )
+            )
