@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from sim.dynamics.flight import Flight
     from sim.dynamics.forces import Load
     from sim.dynamics.ledger import Ledger
+    from sim.dynamics.pair_phase import PairPhase
     from sim.dynamics.series import Branch
 
 
@@ -77,12 +78,32 @@ def cluster(ledger: Ledger, step: Cluster, t: float) -> None:
             if damping:
                 rate = [n * c for n, c in enumerate(step.series.over[k])][1:]
                 ledger.work(link.kind, -damping * square_integral(rate, t))
-        fixed = [body for body in (gap.left, gap.right) if body.mass == math.inf]
-        if gap.links and len(fixed) == 1:
-            impulse = value(integral(step.series.pull[k]), t)
-            toward = 1.0 if gap.left.mass == math.inf else -1.0
-            by = "walls" if fixed[0].carts else gap.links[0].kind  # a cart that sticks to a wall
-            ledger.push_from_outside(toward * impulse, by)
+        if gap.links:
+            _from_wall(ledger, gap, value(integral(step.series.pull[k]), t))
+
+
+def pair_phase(ledger: Ledger, phase: PairPhase, t: float) -> None:
+    """A closed form of two neighbours, up to t s."""
+    for body in phase.bodies:
+        if body.carts and body.mass < math.inf and body.load.pulls:
+            way = phase.state(phase.side(body), t)[0]
+            _pulls(ledger, body.load, t, way, (0.0, 0.0, 0.0))
+    gap = phase.members[0]
+    for link in gap.links:
+        if link.damping():
+            ledger.work(link.kind, -link.damping() * phase.damped(t))
+    if gap.links:
+        (_, u), (_, v) = phase.start, phase.over(0, t)
+        total = phase.mu * (u - v) + phase.mu * phase.pull * t
+        _from_wall(ledger, gap, total - phase.impulse(0, t))
+
+
+def _from_wall(ledger: Ledger, gap: Gap, impulse: float) -> None:
+    """Springs and magnets of a gap whose one side stands fast; a cart there sticks to a wall."""
+    fixed = [body for body in (gap.left, gap.right) if body.mass == math.inf]
+    if gap.links and len(fixed) == 1:
+        toward = 1.0 if fixed[0] is gap.left else -1.0
+        ledger.push_from_outside(toward * impulse, "walls" if fixed[0].carts else gap.links[0].kind)
 
 
 def warmed(gap: Gap, branch: Branch, over: Poly, t: float) -> float:
@@ -91,9 +112,13 @@ def warmed(gap: Gap, branch: Branch, over: Poly, t: float) -> float:
     if branch.gamma:
         rate = [n * c for n, c in enumerate(over)][1:]
         loss += branch.gamma * square_integral(rate, t)
+    return loss + kept_by_bumper(gap, branch, over[0], value(over, t))
+
+
+def kept_by_bumper(gap: Gap, branch: Branch, start: float, end: float) -> float:
+    """J. The part 1 − e² of the work that presses a bumper in from overlap `start` to `end` [m]."""
     law = gap.law
-    if isinstance(law, Bumper) and branch.kappa == law.stiffness and law.e < 1.0:
-        kept = 0.5 * law.stiffness * (1.0 - law.e) * (1.0 + law.e)
-        end = value(over, t)
-        loss += kept * (end - over[0]) * (end + over[0])
-    return loss
+    if not isinstance(law, Bumper) or branch.kappa != law.stiffness or law.e == 1.0:
+        return 0.0
+    kept = 0.5 * law.stiffness * (1.0 - law.e) * (1.0 + law.e)
+    return kept * (end - start) * (end + start)

@@ -31,6 +31,11 @@ def set_free(
     elif gap.touching is None and gap.room > TOUCHING:
         record.idle_bursts.append((gap.index, now[0], gap.room))
         return False
+    elif gap.touching is not None:  # what their bumpers still hold is no part of the energy
+        if gap.law is not None:
+            ledger.warm(gap.law.stored(-gap.room, -gap.rate, gap.memory))
+            resolve.tell_separation(gap, now, resolve.contact_force(gap), record)
+        gap.touching = None
     left, right, mu = gap.left, gap.right, gap.mu
     before = (left.v, right.v)
     apart = math.sqrt(gap.rate * gap.rate + 2.0 * burst.energy / mu)

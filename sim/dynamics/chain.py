@@ -10,7 +10,9 @@ touches only its neighbourhood, so the cost of an event does not grow with the n
 from __future__ import annotations
 
 import math
+from collections.abc import Hashable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from sim.dynamics.clock import ZERO, Time, elapsed
@@ -19,14 +21,15 @@ from sim.dynamics.contact import PairContact
 from sim.dynamics.flight import Flight
 from sim.dynamics.forces import NO_LOAD, Forces, Load
 from sim.dynamics.laws import Figures, FiniteLaw, finite_law
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.touching import Touching
 from sim.scene.model import Contact, Scene
 
 if TYPE_CHECKING:
     from sim.dynamics.effects import Link
 
-Solver = PairContact | Cluster
-Motion = PairContact | Cluster | Flight
+Solver = PairContact | PairPhase | Cluster
+Motion = PairContact | PairPhase | Cluster | Flight
 
 
 @dataclass(slots=True, eq=False)
@@ -86,8 +89,14 @@ class Gap:
         """Those of the gap's law, computed once per reduced mass."""
         if self._figures is None or self._figures[0] != mu:
             assert self.law is not None
-            self._figures = (mu, self.law.figures(mu))
+            self._figures = (mu, figures_of(self.law, mu))  # type: ignore[arg-type]
         return self._figures[1]
+
+
+@lru_cache(maxsize=4096)
+def figures_of(law: Hashable, mu: float) -> Figures:
+    """The same pair meets again and again, in this run and in the next."""
+    return law.figures(mu)  # type: ignore[attr-defined, no-any-return]
 
 
 class Chain:
@@ -99,17 +108,18 @@ class Chain:
             Body((k,), cart.mass, cart.position, cart.velocity, k, k + 1)
             for k, cart in enumerate(scene.carts)
         ]
-        left_wall = Body((), math.inf, 0.0, 0.0, -1, 0)
-        right_wall = Body((), math.inf, scene.track.length or 0.0, 0.0, count, -1)
-        row = [left_wall, *self.bodies, right_wall]
+        row = [_wall(scene, 0), *self.bodies, _wall(scene, count)]
         self.gaps: list[Gap | None] = []
-        laws: dict[Contact, FiniteLaw | None] = {}
+        known: Contact | None = None
+        law: FiniteLaw | None = None
         for k, contact in enumerate(scene.contacts):
             if contact is None:
                 self.gaps.append(None)
                 continue
-            law = laws.setdefault(contact, finite_law(contact))
-            gap = Gap(k, row[k], row[k + 1], scene.gaps[k], scene.approaches[k], contact, law)
+            if contact is not known:
+                known, law = contact, finite_law(contact)
+            left, right = row[k], row[k + 1]
+            gap = Gap(k, left, right, scene.gaps[k], scene.approaches[k], contact, law)
             if forces is not None:
                 gap.links = forces.links[k]
             self.gaps.append(gap)
@@ -130,6 +140,13 @@ class Chain:
         cleared = gap.clear_at is not None and elapsed(gap.clear_at, now) >= 0.0
         if gap.room >= 0.0 or cleared:
             gap.memory, gap.clear_at = 0.0, None
+
+
+def _wall(scene: Scene, gap: int) -> Body:
+    """What stands at one end; on an open side nobody asks."""
+    if gap == 0:
+        return Body((), math.inf, 0.0, 0.0, -1, 0)
+    return Body((), math.inf, scene.track.length or 0.0, 0.0, gap, -1)
 
 
 def component(chain: Chain, body: Body) -> tuple[list[Body], list[Gap]]:

@@ -21,6 +21,7 @@ from sim.dynamics.series import Branch, Expansion, Row, converged_step, expand, 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
     from sim.dynamics.forces import Load
+    from sim.dynamics.ledger import Ledger
 
 NEGLIGIBLE = 1e-13
 """Of the largest force in the cluster. Far ahead of the push that runs through a touching chain the
@@ -207,9 +208,31 @@ class Cluster:
         push = self.push(next(k for k, own in enumerate(self.members) if own.index == gap))
         return value(push, tau), value(slope(push), tau)
 
-    def marks(self) -> list[float]:
+    def marks(self, end: float) -> list[float]:
         """One formula holds for the whole step."""
         return []
+
+    def over(self, k: int, t: float) -> tuple[float, float]:
+        """Overlap [m] of gap k and its rate [m/s]."""
+        series = self.series.over[k]
+        return value(series, t), value(slope(series), t)
+
+    def deepest(self, k: int, t: float) -> float:
+        """m. Greatest overlap of gap k up to t."""
+        series = self.series.over[k]
+        over, rate = self.over(k, t)
+        best = max(series[0], over)
+        if series[1] > 0.0 > rate and (turn := first_fall(slope(series), t)) is not None:
+            best = max(best, value(series, turn))
+        return best
+
+    def velocities(self, k: int, t: float) -> tuple[float, float]:
+        """m/s. Of the bodies left and right of gap k."""
+        return value(self.speed[k], t), value(self.speed[k + 1], t)
+
+    def book(self, ledger: Ledger, t: float) -> None:
+        """Impulses from outside and work, by name."""
+        booking.cluster(ledger, self, t)
 
     def side(self, body: Body) -> float:
         """The body's place in the row."""

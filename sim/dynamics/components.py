@@ -15,7 +15,7 @@ from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.flight import Flight
 from sim.dynamics.ledger import Ledger
-from sim.dynamics.polynomial import first_fall, slope, value
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
 from sim.dynamics.resolve import outside
 from sim.dynamics.touching import Peak
@@ -43,7 +43,7 @@ def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledge
         elif isinstance(solver, PairContact):
             _settle_pair(own[0], solver, now, record, ledger)
         else:
-            _settle_cluster(solver, now, record, ledger)
+            _settle_step(solver, now, record, ledger)
         record.finished(solver, now[0])
     for body, shift, v in moved:
         body.x, body.v, body.time, body.motion = body.x + shift, v, now, None
@@ -84,35 +84,34 @@ def peak_of(gap: Gap, solver: PairContact, tau: float, force: float, rate: float
     return Peak(later(solver.begun, tau), force, touching.impulse + solver.mu * change, after)
 
 
-def _settle_cluster(solver: Cluster, now: Time, record: Record, ledger: Ledger) -> None:
+def _settle_step(solver: Cluster | PairPhase, now: Time, record: Record, ledger: Ledger) -> None:
     t = elapsed(solver.begun, now)
-    booking.cluster(ledger, solver, t)
+    solver.book(ledger, t)
     for k, gap in enumerate(solver.members):
-        series = solver.series.over[k]
-        over, rate = value(series, t), value(slope(series), t)
-        if gap.touching is not None:
+        touching, law = gap.touching, gap.law
+        over, rate = solver.over(k, t)
+        if touching is not None:
             if record.keep_events:
                 _see_peaks(solver, k, t, gap)
             impulse = solver.impulse(k, t)
-            gap.touching.impulse += impulse
+            touching.impulse += impulse
             outside(gap.left, gap.right, impulse, ledger)
             ledger.warm(solver.warmed(k, t))
-        if gap.touching is not None and gap.law is not None:
-            deepest = max(-gap.room, over)
-            if -gap.rate > 0.0 > rate and (turn := first_fall(slope(series), t)) is not None:
-                deepest = max(deepest, value(series, turn))
-            record.depth(gap, deepest)
-            gap.memory = gap.law.remember(deepest, gap.memory)
+            if law is not None:
+                deepest = solver.deepest(k, t)
+                record.depth(gap, deepest)
+                gap.memory = law.remember(deepest, gap.memory)
         gap.room, gap.rate, gap.time = -over, -rate, now
-        if gap.touching is None and gap.room >= 0.0:
+        if touching is None and gap.room >= 0.0:
             gap.memory = 0.0
 
 
-def _see_peaks(solver: Cluster, k: int, t: float, gap: Gap) -> None:
+def _see_peaks(solver: Cluster | PairPhase, k: int, t: float, gap: Gap) -> None:
     """The greatest force in the step: at its ends, or where it stops growing."""
     touching = gap.touching
     assert touching is not None
     for when in solver.greatest(k, t):
-        after = (value(solver.speed[k], when), value(solver.speed[k + 1], when))
+        after = solver.velocities(k, when)
         impulse = touching.impulse + solver.impulse(k, when)
-        touching.see(Peak(later(solver.begun, when), solver.contact_force(k, when), impulse, after))
+        force = solver.contact_force(k, when)
+        touching.see(Peak(later(solver.begun, when), force, impulse, after))

@@ -170,7 +170,7 @@ class PairContact:
         _, _, a, j = self.at(tau)
         return -self.mu * a, -self.mu * j
 
-    def marks(self) -> list[float]:
+    def marks(self, end: float) -> list[float]:
         """s after the start, where the formula changes."""
         return [swing.start for swing in self.stretches[1:]]
 

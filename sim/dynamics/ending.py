@@ -9,11 +9,12 @@ climb   the bumper is pressed further            halt    the body stands still f
 from __future__ import annotations
 
 from sim.dynamics import resolve
-from sim.dynamics.chain import Body, Gap
+from sim.dynamics.chain import Gap
 from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.laws import Bumper, Paper, PushOnly
 from sim.dynamics.ledger import Ledger
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.polynomial import value
 from sim.dynamics.record import Record
 
@@ -22,17 +23,17 @@ STANDING = 1e-12
 velocities differ by rounding only."""
 
 
-def leave(cluster: Cluster, now: Time, record: Record, ledger: Ledger) -> int:
+def leave(cluster: Cluster | PairPhase, now: Time, record: Record, ledger: Ledger) -> int:
     """Carry out all that ended the step, but for touches without a duration (`struck`).
 
     Returns the number of events that it told.
     """
     happened = 0
     for cause, k in cluster.ends:
-        if cause == "halt":
-            happened += _halt(cluster, k, now, record)
-        elif cause == "slip":
-            happened += _slip(cluster, k, now, record)
+        if isinstance(cluster, Cluster) and cause == "halt":
+            _halt(cluster, k)
+        elif isinstance(cluster, Cluster) and cause == "slip":
+            _slip(cluster, k, now)
         elif cause == "touch":
             happened += _touch(cluster.members[k], now, record, ledger)
         elif cause == "clear":
@@ -88,13 +89,13 @@ def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
     return 2
 
 
-def struck(cluster: Cluster) -> list[Gap]:
+def struck(cluster: Cluster | PairPhase) -> list[Gap]:
     """Linked pairs that touch at the end of the step by a law without a duration."""
     touched = [cluster.members[k] for cause, k in cluster.ends if cause == "touch"]
     return [gap for gap in touched if gap.law is None]
 
 
-def _halt(cluster: Cluster, k: int, now: Time, record: Record) -> int:
+def _halt(cluster: Cluster, k: int) -> None:
     """Body k, and all whose contacts are locked to it, have v = 0."""
     bodies, branches = cluster.bodies, cluster.branches
     fastest = max(abs(speed[0]) for speed in cluster.speed)
@@ -107,23 +108,12 @@ def _halt(cluster: Cluster, k: int, now: Time, record: Record) -> int:
         if abs(body.v) <= STANDING * fastest:
             body.v = 0.0
     bodies[k].v = 0.0
-    if not bodies[k].load.static:
-        return 0
-    tell_stop(bodies[k], now, record)
-    return 1
 
 
-def _slip(cluster: Cluster, k: int, now: Time, record: Record) -> int:
+def _slip(cluster: Cluster, k: int, now: Time) -> None:
     body = cluster.bodies[k]
     others = value(cluster.other_force(k), elapsed(cluster.begun, now))
     body.slips = 1 if others > 0.0 else -1
-    record.moment("start", body, now)
-    return 1
-
-
-def tell_stop(body: Body, now: Time, record: Record) -> None:
-    """A sliding body has come to v = 0."""
-    record.moment("stop", body, now)
 
 
 def is_push(gap: Gap) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 
 from sim.dynamics.forces import Forces
@@ -24,30 +23,28 @@ class Run:
     t: float
     x: tuple[float, ...]  # m, per cart from left to right
     v: tuple[float, ...]  # m/s
-    outcome: Outcome
     record: Record
     ledger: Ledger
-    solvers: Counter[str]
-    effects: Counter[str]
+    solvers: dict[str, int]
+    effects: dict[str, int]
     """How often the formulas of each effect were evaluated."""
-    forces: Forces | None = None
+    forces: Forces | None
+    stopped: str | None
+    """What there was too much of, if the run was stopped."""
 
-
-def outcome_of(
-    scene: Scene, t: float, v: list[float], stopped: str | None, *, moving_on: bool
-) -> Outcome:
-    """Why a run ended at t [s] with velocities v.
-
-    `stopped`: what there was too much of. `moving_on`: forces are left that will move a cart.
-    """
-    if stopped is not None:
-        return Outcome(
-            "too-many-events",
-            f"The run was stopped at t = {t:.6g} s after {stopped}. Ask for an earlier end "
-            "(until), more events (--max-events), a larger restitution, or stiffnesses and masses "
-            "that differ less.",
-        )
-    fastest = max(abs(cart.velocity) for cart in scene.carts)
-    if all(abs(speed) <= REST * fastest for speed in v) and not moving_on:
-        return Outcome("came-to-rest", f"Every cart is at rest at t = {t:.6g} s.")
-    return Outcome("reached-end", f"The run reached its end at t = {t:.6g} s.")
+    @property
+    def outcome(self) -> Outcome:
+        """Why the run ended; made when asked for."""
+        t = self.t
+        if self.stopped is not None:
+            return Outcome(
+                "too-many-events",
+                f"The run was stopped at t = {t:.6g} s after {self.stopped}. Ask for an earlier "
+                "end (until), more events (--max-events), a larger restitution, or stiffnesses "
+                "and masses that differ less.",
+            )
+        fastest = max(abs(cart.velocity) for cart in self.scene.carts)
+        to_come = self.forces is not None and self.forces.switches_after(t)
+        if all(abs(speed) <= REST * fastest for speed in self.v) and not to_come:
+            return Outcome("came-to-rest", f"Every cart is at rest at t = {t:.6g} s.")
+        return Outcome("reached-end", f"The run reached its end at t = {t:.6g} s.")

@@ -7,7 +7,7 @@ push begins or ends.
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import defaultdict
 from dataclasses import dataclass
 
 from sim.dynamics.effects import Link, Pull, acting
@@ -37,7 +37,7 @@ class Forces:
     def __init__(self, scene: Scene) -> None:
         self._acting = acting(scene)
         self.time = 0.0
-        self.used: Counter[str] = Counter()
+        self.used: defaultdict[str, int] = defaultdict(int)
         self._loads: dict[tuple[int, ...], Load] = {}
         gaps = range(len(scene.carts) + 1)
         self.links: list[tuple[Link, ...]] = [

@@ -1,7 +1,7 @@
 """The cheapest solver that is exact, for every settled component.
 
 nobody touches it    free flight, or a parabola or another closed form under its own forces
-one contact          the closed form of the pair, where nothing else acts on its bodies
+one pair             its closed form, where nothing but constant forces and springs act besides
 all else             a step of the power series
 """
 
@@ -17,9 +17,11 @@ from sim.dynamics.flight import Flight
 from sim.dynamics.forces import NO_LOAD, Forces
 from sim.dynamics.laws import Hertz
 from sim.dynamics.modes import decide
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
 from sim.dynamics.resolve import pair_contact
-from sim.dynamics.series import ORDER
+from sim.dynamics.series import LINEAR, ORDER
+from sim.dynamics.watch import branch_of
 
 
 def form(
@@ -71,7 +73,21 @@ def _solver(
     closed = law is not None and not isinstance(law, Hertz)
     if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
         return pair_contact(gaps[0], now)
+    if len(gaps) == 1 and not gaps[0].joined and _is_linear(row, gaps[0]):
+        _count(row, gaps, forces, 1)
+        return PairPhase(row, gaps, now, max(elapsed(now, end), 0.0))
     return _cluster(row, gaps, now, end, forces)
+
+
+def _is_linear(row: list[Body], gap: Gap) -> bool:
+    """Constant forces on both, springs between, and a law with linear branches that moves."""
+    if any(body.load.linear or body.load.quadratic or body.load.grips for body in row):
+        return False
+    if gap.touching is not None and (
+        gap.law is None or isinstance(gap.law, Hertz) or branch_of(gap).locked
+    ):
+        return False
+    return all(link.kind in LINEAR for link in gap.links)
 
 
 def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion | None:
@@ -91,13 +107,17 @@ def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion |
 def _cluster(
     row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None
 ) -> Cluster:
-    if forces is not None:
-        for body in row:
-            forces.count(body.load, (), ORDER - 1)
-        forces.count(NO_LOAD, tuple(link for gap in gaps for link in gap.links), ORDER - 1)
+    _count(row, gaps, forces, ORDER - 1)
     limit = max(elapsed(now, end), 0.0)
     if any(gap.touching is not None and isinstance(gap.law, Hertz) for gap in gaps):
         from sim.dynamics.adaptive import Adaptive  # only where a scene calls for it
 
         return Adaptive(row, gaps, now, limit)
     return Cluster(row, gaps, now, limit)
+
+
+def _count(row: list[Body], gaps: list[Gap], forces: Forces | None, times: int) -> None:
+    if forces is not None:
+        for body in row:
+            forces.count(body.load, (), times)
+        forces.count(NO_LOAD, tuple(link for gap in gaps for link in gap.links), times)

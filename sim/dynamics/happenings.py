@@ -8,18 +8,20 @@ have a shorter way.
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import defaultdict
 
 from sim.dynamics import bursts, components, ending, resolve
 from sim.dynamics.calendar import Calendar
 from sim.dynamics.chain import Body, Chain, Gap, component, moved, velocity
-from sim.dynamics.clock import Time, elapsed
+from sim.dynamics.clock import ZERO, Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.detect import next_touch, resting, touch_in_motion
+from sim.dynamics.flight import Flight
 from sim.dynamics.forces import Forces
 from sim.dynamics.form import form
 from sim.dynamics.ledger import Ledger
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
 from sim.scene.model import Scene
 
@@ -32,10 +34,10 @@ class Happenings:
         self.forces = Forces(scene) if scene.effects else None
         self.chain = Chain(scene, self.forces)
         self.calendar = Calendar(len(self.chain.gaps))
-        self.ledger = Ledger()
-        self.solvers: Counter[str] = Counter()
+        self.ledger = Ledger(scene)
+        self.solvers: defaultdict[str, int] = defaultdict(int)
         self.end: Time = (scene.until, 0.0)
-        self.fastest = max(abs(cart.velocity) for cart in scene.carts)
+        self.fastest = 0.0  # m/s, greatest approach so far
         self.happened = 0
         self.steps = 0
 
@@ -111,6 +113,7 @@ class Happenings:
         """A contact without duration between two bodies that are free, or settled."""
         self.solvers[gap.contact.law] += 1
         if gap.contact.law == "instant":
+            self.fastest = max(self.fastest, -gap.rate)
             resolve.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
             return
         resolve.join(self.chain, gap, now, self.record, self.ledger)
@@ -132,7 +135,7 @@ class Happenings:
         if not ending.is_push(gap):
             gap.room = -rest  # rounding of the search left: that is what a touch is
         in_contact = any(
-            isinstance(b.motion, (PairContact, Cluster)) for b in (gap.left, gap.right)
+            isinstance(b.motion, (PairContact, PairPhase, Cluster)) for b in (gap.left, gap.right)
         )
         bodies, gaps = self.settle([gap.left, gap.right], now)
         if gap.left.mass < math.inf or gap.right.mass < math.inf:
@@ -181,7 +184,7 @@ class Happenings:
         """A cluster's step or a flight is over, or something happened in it."""
         solver = body.motion
         bodies, gaps = self.settle([body], now)
-        if isinstance(solver, Cluster):
+        if isinstance(solver, (Cluster, PairPhase)):
             self.happened += ending.leave(solver, now, self.record, self.ledger)
             for gap in ending.struck(solver):
                 self.happened += 1
@@ -189,8 +192,6 @@ class Happenings:
                 bodies = self.strike(gap, bodies, gaps, now, in_contact=True)
         else:
             body.v = 0.0
-            ending.tell_stop(body, now, self.record)
-            self.happened += 1
         self.form_again(bodies, gaps, now)
 
     def from_outside(self, number: int, now: Time) -> None:
@@ -206,6 +207,7 @@ class Happenings:
                 self.chain.advance(gap, now)
             changed = bursts.set_free(self.chain, gap, burst, now, self.record, self.ledger)
             self.happened += changed
+            forces.used["release"] += changed
             bodies = [b for b in dict.fromkeys([*bodies, gap.left, gap.right]) if b.carts]
             self.form_again(bodies, [*gaps, gap], now)
             return
@@ -217,6 +219,7 @@ class Happenings:
         """What still belongs together gets new solvers; everything around is predicted anew."""
         bodies = sorted(bodies, key=lambda body: body.carts)
         ready = elapsed(now, self.end) > 0.0
+        held = [body.held for body in bodies]
         for body in bodies:
             body.turn += 1  # what was predicted for its flight is void
         for solver in form(bodies, gaps, now, self.end, self.forces, self.record):
@@ -229,11 +232,15 @@ class Happenings:
                 first = self.chain.gaps[solver.gap]
                 assert first is not None
                 self.calendar.gap(first, now, solver.duration)
-            elif isinstance(solver, Cluster) and solver.members:
+            elif isinstance(solver, (Cluster, PairPhase)) and solver.members:
                 self.calendar.gap(solver.members[0], now, solver.duration)
             else:
-                body = solver.bodies[0] if isinstance(solver, Cluster) else solver.body
+                body = solver.body if isinstance(solver, Flight) else solver.bodies[0]
                 self.calendar.body(body, now, solver.duration)
+        for body, before in zip(bodies, held, strict=True):
+            if body.held != before and now != ZERO:
+                self.record.moment("stop" if body.held else "start", body, now)
+                self.happened += 1
         self.predict_all(bodies, gaps, now)
 
     def predict_all(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from sim.scene.model import Scene
@@ -23,21 +22,18 @@ if TYPE_CHECKING:
     from sim.dynamics.chain import Chain
 
 
-@dataclass(slots=True)
 class Ledger:
-    """Totals of one run in J and N s."""
+    """Totals of one run in J and N s. Those at both ends are summed when asked for."""
 
-    energy_initial: float = 0.0
-    energy_final: float = 0.0
-    momentum_initial: float = 0.0
-    momentum_final: float = 0.0
-    stored_initial: float = 0.0
-    stored_final: float = 0.0
-    potential: dict[str, tuple[float, float]] = field(default_factory=dict)
-    """J per effect that stores energy: at the start and at the end."""
-    _warmed: list[float] = field(default_factory=lambda: [0.0, 0.0])
-    _impulses: dict[str, list[float]] = field(default_factory=dict)
-    _works: dict[str, list[float]] = field(default_factory=dict)
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.v_final: list[float] = []
+        self.stored_initial = 0.0
+        self.stored_final = 0.0
+        self._links: dict[str, tuple[float, float]] = {}
+        self._warmed = [0.0, 0.0]
+        self._impulses: dict[str, list[float]] = {}
+        self._works: dict[str, list[float]] = {}
 
     def warm(self, energy: float) -> None:
         """A contact kept `energy` [J]."""
@@ -73,6 +69,37 @@ class Ledger:
             by: total[0] + total[1] for by, total in self._works.items() if by not in CONSERVATIVE
         }
 
+    @property
+    def potential(self) -> dict[str, tuple[float, float]]:
+        """J per effect that stores energy: at the start and at the end."""
+        height = self._works.get("incline")
+        if height is None:
+            return self._links
+        return self._links | {"incline": (0.0, -(height[0] + height[1]))}
+
+    @property
+    def momentum_initial(self) -> float:
+        """N s."""
+        return momentum(self.scene, [cart.velocity for cart in self.scene.carts])
+
+    @property
+    def momentum_final(self) -> float:
+        """N s."""
+        return momentum(self.scene, self.v_final)
+
+    @property
+    def energy_initial(self) -> float:
+        """J. In motion and stored."""
+        stored = math.fsum(start for start, _ in self.potential.values())
+        moving = kinetic(self.scene, [cart.velocity for cart in self.scene.carts])
+        return moving + self.stored_initial + stored
+
+    @property
+    def energy_final(self) -> float:
+        """J. In motion and stored."""
+        stored = math.fsum(end for _, end in self.potential.values())
+        return kinetic(self.scene, self.v_final) + self.stored_final + stored
+
 
 CONSERVATIVE = ("incline",)
 """Effects whose work is a change of stored energy."""
@@ -102,21 +129,7 @@ def store(ledger: Ledger, chain: Chain, *, first: bool) -> None:
     """Energy in springs and magnets, by kind, at the start or at the end."""
     for gap in chain.gaps:
         for link in gap.links if gap is not None else ():
-            start, end = ledger.potential.get(link.kind, (0.0, 0.0))
+            start, end = ledger._links.get(link.kind, (0.0, 0.0))
             assert gap is not None
             energy = link.energy(gap.room)
-            ledger.potential[link.kind] = (start + energy, end) if first else (start, end + energy)
-
-
-def close(ledger: Ledger, scene: Scene, v: Sequence[float]) -> None:
-    """Fill in the totals at both ends of a run."""
-    start = [cart.velocity for cart in scene.carts]
-    ledger.momentum_initial = momentum(scene, start)
-    ledger.momentum_final = momentum(scene, v)
-    height = ledger._works.get("incline")
-    if height is not None:
-        ledger.potential["incline"] = (0.0, -(height[0] + height[1]))
-    first = math.fsum(start for start, _ in ledger.potential.values())
-    last = math.fsum(end for _, end in ledger.potential.values())
-    ledger.energy_initial = kinetic(scene, start) + ledger.stored_initial + first
-    ledger.energy_final = kinetic(scene, v) + ledger.stored_final + last
+            ledger._links[link.kind] = (start + energy, end) if first else (start, end + energy)

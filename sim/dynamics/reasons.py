@@ -6,6 +6,7 @@ from sim.dynamics.chain import Motion
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.flight import Fading, Flight, Slowing
+from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Solved
 from sim.scene.model import Scene
 
@@ -24,7 +25,7 @@ PARABOLA = "constant forces, x = x₀ + v t + ½ a t² is exact"
 def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
     """One sentence per kind of solver at work; `used` are the names of all solvers of the run."""
     sentences = [
-        *_clusters(scene, [p.solver for p in parts if isinstance(p.solver, Cluster)]),
+        *_clusters(scene, [p.solver for p in parts if isinstance(p.solver, (Cluster, PairPhase))]),
         *_pairs(scene, [p.solver for p in parts if isinstance(p.solver, PairContact)]),
         *_flights(scene, [p.solver for p in parts if isinstance(p.solver, Flight)]),
     ]
@@ -46,7 +47,7 @@ def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
     ]
 
 
-def _clusters(scene: Scene, solvers: list[Cluster]) -> list[str]:
+def _clusters(scene: Scene, solvers: list[Cluster | PairPhase]) -> list[str]:
     found = []
     for solver in solvers:
         touching = [
@@ -66,14 +67,15 @@ def _clusters(scene: Scene, solvers: list[Cluster]) -> list[str]:
         if acting:
             causes.append(f"{' and '.join(acting)}")
         at_once = " at the same time" if len(causes) > 1 or len(touching) > 1 else ""
-        found.append(
-            f"{', '.join(causes)}{at_once}: "
-            f"{'an adaptive method of order 8 with located events' if solver.tier == 3 else SERIES}"
-        )
+        found.append(f"{', '.join(causes)}{at_once}: {METHODS[solver.tier]}")
     return list(dict.fromkeys(found))
 
 
-SERIES = "a power series of order 26 in short steps, exact to rounding"
+METHODS = {
+    1: "all of it is linear, an oscillation about its place of rest, exact",
+    2: "a power series of order 26 in short steps, exact to rounding",
+    3: "an adaptive method of order 8 with located events, because this law has no series",
+}
 
 
 def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:

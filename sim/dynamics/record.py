@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -28,7 +28,7 @@ class Piece:
     sliding: int = 0  # direction in which friction sees it slide; 0: held, or no friction
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Solved:
     """One solver's part of the run, from `begin` to `end` s; `gaps` are those it moved."""
 
@@ -56,7 +56,7 @@ class Record:
     keep_events: bool
     keep_motion: bool
     events: list[Event] = field(default_factory=list)
-    counts: Counter[str] = field(default_factory=Counter)
+    counts: defaultdict[str, int] = field(default_factory=lambda: defaultdict(int))
     pieces: list[list[Piece]] = field(default_factory=list)
     solved: list[Solved] = field(default_factory=list)
     solved_all: bool = True

@@ -7,12 +7,11 @@ other together, is a power series; tier 3 an adaptive method for what has neithe
 from __future__ import annotations
 
 import heapq
-from collections import Counter
 from collections.abc import Callable
 
 from sim.dynamics import bursts, components, ledger, resolve
-from sim.dynamics.clock import ZERO, Time
-from sim.dynamics.finished import Run, outcome_of
+from sim.dynamics.clock import ZERO, Time, elapsed
+from sim.dynamics.finished import Run
 from sim.dynamics.happenings import Happenings
 from sim.dynamics.record import Record
 from sim.scene.model import Scene
@@ -83,6 +82,9 @@ class _Run(Happenings):
             if gap.room < 0.0 and gap.law is not None and not gap.joined:
                 resolve.touch(gap, ZERO, self.record, self.ledger)
         self.form_again(list(dict.fromkeys(self.chain.bodies)), gaps, ZERO)
+        self.solvers["free-flight"] += sum(body.motion is None for body in self.chain.bodies)
+        if not self.solvers["free-flight"]:
+            del self.solvers["free-flight"]
 
     def finish(self, progress: Progress | None = None) -> Run:
         """Event after event until the end, or until there were too many."""
@@ -118,34 +120,36 @@ class _Run(Happenings):
         scene, record = self.scene, self.record
         bodies = list(dict.fromkeys(self.chain.bodies))
         touching = [gap for gap in self.chain.gaps if gap is not None and gap.solver is not None]
-        components.settle(bodies, touching, end, record, self.ledger)
+        if touching or self.forces is not None:
+            components.settle(bodies, touching, end, record, self.ledger)
+        else:
+            for body in bodies:
+                body.x += body.v * elapsed(body.time, end)
         for gap in touching:
             if gap.touching is not None and gap.law is not None:
                 resolve.tell_peak(gap, record)
                 stored = gap.law.stored(-gap.room, -gap.rate, gap.memory)
                 self.ledger.stored_final += stored
-        ledger.store(self.ledger, self.chain, first=False)
+        if self.forces is not None:
+            ledger.store(self.ledger, self.chain, first=False)
         x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
         for body in bodies:
+            if len(body.carts) == 1:
+                x[body.carts[0]], v[body.carts[0]] = body.x, body.v
+                continue
             for cart, offset in zip(body.carts, record.offsets(body), strict=True):
                 x[cart], v[cart] = body.x + offset, body.v
-        ledger.close(self.ledger, scene, v)
+        self.ledger.v_final = v
         record.end(end[0], v)
         return Run(
             scene=scene,
             t=end[0],
             x=tuple(x),
             v=tuple(v),
-            outcome=outcome_of(
-                scene,
-                end[0],
-                v,
-                self.too_much() if full else None,
-                moving_on=bool(self.forces and self.forces.switches_after(end[0])),
-            ),
             record=record,
             ledger=self.ledger,
             solvers=self.solvers,
-            effects=self.forces.used if self.forces is not None else Counter(),
+            effects=self.forces.used if self.forces is not None else {},
             forces=self.forces,
+            stopped=self.too_much() if full else None,
         )

@@ -86,7 +86,11 @@ def _marks(run: Run) -> list[float]:
     marks = {0.0, run.t}
     for part in run.record.solved:
         marks.update((part.begin, part.end))
-        marks.update(t for mark in part.solver.marks() if (t := part.begin + mark) < part.end)
+        marks.update(
+            t
+            for mark in part.solver.marks(part.end - part.begin)
+            if (t := part.begin + mark) < part.end
+        )
     for pieces in run.record.pieces:
         marks.update(piece.start[0] for piece in pieces)
     kept = sorted(t for t in marks if t <= run.t)

@@ -23,7 +23,7 @@ from sim.dynamics.laws.base import Figures, Memory
 from sim.dynamics.laws.swing import Swing, undamped
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Bumper:
     """Bilinear hysteresis with stiffness k [N/m] and restitution e."""
 

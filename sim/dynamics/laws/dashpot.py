@@ -101,7 +101,7 @@ def _q_cot(q: float) -> tuple[float, float]:
     return y * coth, -0.5 * (coth / y + 1.0 - coth * coth)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _Dashpot:
     """What the three laws share: one linear stretch. Subclasses say when it ends."""
 
@@ -157,7 +157,7 @@ class _Dashpot:
         return 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Paper(_Dashpot):
     """Equation (3), mended: ends at overlap zero."""
 
@@ -176,7 +176,7 @@ class Paper(_Dashpot):
         return (Swing(rate, 0.0, first_zero(rate, d0, v0), 0.0, d0, v0),)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class PushOnly(_Dashpot):
     """Ends at force zero, damping corrected."""
 
@@ -204,7 +204,7 @@ class PushOnly(_Dashpot):
         return (Swing(rate, 0.0, first_zero(rate, n0, n1), 0.0, d0, v0),)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class PushOnlyUncorrected(PushOnly):
     """Ends at force zero, damping of the printed formula: delivers more than was asked for."""
 

@@ -22,7 +22,7 @@ from sim.dynamics.laws.dashpot import damping_to_zero_overlap
 from sim.dynamics.laws.swing import Swing
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Hertz:
     """A force law without a closed form in time."""
 

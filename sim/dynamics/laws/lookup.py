@@ -22,7 +22,7 @@ FINITE: dict[str, Callable[[float, float], FiniteLaw]] = {
 
 @lru_cache(maxsize=1024)
 def finite_law(contact: Contact) -> FiniteLaw | None:
-    """The law of finite duration, or None for `instant` and `velcro`."""
+    """The law of finite duration, or None for `instant` and `velcro`; one object per contact."""
     make = FINITE.get(contact.law)
     if make is None or contact.stiffness is None or contact.restitution is None:
         return None
