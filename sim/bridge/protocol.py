@@ -6,7 +6,7 @@
 
 is answered by a header (JSON) and one array of float64, column after column. The header of a
 refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
-what a reader or an author typed.
+what a reader or an author typed. The other kind of request is `map`, see `map_answer`.
 """
 
 from __future__ import annotations
@@ -24,6 +24,9 @@ from sim.dynamics.trajectory import PER_STRETCH, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 
 PROTOCOL = 1
+MOST_STEPS_DRAWN = 5_000
+"""Steps of contacts that push each other: a few seconds in a page."""
+
 MOST_EVENTS_DRAWN = 20_000
 """A page stops a run here: more events than this can neither be drawn nor listed."""
 
@@ -33,12 +36,14 @@ Answer = tuple[dict[str, Any], "array[float]"]
 def answer(request: Mapping[str, Any]) -> Answer:
     """Answer one request."""
     identity = request.get("id")
+    if request.get("kind") == "map":
+        return _map(request)
     if request.get("kind") != "run":
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
         return refusal(identity, [problem])
     try:
         plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
-        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN)
+        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
     except SceneError as error:
         return refusal(identity, error.problems)
     except UnsolvedError as error:
@@ -46,6 +51,16 @@ def answer(request: Mapping[str, Any]) -> Answer:
     samples = request.get("samples")
     header, numbers = describe(finished, samples if isinstance(samples, int) else PER_STRETCH)
     return {"id": identity, "ok": True, **header}, numbers
+
+
+def _map(request: Mapping[str, Any]) -> Answer:
+    from sim.bridge.map_answer import map_answer  # only where a map is asked for
+
+    try:
+        header, numbers = map_answer(request)
+    except SceneError as error:
+        return refusal(request.get("id"), error.problems)
+    return {"id": request.get("id"), "ok": True, **header}, numbers
 
 
 def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> Answer:
@@ -67,6 +82,7 @@ def describe(finished: Run, per_stretch: int = PER_STRETCH) -> Answer:
     header = {
         "title": scene.title,
         "until": scene.until,
+        "gravity": scene.gravity,
         "bodies": _bodies(scene),
         "track": {
             "left": scene.track.left,

@@ -14,6 +14,7 @@ import click
 COMMANDS = {
     "build": ("sim.cli.build", "Build the site and print the file to double-click."),
     "check": ("sim.cli.check", "Look for mistakes in lessons and scene files."),
+    "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),
     "plan": ("sim.cli.plan", "Say how a scene would be solved, and why."),
     "run": ("sim.cli.run", "Run a scene."),
 }

@@ -15,7 +15,15 @@ from typing import TYPE_CHECKING
 
 from sim.dynamics import booking, modes, watch
 from sim.dynamics.clock import Time, elapsed
-from sim.dynamics.polynomial import Poly, first_fall, integral, size, slope, value
+from sim.dynamics.polynomial import (
+    Poly,
+    first_fall,
+    integral,
+    size,
+    slope,
+    value,
+    value_and_slope,
+)
 from sim.dynamics.series import Branch, Expansion, Row, converged_step, expand, step_length
 
 if TYPE_CHECKING:
@@ -197,16 +205,12 @@ class Cluster:
     def state(self, place: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body at that place in the row."""
         k = int(place)
-        return (
-            value(self.path[k], tau),
-            value(self.speed[k], tau),
-            value(slope(self.speed[k]), tau),
-        )
+        return (value(self.path[k], tau), *value_and_slope(self.speed[k], tau))
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt of a gap of the chain."""
         push = self.push(next(k for k, own in enumerate(self.members) if own.index == gap))
-        return value(push, tau), value(slope(push), tau)
+        return value_and_slope(push, tau)
 
     def marks(self, end: float) -> list[float]:
         """One formula holds for the whole step."""
@@ -214,8 +218,7 @@ class Cluster:
 
     def over(self, k: int, t: float) -> tuple[float, float]:
         """Overlap [m] of gap k and its rate [m/s]."""
-        series = self.series.over[k]
-        return value(series, t), value(slope(series), t)
+        return value_and_slope(self.series.over[k], t)
 
     def deepest(self, k: int, t: float) -> float:
         """m. Greatest overlap of gap k up to t."""

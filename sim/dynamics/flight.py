@@ -38,6 +38,9 @@ class Course(Protocol):
     def halt(self) -> float:
         """s to v = 0; inf if never."""
 
+    def marks(self, end: float) -> list[float]:
+        """s. Times between which the curve is equally easy to draw."""
+
 
 @dataclass(frozen=True, slots=True)
 class Parabola:
@@ -51,6 +54,10 @@ class Parabola:
         """x, v, a."""
         return (self.v0 + 0.5 * self.a * t) * t, self.v0 + self.a * t, self.a
 
+    def marks(self, end: float) -> list[float]:
+        """None: it is a polynomial."""
+        return []
+
     def halt(self) -> float:
         """−v0/a."""
         t = -self.v0 / self.a if self.a != 0.0 else 0.0
@@ -59,6 +66,10 @@ class Parabola:
 
 SMALL = 0.05
 """γt. Below it t − φ is summed as a series: eight terms leave less than 1e-16."""
+
+
+FADED = 12
+"""Time constants after which a flight has faded below 1e-5 of its start."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +96,11 @@ class Fading:
             psi = (t - phi) / self.gamma
         return self.v0 * t + start * psi, self.v0 + start * phi, start * math.exp(-z)
 
+    def marks(self, end: float) -> list[float]:
+        """Every time constant, until it has faded."""
+        times = int(min(end * self.gamma, FADED))
+        return [n / self.gamma for n in range(1, times + 1)]
+
     def halt(self) -> float:
         """Where φ = −v0/(a − γ v0)."""
         start = self.a - self.gamma * self.v0
@@ -108,6 +124,12 @@ class Slowing:
         v = self.v0 / (1.0 + pace)
         way = math.copysign(math.log1p(pace) / self.kappa, self.v0)
         return way, v, -self.kappa * v * abs(v)
+
+    def marks(self, end: float) -> list[float]:
+        """Whenever the velocity has fallen to a half."""
+        pace = self.kappa * abs(self.v0)
+        halvings = int(math.log2(1.0 + pace * end)) if pace * end < math.inf else 1000
+        return [(2.0**n - 1.0) / pace for n in range(1, halvings + 1)]
 
     def halt(self) -> float:
         """Never."""
@@ -180,8 +202,8 @@ class Flight:
         return 0.0, 0.0
 
     def marks(self, end: float) -> list[float]:
-        """One formula."""
-        return []
+        """s. As the course has them."""
+        return self.course.marks(end)
 
     def side(self, body: Body) -> float:
         """It is alone."""

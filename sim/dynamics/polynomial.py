@@ -18,6 +18,15 @@ def value(p: Poly, t: float) -> float:
     return total
 
 
+def value_and_slope(p: Poly, t: float) -> tuple[float, float]:
+    """p(t) and p'(t), by Horner's rule for both."""
+    total = growth = 0.0
+    for c in reversed(p):
+        growth = growth * t + total
+        total = total * t + c
+    return total, growth
+
+
 def size(p: Poly, h: float) -> float:
     """Bound on |p| over [0, h]."""
     total, power = 0.0, 1.0

@@ -39,19 +39,22 @@ def run(
     max_events: int = MOST_EVENTS,
     keep_events: bool = True,
     keep_motion: bool = True,
+    max_steps: int = MOST_STEPS,
     progress: Progress | None = None,
 ) -> Run:
     """Run a scene exactly. Raises UnsolvedError where no exact solver is at hand."""
-    return _Run(scene, max_events, Record(scene, keep_events, keep_motion)).finish(progress)
+    return _Run(scene, max_events, max_steps, Record(scene, keep_events, keep_motion)).finish(
+        progress
+    )
 
 
 class _Run(Happenings):
     """One run, from its start to its end."""
 
-    def __init__(self, scene: Scene, max_events: int, record: Record) -> None:
+    def __init__(self, scene: Scene, max_events: int, max_steps: int, record: Record) -> None:
         super().__init__(scene, record)
         self.max_events = max_events
-        self.most_steps = min(STEPS_PER_EVENT * max_events, MOST_STEPS)
+        self.most_steps = min(STEPS_PER_EVENT * max_events, max_steps)
         record.pieces = [[] for _ in scene.carts]
         if self.forces is not None:
             self.start_with_effects()

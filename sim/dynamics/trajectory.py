@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from sim.dynamics import outer_forces
+from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.finished import Run
 from sim.dynamics.flight import Flight
@@ -24,6 +25,9 @@ PER_STRETCH = 16
 
 MOST_NUMBERS = 400_000
 """Numbers in all columns. A run with more contacts than fit is sampled more thinly in each."""
+
+SHORT_STEPS = 2
+"""A nonlinear power series takes steps so short that so many times fewer samples draw them."""
 
 LONG_TIMES = 12.0
 """Time constants after which a contact that never ends has faded below 1e-4 of its start."""
@@ -110,6 +114,8 @@ def _times(begin: float, end: float, live: list[Solved], dense: int) -> list[flo
     if not live:
         return [begin, end]
     count = dense
+    if all(isinstance(part.solver, Cluster) and part.solver.row.nonlinear for part in live):
+        count = max(2, dense // SHORT_STEPS)
     span = end - begin
     fade = [
         swing.rate

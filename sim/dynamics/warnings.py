@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.dynamics.finished import Run
+from sim.dynamics.watch import RIGID
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +45,25 @@ def warnings(run: Run) -> tuple[Warning, ...]:
             )
         found.append((deepest - room, Warning("bumper-bottoms", message)))
     found = sorted(found, key=lambda item: -item[0])
-    return (*(warning for _, warning in found), *_idle(run))
+    return (*(warning for _, warning in found), *_idle(run), *_nearly_rigid(run))
+
+
+def _nearly_rigid(run: Run) -> list[Warning]:
+    """Groups in which a bumper that hardly springs back was held instead."""
+    tiny = [
+        contact.restitution
+        for contact in run.scene.contacts
+        if contact is not None and contact.law == "bumper" and contact.restitution
+    ]
+    if "power-series" not in run.solvers or not tiny or min(tiny) > RIGID:
+        return []
+    return [
+        Warning(
+            "nearly-rigid",
+            f"Several contacts held at once: there a bumper with a restitution of {min(tiny):g} "
+            "counts as one with 0, which changes velocities by less than that part of them.",
+        )
+    ]
 
 
 def _idle(run: Run) -> list[Warning]:

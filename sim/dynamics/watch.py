@@ -30,6 +30,11 @@ CURVED = Branch(0.0, 0.0, 0.0)
 """No linear branch: the force follows from the law itself (`adaptive`)."""
 
 
+RIGID = 1e-7
+"""Restitution. In a group of contacts, a bumper that springs back less than this is held at its
+greatest overlap as one with e = 0 is: followed exactly it would swing 1/e times as fast as all
+else. Velocities are off by at most this part of the approach speed; alone, a pair is exact."""
+
 NEAREST = 1e-9
 """m. Nearer than atoms are to each other: magnets with n = 1 would let a fast cart come as close as
 1e-100 m."""
@@ -50,9 +55,10 @@ def branch_of(gap: Gap) -> Branch:
     if law is None:  # an instant contact at rest
         return LOCKED
     if isinstance(law, Bumper):
-        if law.e == 1.0 or (d >= memory and (v > 0.0 or gap.touching.pressing)):
+        # a fresh touch without speed is about to be pressed: there is nothing to spring back yet
+        if law.e == 1.0 or (d >= memory and (v > 0.0 or gap.touching.pressing or d == 0.0)):
             return Branch(law.stiffness, 0.0, 0.0)
-        if law.e == 0.0:
+        if law.e <= RIGID:
             return LOCKED
         return Branch(law.stiffness / law.e**2, 0.0, law.resting_overlap(max(memory, d)))
     if isinstance(law, Hertz):

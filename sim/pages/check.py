@@ -6,8 +6,14 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from sim.pages.bake import bake
-from sim.pages.fence_scan import scan
+from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.lesson_text import text_findings
+from sim.pages.map.bake import bake_map
+from sim.pages.map_block import MapBlock, read_map_block
+from sim.pages.question import PageItems, read_question_block, read_quiz_block
+from sim.pages.question.quiz import FOLDER as BANK_FOLDER
+from sim.pages.question.quiz import read_bank_text
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.scene import SceneError, read_scene
 
@@ -20,16 +26,43 @@ SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
     """Everything that is wrong with the blocks of one lesson, in the order of its lines."""
     findings: list[Finding] = []
-    for block in scan(text.splitlines()):
+    items = PageItems()
+    blocks = tuple(scan(text.splitlines()))
+    for block in blocks:
         try:
-            scene = read_scene_block(block, lesson, ids, first_line=1)
-            run = bake(scene.fence.plain)
+            if block.name == "map":
+                _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))
+            else:
+                _read(block, lesson, ids, items)
         except AuthorError as error:
             findings += error.findings
-            continue
+    return sorted([*findings, *items.findings(), *text_findings(text, lesson)])
+
+
+def _read(block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> None:
+    """Read one block and add it to `items`; raises `AuthorError`."""
+    if block.name == "question":
+        items.questions.append(read_question_block(block, lesson, ids, first_line=1))
+    elif block.name == "quiz":
+        items.quizzes.append(read_quiz_block(block, lesson, ids, first_line=1))
+    else:
+        scene = read_scene_block(block, lesson, ids, first_line=1)
+        run = bake(scene.fence.plain)
         if isinstance(run, list):
-            findings += map(scene.places.finding, run)
-    return sorted(findings)
+            raise AuthorError(map(scene.places.finding, run))
+        items.scenes.append(scene.fence)
+
+
+def _check_map(block: MapBlock) -> None:
+    """A map must have values; raises `AuthorError`."""
+    run = bake_map(block.map, block.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(block.places.finding, run))
+
+
+def check_bank(text: str, file: str) -> list[Finding]:
+    """Everything that is wrong with one bank of questions."""
+    return read_bank_text(text, file)[1]
 
 
 def check_scene(text: str, file: str) -> list[Finding]:
@@ -58,8 +91,12 @@ def check_paths(paths: Iterable[Path], root: Path) -> list[Finding]:
                 findings.append(_not_text(shown.as_posix(), error))
                 continue
             if file.suffix in LESSON_SUFFIXES:
-                lesson = Lesson(shown.as_posix(), scene_folders(file, root))
+                lesson = Lesson(
+                    shown.as_posix(), scene_folders(file, root), bank_folders(file, root)
+                )
                 findings += check_lesson(text, lesson, ids)
+            elif file.parent.name == BANK_FOLDER:
+                findings += check_bank(text, shown.as_posix())
             else:
                 findings += check_scene(text, shown.as_posix())
     return findings
@@ -70,14 +107,19 @@ def scene_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
     return (lesson.parent, *(root / folder for folder in SCENE_FOLDERS))
 
 
+def bank_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
+    """Where the banks of a lesson's forms are looked for, in this order."""
+    return (lesson.parent / BANK_FOLDER, root / "worksheets" / BANK_FOLDER)
+
+
 def _files(path: Path) -> Iterator[Path]:
     if path.is_file():
         yield path
     elif path.is_dir():
-        # A YAML file is a scene only in a folder of scenes: others are question banks or settings.
+        # A YAML file counts only in a folder of scenes or of banks: others are settings.
         for file in sorted(path.rglob("*")):
-            scene = file.suffix in SCENE_SUFFIXES and file.parent.name == "scenes"
-            if file.is_file() and (file.suffix in LESSON_SUFFIXES or scene):
+            ours = file.suffix in SCENE_SUFFIXES and file.parent.name in ("scenes", BANK_FOLDER)
+            if file.is_file() and (file.suffix in LESSON_SUFFIXES or ours):
                 yield file
 
 

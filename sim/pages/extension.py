@@ -1,4 +1,4 @@
-"""The Markdown extension: `scene` blocks become live scenes, mistakes become red boxes.
+"""The Markdown extension: blocks become live scenes and questions, mistakes become red boxes.
 
 It works with any generator that uses Python-Markdown. The generator's shell says with `set_page`
 which page is being made and what shall happen with findings; without it the first mistake raises
@@ -19,8 +19,10 @@ from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
 
 from sim.pages.bake import bake
-from sim.pages.fence_scan import scan
+from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.map_block import read_map_block
+from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 
 # Before Markdown's own clean-up (30), which turns tabs into spaces and so hides them.
@@ -39,6 +41,8 @@ class Page:
     report: Callable[[Finding], None] | None = None
     scenes: int = 0
     packages: set[str] = field(default_factory=set)
+    blocks: tuple[Block, ...] = ()
+    items: PageItems = field(default_factory=PageItems)
 
 
 _page: ContextVar[Page | None] = ContextVar("carts-page", default=None)
@@ -77,11 +81,10 @@ class _TakeOut(Preprocessor):
         kept: list[str] = []
         done = 0
         # Front matter has been removed by the generator: a line of --- here is only a line.
-        for block in scan(lines, front_matter=False):
+        page.blocks = tuple(scan(lines, front_matter=False))
+        for block in page.blocks:
             try:
-                made = _widget(
-                    read_scene_block(block, page.lesson, page.ids, first_line=page.first_line), page
-                )
+                made = MAKERS.get(block.name, _scene)(block, page)
             except AuthorError as error:
                 if page.report is None:
                     raise
@@ -92,6 +95,10 @@ class _TakeOut(Preprocessor):
             self.put_in.html[word] = made
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
+        for finding in page.items.findings():
+            if page.report is None:
+                raise AuthorError([finding])
+            page.report(finding)
         return [*kept, *lines[done:]]
 
 
@@ -109,6 +116,54 @@ class _PutIn(Postprocessor):
         return text
 
 
+def _scene(block: Block, page: Page) -> str:
+    """A `scene` block; it also says what is wrong with the form of any other."""
+    return _widget(read_scene_block(block, page.lesson, page.ids, first_line=page.first_line), page)
+
+
+def _question(block: Block, page: Page) -> str:
+    """A `question` block, numbered through the page."""
+    from sim.pages.question.render import render_question
+
+    read = read_question_block(block, page.lesson, page.ids, first_line=page.first_line)
+    page.items.questions.append(read)
+    return render_question(read.question, number=len(page.items.questions))
+
+
+def _quiz(block: Block, page: Page) -> str:
+    """A `quiz` block: a form of items from a bank."""
+    from sim.pages.question.render import render_quiz
+
+    read = read_quiz_block(block, page.lesson, page.ids, first_line=page.first_line)
+    page.items.quizzes.append(read)
+    return render_quiz(read.form)
+
+
+def _map(block: Block, page: Page) -> str:
+    """A `map` block: its figure, and what the page needs to compute it anew."""
+    from sim.pages.map.bake import bake_map
+    from sim.pages.map.render import render_map
+
+    read = read_map_block(
+        block, page.lesson, page.ids, first_line=page.first_line, blocks=page.blocks
+    )
+    run = bake_map(read.map, read.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(read.places.finding, run))
+    page.scenes += 1
+    page.packages |= set(run.packages)
+    made = render_map(read.map, read.plain, run)
+    return made.replace("<carts-map", "<carts-map data-search-exclude", 1)
+
+
+MAKERS: dict[str, Callable[[Block, Page], str]] = {
+    "scene": _scene,
+    "map": _map,
+    "question": _question,
+    "quiz": _quiz,
+}
+
+
 def _widget(block: SceneBlock, page: Page) -> str:
     """The live scene as HTML, with its default run; raises `AuthorError` if it cannot run."""
     from sim.pages.widget import render  # Jinja2 and its templates: only where a scene is drawn
@@ -117,6 +172,7 @@ def _widget(block: SceneBlock, page: Page) -> str:
     if isinstance(run, list):
         raise AuthorError(map(block.places.finding, run))
     page.scenes += 1
+    page.items.scenes.append(block.fence)
     page.packages |= run.packages | set(block.fence.packages)
     made = render(block.fence, run.header, run.numbers)
     # Readings of a run are no words to search for, and must not give an answer away. The theme

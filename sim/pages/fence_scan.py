@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-KINDS = ("scene", "question", "quiz")
+KINDS = ("scene", "map", "question", "quiz")
 
 _OPEN = re.compile(
     r"(?P<indent>[ \t]*)(?P<quote>(?:>[ \t]?)*)(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>[^`]*)"
@@ -44,7 +44,7 @@ class Block:
 
 
 def scan(lines: Sequence[str], *, front_matter: bool = True) -> Iterator[Block]:
-    """Every block named `scene`, `question` or `quiz`, and those whose name comes close to one."""
+    """Every block of ours, and those whose name comes close to one of ours."""
     index = _after_front_matter(lines) if front_matter else 0
     while index < len(lines):
         opened = _OPEN.fullmatch(lines[index].rstrip("\r\n"))

@@ -9,13 +9,14 @@ other way (front matter, raw HTML in a lesson) is not. The policy must be the fi
 from __future__ import annotations
 
 import hashlib
+import json
 import re
 from base64 import b64encode
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from html import escape
 from html.parser import HTMLParser
-from typing import Literal
+from typing import Any, Literal
 
 Audience = Literal["offline", "hosted", "preview"]
 
@@ -51,6 +52,7 @@ class Needs:
 
     scenes: bool = False
     formulas: bool = False
+    outline: Mapping[str, Any] | None = None  # of what can be answered here; None: nothing
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -128,9 +130,23 @@ def finish(
         ours = f'<script src="{assets}carts.js"></script>\n'
         place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
         page = page.replace(place, ours + place, 1)
+    page = _with_answers(page, assets, needs.outline)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
     # The theme's search dialog has no name for screen readers.
     return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)
+
+
+def _with_answers(page: str, assets: str, outline: Mapping[str, Any] | None) -> str:
+    """The page with the script that keeps answers: every page has the panel “My answers”."""
+    facts = ""
+    if outline is not None:
+        text = json.dumps(outline, ensure_ascii=False, separators=(",", ":")).replace(
+            "<", "\\u003c"
+        )
+        facts = f'<script type="application/json" id="carts-lesson">{text}</script>\n'
+    ours = f'{facts}<script src="{assets}answers.js"></script>\n'
+    place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
+    return page.replace(place, ours + place, 1)
 
 
 class _Blocked(HTMLParser):

@@ -34,17 +34,20 @@ _FAULTS = {
 
 @dataclass(frozen=True, slots=True)
 class Lesson:
-    """Where a lesson comes from: `file` as it is shown in messages, and where scene files lie."""
+    """Where a lesson comes from: `file` as messages show it, folders of scene files and banks."""
 
     file: str
     scene_folders: tuple[Path, ...] = ()
+    bank_folders: tuple[Path, ...] = ()
 
 
 @dataclass(slots=True)
 class SiteIds:
-    """The ids of all scenes of a site, each with the place where it was first used."""
+    """The ids of all scenes and questions of a site, each with the place of its first use."""
 
     used: dict[str, str] = field(default_factory=dict)
+    exam: dict[str, str] = field(default_factory=dict)  # hashes of items, and the form they are in
+    told: dict[str, str] = field(default_factory=dict)  # the same for items whose key is in a page
 
     def claim(self, identity: str, place: Finding) -> None:
         """Take `identity` for the block at `place`; raise `AuthorError` if it is taken."""
@@ -59,7 +62,7 @@ class SiteIds:
                         place.col,
                         "id-taken",
                         f"id: “{identity}” is already used at {first}",
-                        "every scene of the site needs an id of its own",
+                        "every scene and question of the site needs an id of its own",
                     )
                 ]
             )
@@ -98,21 +101,25 @@ def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: 
 
     `first_line` is the line in the lesson's file of the first scanned line (counted from 1).
     """
-    place = (first_line + block.start, block.body_indent + 1)
-    _refuse_form(block, lesson.file, place)
-    try:
-        source = load(
-            block.body, first_line=first_line + block.start + 1, first_col=block.body_indent + 1
-        )
-    except YamlError as error:
-        raise _yaml_fault(lesson.file, error) from None
-    plain, places = _with_scene_file(source, lesson)
+    source = load_block(block, lesson.file, first_line=first_line)
+    plain, places = with_scene_file(source, lesson)
     try:
         fence = read_fence(plain)
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
     return SceneBlock(fence, places)
+
+
+def load_block(block: Block, file: str, *, first_line: int) -> Source:
+    """The values of any block of ours and their places; raises `AuthorError`."""
+    _refuse_form(block, file, (first_line + block.start, block.body_indent + 1))
+    try:
+        return load(
+            block.body, first_line=first_line + block.start + 1, first_col=block.body_indent + 1
+        )
+    except YamlError as error:
+        raise _yaml_fault(file, error) from None
 
 
 def read_scene_text(text: str, file: str) -> tuple[Mapping[str, Any], Places]:
@@ -149,15 +156,9 @@ def _refuse_form(block: Block, file: str, place: Place) -> None:
             f"“{block.rest}” stands behind the name of the block",
             "write every key on a line of its own inside the block",
         )
-    if block.name != "scene":
-        refuse(
-            "not-yet",
-            f"blocks of the kind “{block.name}” are not built yet",
-            "this version knows scene blocks",
-        )
 
 
-def _with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Places]:
+def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Places]:
     """The block's keys, joined with those of the scene file that it names."""
     if "file" not in source.plain:
         return dict(source.plain), Places(lesson.file, source)

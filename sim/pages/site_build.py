@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from sim.pages import licences, site_files
-from sim.pages.check import scene_folders
+from sim.pages.check import bank_folders, scene_folders
 from sim.pages.extension import Page
 from sim.pages.findings import Finding
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
@@ -54,22 +54,25 @@ class SiteBuild:
         # Generators cut the front matter off: findings count lines of the whole file.
         first_line = 1 + whole.replace("\r\n", "\n").count("\n") - markdown.count("\n")
         shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
-        lesson = Lesson(shown.as_posix(), scene_folders(path, self.root))
+        folders = scene_folders(path, self.root), bank_folders(path, self.root)
+        lesson = Lesson(shown.as_posix(), *folders)
         return Page(lesson, first_line, self.ids, self.report)
 
     def rendered(self, name: str, page: Page, html: str) -> None:
         """Note what the page `name` needs, now that it is rendered."""
-        self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html)
-        for scene in re.findall(r'<carts-scene\b[^>]*\sid="([^"]+)"', html):
-            if html.count(f' id="{scene}"') > 1:
+        lesson = name.rpartition(".")[0].rpartition("/")[2]
+        outline = page.items.outline(lesson) if page.items.answers else None
+        self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html, outline)
+        for block in re.findall(r'<carts-(?:scene|map|question|quiz)\b[^>]*\sid="([^"]+)"', html):
+            if html.count(f' id="{block}"') > 1:
                 self.report(
                     Finding(
                         page.lesson.file,
                         1,
                         1,
                         "id-taken",
-                        f"id: “{scene}” is also the address of a heading on this page",
-                        "give the scene an id of its own, for example " + f"{scene}-scene",
+                        f"id: “{block}” is also the address of a heading on this page",
+                        "give the block an id of its own, for example " + f"{block}-1",
                     )
                 )
         self.packages |= page.packages

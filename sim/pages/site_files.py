@@ -53,6 +53,7 @@ def search_from_disk(worker: str) -> str:
 def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     for name in ("site.css", "formulas.js"):
         yield name, _read(_WEB / "site" / name, "git restore sim/web/site")
+    yield "answers.js", _read(_WEB / "dist" / "answers.js", "make bundle")
     yield "carts.css", b"\n".join(path.read_bytes() for path in sorted(_WEB.glob("css/*.css")))
     for font in FONTS:
         path = node_modules / font

@@ -15,8 +15,9 @@ from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.tables import mapping, unknown_keys
 
-FENCE_KEYS = ("id", "show", "controls", "predict", "forces", "slow", "view", "packages")
+FENCE_KEYS = ("id", "show", "with", "controls", "predict", "forces", "slow", "view", "packages")
 SHOWS = ("x", "v", "a", "F", "p", "energy")
+VIEWS = ("free-body", "lens", "bars")
 PACKAGES = ("numpy", "scipy")
 ID = re.compile(r"[a-z][a-z0-9-]{0,63}", re.ASCII)
 
@@ -29,6 +30,7 @@ class Fence:
     scene: Scene
     plain: Mapping[str, Any]
     show: tuple[str, ...]
+    opened: tuple[str, ...]  # views beside the graphs, in the fence “with”
     controls: tuple[Control, ...]
     predict: Predict | None
     forces: str  # shown | hidden
@@ -61,6 +63,7 @@ def read_fence(plain: object) -> Fence:
             )
         )
     show = _choices("show", table, ("x", "v", "F"), SHOWS, problems)
+    opened = _choices("with", table, (), VIEWS, problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
     forces = _choice("forces", table, ("shown", "hidden"), problems)
     slow = _choice("slow", table, ("auto", "never"), problems)
@@ -76,6 +79,7 @@ def read_fence(plain: object) -> Fence:
         scene=scene,
         plain=scene_part,
         show=show,
+        opened=opened,
         controls=controls,
         predict=predict,
         forces=forces,

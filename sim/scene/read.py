@@ -56,8 +56,12 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     released = {frozenset(e.between) for e in effects if e.kind == "release" and e.between}
     gaps = _gaps(exact, names, track, length)
     for k, gap in enumerate(gaps):
-        if gap is not None and gap < 0 and not overlap_allowed:
-            _overlap(k, gap, names, released, problems)
+        if gap is None or gap >= 0:
+            continue
+        contact = contacts[k] if k < len(contacts) else None
+        at_once = contact is not None and contact.law in ("instant", "velcro")
+        if at_once or not overlap_allowed:  # without a duration there is nothing to be pressed in
+            _overlap(k, gap, names, released, problems, at_once=at_once)
     if len(problems) == before:
         magnets_apart(effects, gaps, names, problems)
     if len(problems) > before:
@@ -211,7 +215,13 @@ def _approaches(
 
 
 def _overlap(
-    k: int, gap: Fraction, names: list[str], released: set[frozenset[str]], problems: list[Problem]
+    k: int,
+    gap: Fraction,
+    names: list[str],
+    released: set[frozenset[str]],
+    problems: list[Problem],
+    *,
+    at_once: bool,
 ) -> None:
     left = names[k - 1] if k > 0 else "left"
     right = names[k] if k < len(names) else "right"
@@ -228,6 +238,6 @@ def _overlap(
             ("carts", cart, "position"),
             "overlap",
             f"{what} by {float(-gap):.3g} m at the start",
-            f"{hint}; start: {{overlap: true}} allows it",
+            hint if at_once else f"{hint}; start: {{overlap: true}} allows it",
         )
     )

@@ -49,6 +49,36 @@ def rows() -> list[dict[str, Any]]:
             20,
             "the formula alone",
         ),
+        *batch_rows(bare),
+    ]
+
+
+def batch_rows(bare: float) -> list[dict[str, Any]]:
+    """Many outcomes at once; `bare` [s] is the cost of the formula for one of them in Python."""
+    import numpy as np
+
+    from sim.dynamics.batch.grid import solve
+    from sim.dynamics.batch.impacts import impacts
+
+    count = 4_000
+    dice = np.random.default_rng(3)
+    m1, m2 = 10 ** dice.uniform(-2, 2, count), 10 ** dice.uniform(-2, 2, count)
+    v1, v2, e = dice.uniform(0, 3, count), dice.uniform(-3, 0, count), dice.uniform(0, 1, count)
+    each = _seconds(lambda: impacts("bumper", m1, m2, v1, v2, e, 500.0), 50) / count
+    plain = registry.plain("light-meets-heavy")
+    axes = (
+        ("A.mass", tuple(np.linspace(0.5, 5, 200).tolist())),
+        ("contact.restitution", tuple(np.linspace(0, 1, 200).tolist())),
+    )
+    point = _seconds(lambda: solve(plain, axes, ("v", "B")), 3) / 40_000
+    scene = read_scene(plain)
+    one = _seconds(lambda: run(scene, keep_events=False, keep_motion=False), 500)
+    name = "batch of 4 000 pair outcomes"
+    return [
+        row(f"{name}: each", 1e9 * each, "ns", 100, "one numpy call"),
+        row(f"{name} / bare formula", each / bare, "of the cost", 0.2, "the formula in Python"),
+        row("map of 200 × 200, judged: each point", 1e9 * point, "ns", 100, "one numpy call"),
+        row("map of 200 × 200 / a run per point", point / one, "of the cost", 0.01, "the engine"),
     ]
 
 

@@ -24,7 +24,7 @@ CASES = sorted(path.stem for path in GOLDEN.glob("*.md"))
 
 def findings(name: str) -> list[Finding]:
     text = (GOLDEN / f"{name}.md").read_text(encoding="utf-8")
-    lesson = Lesson(f"{name}.md", (Path("scenes"),))
+    lesson = Lesson(f"{name}.md", (Path("scenes"),), (Path("banks"),))
     return check_lesson(text, lesson, SiteIds())
 
 

@@ -15,7 +15,9 @@ pytestmark = pytest.mark.slow  # builds the site
 MOST_WITHOUT_RUNTIME = 450_000  # bytes as gzip, everything that such a page loads
 USUAL_FORMULA_FONTS = ("Main-Regular", "Math-Italic", "Size1-Regular", "Size2-Regular")
 MOST_HTML_PER_SCENE = 60_000  # bytes
-MOST_RUNTIME = 14_000_000  # bytes on disk, once per site
+MOST_HTML_PER_MAP = 40_000
+MOST_RUNTIME = 14_000_000  # bytes on disk, once per site, without packages
+MOST_NUMPY = 5_000_000  # more, because a page has a map
 
 
 class Links(HTMLParser):
@@ -43,7 +45,8 @@ def pages(site: Path) -> list[Path]:
 
 
 def has_scene(page: Path) -> bool:
-    return "<carts-scene" in page.read_text(encoding="utf-8")
+    text = page.read_text(encoding="utf-8")
+    return "<carts-scene" in text or "<carts-map" in text
 
 
 def in_css(sheet: Path) -> list[str]:
@@ -168,9 +171,23 @@ def test_a_scene_costs_little_html(site: Path) -> None:
             assert each <= MOST_HTML_PER_SCENE, f"{page.name}: {each:.0f} bytes per scene"
 
 
+def test_a_map_costs_little_html(site: Path) -> None:
+    maps = re.findall(
+        r"<carts-map\b.*?</carts-map>",
+        (site / "physics" / "map.html").read_text(encoding="utf-8"),
+        re.DOTALL,
+    )
+    assert len(maps) == 4
+    assert max(len(text.encode()) for text in maps) <= MOST_HTML_PER_MAP
+
+
 def test_the_runtime_fits(site: Path) -> None:
-    size = sum(p.stat().st_size for p in (site / "assets" / "carts" / "runtime").iterdir())
-    assert size <= MOST_RUNTIME
+    files = list((site / "assets" / "carts" / "runtime").iterdir())
+    packages = [p for p in files if p.name.startswith(("numpy", "python-more"))]
+    size = sum(p.stat().st_size for p in files)
+    numpy = sum(p.stat().st_size for p in packages)
+    assert 0 < numpy <= MOST_NUMPY
+    assert size - numpy <= MOST_RUNTIME
 
 
 def test_nothing_for_developers_only_is_shipped(site: Path) -> None:

@@ -4,21 +4,26 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.web.boot_site import ROOT, bundle
 
-DIST = ROOT / "sim" / "web" / "dist" / "carts.js"
+DIST = ROOT / "sim" / "web" / "dist"
+ENTRIES = {"carts.js": "main.js", "answers.js": "answers-main.js"}
 
 
-def test_the_committed_bundle_is_fresh(tmp_path: Path) -> None:
-    again = tmp_path / "carts.js"
-    bundle(ROOT / "sim" / "web" / "src" / "main.js", again)
-    assert again.read_text(encoding="utf-8") == DIST.read_text(encoding="utf-8"), (
-        "sim/web/dist/carts.js is older than its sources: run `make bundle`"
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_committed_bundle_is_fresh(tmp_path: Path, name: str) -> None:
+    again = tmp_path / name
+    bundle(ROOT / "sim" / "web" / "src" / ENTRIES[name], again)
+    assert again.read_text(encoding="utf-8") == (DIST / name).read_text(encoding="utf-8"), (
+        f"sim/web/dist/{name} is older than its sources: run `make bundle`"
     )
 
 
-def test_the_bundle_is_one_classic_script_that_can_be_read() -> None:
-    text = DIST.read_text(encoding="utf-8")
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_bundle_is_one_classic_script_that_can_be_read(name: str) -> None:
+    text = (DIST / name).read_text(encoding="utf-8")
     lines = text.splitlines()
     assert not [line for line in lines if line.startswith(("import ", "export "))]
     own = [line for line in lines if not line.lstrip().startswith("var worker_default")]

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.widget_site import live, on_scene, widget_site, write_page
@@ -81,47 +82,68 @@ def test_ten_events_stand_in_full_and_more_are_scrolled(
 
 
 def test_on_paper_there_are_lines_to_write_on_and_no_velocity_twice(
-    open_page: OpenPage, widget_site: Path
+    open_page: OpenPage, widget_site: Path, browser_name: str
 ) -> None:
+    if browser_name == "firefox":
+        pytest.skip("this driver cannot show Firefox's pages as on paper; the style sheet is one")
     page = live(open_page(write_page(widget_site, "paper", {**QUESTION, "id": "paper"})), "paper")
     assert page.locator("#paper .carts-write hr:visible").count() == 0
     page.emulate_media(media="print")
-    assert page.locator("#paper .carts-write hr:visible").count() == 4
-    assert page.locator('#paper .carts-control[data-set="B.mass"]:visible').count() == 0
+    expect(page.locator("#paper .carts-write hr").filter(visible=True)).to_have_count(4)
+    expect(page.locator('#paper .carts-control[data-set="B.mass"]')).to_be_hidden()
+
+
+HEAVY: dict[str, Any] = {
+    "id": "heavy",
+    "carts": {
+        "A": {"mass": "0.2", "position": "0.3", "velocity": "0.5"},
+        "B": {"mass": 1, "position": "0.5"},
+        "C": {"mass": 5, "position": "0.7"},
+        "D": {"mass": 6, "position": "0.9"},
+    },
+    "track": {"length": "1.4"},
+    "until": 2,
+}
+FONTS = ["inherit", "serif", "monospace", "sans-serif", "cursive"]
+OVERLAPS = """
+  const pen = document.createElement("canvas").getContext("2d");
+  const ink = (text) => { // the letters themselves: what else fonts count in differs
+    const style = getComputedStyle(text);
+    pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+    const size = pen.measureText(text.textContent);
+    const matrix = text.getScreenCTM();
+    const start = text.getStartPositionOfChar(0).matrixTransform(matrix);
+    const { left, right } = text.getBoundingClientRect();
+    return { left, right, top: start.y - size.actualBoundingBoxAscent * matrix.d,
+      bottom: start.y + size.actualBoundingBoxDescent * matrix.d };
+  };
+  const stage = [...el.querySelectorAll(".carts-stage")].find((s) => s.clientWidth);
+  return argument.flatMap((font) => {
+    stage.style.fontFamily = font;
+    const signs = [...stage.querySelectorAll("text:not(.carts-push text)")].filter((text) =>
+      text.textContent && text.getClientRects().length
+      && getComputedStyle(text).visibility === "visible");
+    const inks = signs.map(ink);
+    return inks.flatMap((p, i) => inks.slice(i + 1).flatMap((q, k) =>
+      p.left < q.right && q.left < p.right && p.top < q.bottom && q.top < p.bottom
+        ? [`${font}: ${signs[i].textContent} | ${signs[i + 1 + k].textContent}`] : []));
+  });"""
 
 
 @pytest.mark.parametrize("width", [360, 1000])
-def test_signs_of_touching_heavy_carts_do_not_overlap(
-    open_page: OpenPage, widget_site: Path, width: int
+@pytest.mark.parametrize("length", ["1.4", "4"])
+def test_signs_of_touching_carts_do_not_overlap_in_any_font(
+    open_page: OpenPage, widget_site: Path, width: int, length: str
 ) -> None:
-    heavy = {
-        "id": "heavy",
-        "carts": {
-            "A": {"mass": "0.2", "position": "0.3", "velocity": "0.5"},
-            "B": {"mass": 1, "position": "0.5"},
-            "C": {"mass": 5, "position": "0.7"},
-        },
-        "track": {"length": "1.4"},
-        "until": 2,
-    }
+    scene = {**HEAVY, "track": {"length": length}}
     page = live(
         open_page(
-            write_page(widget_site, "heavy", heavy), viewport={"width": width, "height": 700}
+            write_page(widget_site, "heavy", scene), viewport={"width": width, "height": 700}
         ),
         "heavy",
     )
-    overlaps = on_scene(
-        page,
-        """const stage = [...el.querySelectorAll(".carts-stage")].find((s) => s.clientWidth);
-        const signs = [...stage.querySelectorAll(".carts-break text, .carts-mass")]
-          .filter((text) => text.getClientRects().length
-            && getComputedStyle(text).visibility === "visible");
-        const room = 2; // px of empty height above and below the letters of a line
-        return signs.flatMap((a, i) => signs.slice(i + 1).filter((b) => {
-          const [p, q] = [a.getBoundingClientRect(), b.getBoundingClientRect()];
-          return p.left < q.right && q.left < p.right
-            && p.top + room < q.bottom - room && q.top + room < p.bottom - room;
-        }).map((b) => `${a.textContent} | ${b.textContent}`));""",
-        name="heavy",
-    )
-    assert overlaps == []
+    assert on_scene(page, OVERLAPS, FONTS, name="heavy") == []
+    torn = page.locator("#heavy .carts-torn").filter(visible=True)
+    expect(torn).to_contain_text("not to scale")
+    on_scene(page, "await el.set({ 'B.mass': 0.5, 'C.mass': 0.5, 'D.mass': 0.5 });", name="heavy")
+    expect(torn).to_have_count(0)

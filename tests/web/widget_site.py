@@ -113,12 +113,14 @@ def in_node(script: str, data: object) -> Any:
     """The value that a module script gives to `give(value)`; `data` is what it works on."""
     source = (ROOT / "sim" / "web" / "src").as_uri()
     head = (
-        f"const data = {json.dumps(data)}; const source = {json.dumps(source)};\n"
+        'import { readFileSync } from "node:fs";\n'
+        'const data = JSON.parse(readFileSync(0, "utf8"));\n'
+        f"const source = {json.dumps(source)};\n"
         "const give = (value) => process.stdout.write(JSON.stringify(value));\n"
     )
     done = subprocess.run(
         [str(node_program()), "--input-type=module", "-e", head + script],
-        capture_output=True, text=True, check=False, timeout=60, cwd=ROOT,
+        input=json.dumps(data), capture_output=True, text=True, check=False, timeout=60, cwd=ROOT,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)

@@ -54,9 +54,7 @@ class MagnetLink:
             if n == 0:
                 q.append(float((-over[0]) ** -power))
             else:
-                total = 0.0
-                for i in range(1, n + 1):
-                    total += (power * i + (n - i)) * over[i] * q[n - i]
+                total = sum([(power * i + n - i) * over[i] * q[n - i] for i in range(1, n + 1)])
                 q.append(total / (n * -over[0]))
             return strength * q[n]
 

@@ -18,7 +18,7 @@ from sim.pages.widget.series import Series
 WIDTH, HEIGHT = 360.0, 172.0
 LEFT, RIGHT, TOP, BOTTOM = 46.0, 350.0, 8.0, 142.0
 BELOW_LINE = 4.0  # units, from a grid line to the foot of its number
-ONLY_THE_RUN = Reach(0.0, 0.0, 1.0)
+ONLY_THE_RUN = Reach(0.0, 0.0, 1.0, 0.0)
 NEAR = 0.7  # units; rows nearer than this to the last drawn one are left out
 STRAIGHT = 0.05  # units; a curve that bends less is drawn as a line
 
@@ -43,9 +43,13 @@ class Plane:
 
 def plane_for(curves: Sequence[Series], until: float, reach: Reach = ONLY_THE_RUN) -> Plane:
     """Axes that cover zero, every curve and what the sliders may make of it."""
-    low = min((min(c.values) for c in curves), default=0.0) * reach.factor
-    high = max((max(c.values) for c in curves), default=0.0) * reach.factor
-    return Plane(span(0.0, until, 6), axis(min(low, reach.low), max(high, reach.high), 5))
+    least = min((min(c.values) for c in curves), default=0.0)
+    most = max((max(c.values) for c in curves), default=0.0)
+    low, high = min(least * reach.factor, reach.low), max(most * reach.factor, reach.high)
+    room = reach.room * max(-least, most)
+    if room > 0:
+        low, high = max(low, -room), min(high, room)
+    return Plane(span(0.0, until, 6), axis(low, high, 5))
 
 
 def path(curve: Series, times: Sequence[float], plane: Plane) -> str:

@@ -10,6 +10,7 @@ Lengths are SVG units, which are about pixels. The layout never changes while a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -20,6 +21,9 @@ from sim.pages.widget.scale_of import Scales
 LANE = 20.0
 ABOVE = 34.0  # from the top of the tallest box to the lowest velocity arrow
 BEAM_ROW = 19.0
+SIGN = 56.0  # a mass takes at most so much width in any font, such as “A: 0.25 kg”
+MOST_RANKS = 3
+STAGGER = 15.0  # from one line of masses to the next, clear in any font
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +38,8 @@ class Layout:
     low: float  # m, left edge of the open part of the picture
     high: float  # m
     lanes: int  # heights at which velocity arrows are drawn, so that neighbours clear
-    stagger: float  # how much higher every second cart's mass is written, for the same reason
+    ranks: int  # heights at which masses are written, for the same reason
+    stagger: float  # from one rank to the next
     track: float  # y of the top of the beam, on which the carts stand
     rows: tuple[float, ...]  # y of the force names on the beam, by contact
     beam: float  # height of the beam
@@ -66,8 +71,9 @@ def lay_out(
     right = wall if track["right"] == "wall" else margin
     scale = (width - left - right) / (high - low)
     lanes = min(count, 3)
-    stagger = 0.0 if wide or count == 1 else 13.0
-    top = 14.0 + (lanes - 1) * LANE + ABOVE + stagger + scales.tallest
+    closest = min(b["length"] for b in header["bodies"]) * scale
+    ranks = min(count, MOST_RANKS, math.ceil(SIGN / closest))
+    top = 14.0 + (lanes - 1) * LANE + ABOVE + STAGGER * (ranks - 1) + scales.tallest
     contacts = header["contacts"]
     walled = wall_contacts(header)
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
@@ -82,7 +88,8 @@ def lay_out(
         low=low,
         high=high,
         lanes=lanes,
-        stagger=stagger,
+        ranks=ranks,
+        stagger=STAGGER,
         track=top,
         rows=tuple(
             top + BEAM_ROW * (0 if wall else k % max(row_count, 1)) + 13.5

@@ -10,14 +10,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+ROOM = 2.0
+
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """Limits of a quantity in the unit of its graph, and by how much sliders may stretch a run."""
+    """Limits of a quantity in the unit of its graph, and by how much sliders may stretch a run.
+
+    `room`: the axis is at most so many times as long as the run needs, so that extreme sliders do
+    not make its curves small; 0: no such limit. A run that needs more gets more.
+    """
 
     low: float
     high: float
     factor: float
+    room: float = ROOM
 
     def as_list(self) -> list[float]:
         """Plain values for the page."""
@@ -40,7 +47,7 @@ def reaches(
     momenta += [sum(m * v for m, v in scene) for scene in carts]
     energy = max(sum(m * v * v / 2 for m, v in scene) for scene in carts)
     return {
-        "x": Reach(*window, 1.0),
+        "x": Reach(*window, 1.0, 0.0),
         "v": Reach(min(speeds) / per, max(speeds) / per, stretch),
         "a": Reach(0.0, 0.0, stretch),
         "F": Reach(0.0, force, 1.0),

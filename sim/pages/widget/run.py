@@ -51,7 +51,7 @@ def from_wire(header: Mapping[str, Any], numbers: Sequence[float]) -> Run:
     for k, (quantity, *key) in enumerate(header["columns"]):
         column = list(numbers[k * rows : (k + 1) * rows])
         if key:
-            parts[quantity][key[0]] = column
+            parts.setdefault(quantity, {})[" ".join(key)] = column
         else:
             parts[quantity] = column
     return Run(parts["t"], parts["x"], parts["v"], parts["a"], parts["F"], parts["dF"])

@@ -26,6 +26,7 @@ class Scales:
 
     per_height: float  # kg/m, mass per body length of the cart drawn REFERENCE_HEIGHT tall
     tallest: float  # px, of the tallest cart that the sliders reach
+    may_tear: bool  # whether that is less than its mass asks for
     force: float  # N, of the longest force arrow; 0: no force can be drawn
     velocity: float  # m/s, of the longest velocity arrow
     decimals: Mapping[str, int]  # of printed values, velocities in the unit of the scene
@@ -65,7 +66,8 @@ def read_scales(
     ]
     axis_force = force if run is not None else force / ROOM_TO_GUESS
     reach = reaches(seen, picture_window(header, camera), axis_force, per)
-    return Scales(per_height, tallest, force, velocity, decimals, reach)
+    may_tear = reached / per_height > TALLEST * (1 + 1e-9)
+    return Scales(per_height, tallest, may_tear, force, velocity, decimals, reach)
 
 
 def body_width(body: Mapping[str, Any]) -> float:

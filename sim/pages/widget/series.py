@@ -59,9 +59,19 @@ def series_of(
         else:
             values, slopes = [mass * s * s / 2 for s in seen], None
         curves.append(Series(name, f"b{i % 8}", False, values, slopes))
+    if quantity == "p" and "wall" in (header["track"]["left"], header["track"]["right"]):
+        curves.append(_partner(curves))
     if quantity in ("p", "energy") and len(curves) > 1:
         curves.append(_total(curves))
     return curves
+
+
+def _partner(curves: Sequence[Series]) -> Series:
+    """What the carts have given to the wall, and the wall to the Earth."""
+    whole = _total(curves)
+    given = [whole.values[0] - value for value in whole.values]
+    slopes = None if whole.slopes is None else [-slope for slope in whole.slopes]
+    return Series("wall + Earth", "wall", False, given, slopes)
 
 
 def _total(curves: Sequence[Series]) -> Series:
@@ -69,7 +79,8 @@ def _total(curves: Sequence[Series]) -> Series:
     slopes = None
     if all(c.slopes is not None for c in curves):
         slopes = [sum(row) for row in zip(*(c.slopes or () for c in curves), strict=True)]
-    return Series("all carts", "total", False, values, slopes)
+    label = "all together" if any(c.style == "wall" for c in curves) else "all carts"
+    return Series(label, "total", False, values, slopes)
 
 
 def _forces(header: Mapping[str, Any], run: Run, signed: bool) -> list[Series]:

@@ -19,7 +19,7 @@ RING = 1.0  # radius of a zero velocity, drawn as a line
 SHORTEST = 0.5  # units; a shorter arrow is zero to the eye and is drawn as a dot
 FASTEST = 2.2  # full lengths; a longer velocity arrow is cut here, and its text says so
 EDGE = 5.0  # units that a velocity arrow keeps from the edges of the picture
-LINE = 12.0  # between two lines of text above a box
+LINE = 12.0  # height of the text above a box
 NAMED = 34.0  # units; a box at least this tall carries its name
 SPRING = (2.0, 10.0)  # heights of the spring above the track
 PUSH = 15.5  # height of the force arrow above the track
@@ -60,7 +60,7 @@ def box(body: Mapping[str, Any], scales: Scales, layout: Layout, lift: float) ->
 
 def lane(i: int, tallest: float, layout: Layout) -> float:
     """Height of the velocity arrow of cart i above carts of which the tallest box is `tallest`."""
-    above = max(tallest, FACE) + layout.stagger + ABOVE
+    above = max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes)
 
 
@@ -128,4 +128,4 @@ def kept_inside(x: float, length: float, width: float) -> float:
 
 def label_top(box: Box) -> float:
     """Top of the text above a box, relative to the track."""
-    return box.label_y - LINE - (LINE if box.cut else 0)
+    return box.label_y - LINE

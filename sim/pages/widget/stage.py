@@ -30,7 +30,7 @@ def stage_view(
 ) -> dict[str, Any]:
     """The picture at the start."""
     boxes = [
-        shapes.box(body, scales, layout, layout.stagger * (i % 2))
+        shapes.box(body, scales, layout, layout.stagger * (i % layout.ranks))
         for i, body in enumerate(header["bodies"])
     ]
     tallest = max(box.height for box in boxes)
@@ -47,6 +47,7 @@ def stage_view(
             _cart(body, i, box, shapes.lane(i, tallest, layout), scales, layout, camera)
             for i, (body, box) in enumerate(zip(header["bodies"], boxes, strict=True))
         ],
+        "torn": any(box.cut for box in boxes),
         "pushes": _pushes(header, layout) if forces else [],
         "legend": _legend(scales, layout, camera, forces),
     }
@@ -85,7 +86,6 @@ def _cart(
         "named": box.name_y is not None,
         "label": box.label,
         "label_y": px(box.label_y),
-        "cut_y": px(box.label_y - shapes.LINE),
         "springs": [shapes.spring(-edge, -half), shapes.spring(edge, half)],
         "faces": [px(-half), px(half)],
         "velocity": {
@@ -188,11 +188,13 @@ def _legend(scales: Scales, layout: Layout, camera: float, forces: bool) -> dict
     legend["velocity"] = shapes.line_arrow(x, y, layout.velocity)
     legend["velocity_x"] = px(x + layout.velocity + 6)
     legend["velocity_text"] = f"{short(scales.velocity / per)} {unit}"
+    if layout.kind == "wide":  # on a phone it stands below the picture
+        legend["torn_x"] = px(x + layout.velocity + 6 + 60)
     legend["right_x"] = px(layout.width - 12)
     if camera:
         legend["right_text"] = "position on the track in m"
     else:
         legend["right_text"] = (
-            "position x in m, + is to the right" if layout.kind == "wide" else "x in m, + is right"
+            "position x in m, + is to the right" if layout.kind == "wide" else "x in m, + right"
         )
     return legend

@@ -18,6 +18,7 @@ from sim.pages.widget.scales import nice_above, span
 from sim.pages.widget.series import series_of
 from sim.pages.widget.stage import stage_view
 from sim.pages.widget.tables import table_rows, table_times
+from sim.pages.widget.views import views_view
 from sim.pages.widget.words import (
     QUANTITIES,
     body,
@@ -49,14 +50,17 @@ def scene_view(
     until = float(header["until"])
     contacts = touches(header["events"], until)
     shown = [q for q in fence.show if forces or q not in FORCE_QUANTITIES]
+    stages = [
+        stage_view(header, scales, layout, camera=camera, forces=forces) for layout in layouts
+    ]
     return {
         "id": fence.id,
         "title": header.get("title") or "Carts on an air track",
         "packages": " ".join(sorted(fence.packages)),
         "warnings": header["warnings"],
-        "stages": [
-            stage_view(header, scales, layout, camera=camera, forces=forces) for layout in layouts
-        ],
+        "stages": stages,
+        "torn": stages[0]["torn"],
+        "may_tear": scales.may_tear,
         "camera_text": _camera_text(camera),
         "description": _description(header, scales, camera),
         "time": _timeline(header, contacts, until),
@@ -71,6 +75,8 @@ def scene_view(
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
         ],
         "graphs": [graph_view(q, header, run, scales, camera, told=told) for q in shown],
+        "empty_graph": _empty_graph(),
+        "views_view": views_view(header, scales, fence.opened, forces=forces, told=told),
         "events": _story(header, run, scales, layouts[0], camera, forces) if told else [],
         "model": model_sentences(header, told=told),
     }
@@ -124,6 +130,15 @@ def graph_view(
         "note": graph_note(quantity, header["events"], len(curves)) if told else "",
         "rows": table_rows(curves, run.t, times, scales.decimals, quantity, scale),
     }
+
+
+def _empty_graph() -> dict[str, Any]:
+    """The pattern of a graph that a reader may ask for; the page fills it."""
+    frame = {"width": g.WIDTH, "height": g.HEIGHT, "left": g.LEFT, "right": g.RIGHT}
+    frame |= {"top": g.TOP, "bottom": g.BOTTOM}
+    empty = dict.fromkeys(("quantity", "title", "seen", "symbol", "unit", "cursor", "note"), "")
+    lists: dict[str, Any] = {key: [] for key in ("times", "marks", "curves", "rows")}
+    return {**empty, **lists, **{key: int(value) for key, value in frame.items()}}
 
 
 def _timeline(header: Mapping[str, Any], contacts: Sequence[Any], until: float) -> dict[str, Any]:

@@ -15,6 +15,12 @@
     #flying = null;
     #restarts = 0;
     #lastId = 0;
+    /** @type {string[]} packages that were asked for after the start */
+    #asked = [];
+    /** @type {string[]} those of them that Python has, and gets again after a restart */
+    #more = [];
+    /** @type {Promise<void>} when they are there */
+    #growing = Promise.resolve();
     /** @param {Start} start */
     constructor(start) {
       super();
@@ -23,6 +29,40 @@
     /** Starts Python if nobody has yet. */
     wake() {
       if (this.state === "idle") void this.#boot();
+    }
+    /**
+     * Has packages that no scene of the page called for. A second Python starts with them and takes
+     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+     * @param {string[]} names @returns {Promise<void>}
+     */
+    need(names) {
+      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
+      const before = this.#asked;
+      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
+      const needed = this.#growing.catch(() => {
+      }).then(() => this.#grow(this.#asked));
+      this.#growing = needed;
+      needed.catch(() => {
+        this.#asked = before;
+      });
+      return needed;
+    }
+    /** @param {string[]} names */
+    async #grow(names) {
+      this.wake();
+      await this.#settled();
+      if (this.state === "failed") throw this.error;
+      this.#use(await this.start(names));
+      this.#more = names;
+      this.#become("ready");
+      this.#next();
+    }
+    /** Resolves when Python is not just starting. @returns {Promise<void>} */
+    #settled() {
+      if (this.state !== "starting") return Promise.resolve();
+      return new Promise((resolve) => {
+        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
+      });
     }
     /**
      * Asks for a run. A newer request of the same owner takes the place of one that still waits;
@@ -73,9 +113,7 @@
     async #boot() {
       this.#become("starting");
       try {
-        const runtime = await this.start();
-        runtime.onlost = (reason) => this.#lost(runtime, reason);
-        this.#runtime = runtime;
+        this.#use(await this.start(this.#more));
         this.#become("ready");
         this.#next();
       } catch (error) {
@@ -86,17 +124,28 @@
     #lost(runtime, reason) {
       if (runtime !== this.#runtime) return;
       this.#runtime = null;
-      const job = this.#flying;
-      this.#flying = null;
       runtime.stop();
-      if (job) {
-        const newer = this.#waiting.find(({ owner }) => owner === job.owner);
-        if (newer) newer.settle.unshift(...job.settle);
-        else this.#waiting.unshift(job);
-      }
+      this.#takeBack();
       this.#restarts += 1;
       if (this.#restarts > RESTARTS) this.#fail(reason);
       else void this.#boot();
+    }
+    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
+    #use(runtime) {
+      const older = this.#runtime;
+      runtime.onlost = (reason) => this.#lost(runtime, reason);
+      this.#runtime = runtime;
+      older?.stop();
+      this.#takeBack();
+    }
+    /** The request under way waits again, in front: whoever could answer it is gone. */
+    #takeBack() {
+      const job = this.#flying;
+      this.#flying = null;
+      if (!job) return;
+      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+      if (newer) newer.settle.unshift(...job.settle);
+      else this.#waiting.unshift(job);
     }
     /** @param {unknown} reason */
     #fail(reason) {
@@ -133,11 +182,11 @@
     if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
-    const found = root.querySelector(selector);
-    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    const found2 = root.querySelector(selector);
+    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
     return (
       /** @type {T} */
-      found
+      found2
     );
   }
 
@@ -145,10 +194,14 @@
   function fromWire(header, numbers) {
     const { rows, columns, events } = header;
     const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, events };
-    columns.forEach(([quantity, key], k) => {
+    columns.forEach(([quantity, ...key], k) => {
       const column = numbers.subarray(k * rows, (k + 1) * rows);
-      if (key === void 0) parts[String(quantity)] = column;
-      else parts[String(quantity)][key] = column;
+      const name2 = String(quantity);
+      if (!key.length) parts[name2] = column;
+      else {
+        parts[name2] ??= {};
+        parts[name2][key.join(" ")] = column;
+      }
     });
     return parts;
   }
@@ -182,13 +235,16 @@
     return low - 1;
   }
   function valueAt(times, values, slopes, t) {
+    const k = rowAt(times, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times.length - 1) return Number(values[values.length - 1]);
+    return hermite(times, values, slopes, k, t);
+  }
+  function hermite(times, values, slopes, k, t) {
     const at = (
       /** @type {(column: Column, k: number) => number} */
-      ((c, k2) => c[k2])
+      ((c, i) => c[i])
     );
-    const k = rowAt(times, t);
-    if (k < 0) return at(values, 0);
-    if (k >= times.length - 1) return at(values, values.length - 1);
     const h = at(times, k + 1) - at(times, k);
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
@@ -215,20 +271,20 @@
     const text = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
   }
-  function decimalsFor(scale, figures = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  function decimalsFor(scale, figures2 = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
   }
-  function short(value, figures = 3) {
+  function short(value, figures2 = 3) {
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
       const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
       return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
   }
-  function decimalsOf(value, figures = 6) {
-    const text = Math.abs(value).toFixed(decimalsFor(value, figures));
+  function decimalsOf(value, figures2 = 6) {
+    const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
     return trim(text).split(".")[1]?.length ?? 0;
   }
   function speedUnit(scale) {
@@ -406,6 +462,36 @@
     return null;
   }
 
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
+    }
+    return found ?? null;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function isCurrent(entry) {
+    const item = itemOf(entry);
+    return !item || !entry.hash || entry.hash === item.hash;
+  }
+  function stamped(entry) {
+    const page2 = outline();
+    const item = itemOf(entry);
+    if (!page2 || !item) return entry;
+    return {
+      form: item.form,
+      lesson: page2.lesson,
+      lessonHash: page2.hash,
+      hash: item.hash,
+      ...entry
+    };
+  }
+
   // src/predict-again.js
   var Again = class {
     /** @param {HTMLElement} root of the prediction @param {() => void} forget */
@@ -470,7 +556,7 @@
     };
   }
   function lane(i, tallest, layout) {
-    const above = Math.max(tallest, FACE) + layout.stagger + ABOVE;
+    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
   }
   function spring(start, end) {
@@ -530,7 +616,7 @@
     return length;
   }
   function labelTop(box2) {
-    return box2.labelY - LINE - (box2.cut ? LINE : 0);
+    return box2.labelY - LINE;
   }
 
   // src/words.js
@@ -872,7 +958,7 @@
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
-    const found = [];
+    const found2 = [];
     for (const event of events) {
       const pair = event.bodies.join("-");
       const touch = open2.get(pair);
@@ -882,14 +968,17 @@
         peaks.set(pair, event.t);
       } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
         open2.delete(pair);
-        found.push({ ...touch, end: event.t });
+        found2.push({ ...touch, end: event.t });
       }
     }
     for (const touch of open2.values()) {
       const peak = peaks.get(touch.pair) ?? until;
-      found.push({ ...touch, end: peak > touch.start ? peak : until });
+      found2.push({ ...touch, end: peak > touch.start ? peak : until });
     }
-    return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+    return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+  function latestTouch(windows, t) {
+    return windows.findLast((touch) => touch.start <= t);
   }
 
   // src/predict-curve.js
@@ -980,10 +1069,10 @@
     }
     /** @param {PointerEvent} event */
     #point(event) {
-      const frame2 = this.pad.getBoundingClientRect();
-      const scale = 360 / frame2.width;
-      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT) / STEP);
-      const height = (BOTTOM - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
+      const frame3 = this.pad.getBoundingClientRect();
+      const scale = 360 / frame3.width;
+      const k = Math.round(((event.clientX - frame3.left) * scale - LEFT) / STEP);
+      const height = (BOTTOM - (event.clientY - frame3.top) * scale) / PER_HEIGHT;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
     /** @param {number} k @param {number} height */
@@ -1057,9 +1146,66 @@
     }
   };
 
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
   // src/storage.js
   var STORE = "answers";
+  var PATIENCE = 4e3;
+  var STUDENT = "student";
+  var SETTLED = "settled";
+  var SETTLE_AFTER = 400;
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
   async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value) => all.put(before + key, stamped(value)),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
     try {
       return indexed(await open(`carts:${site}`));
     } catch {
@@ -1073,23 +1219,46 @@
       request.onsuccess = () => resolve(request.result);
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
     });
   }
   function indexed(base) {
+    const read = (ask) => new Promise((resolve, reject) => {
+      const request = ask(base.transaction(STORE).objectStore(STORE));
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
     return {
       kind: "kept",
-      get: (key) => new Promise((resolve, reject) => {
-        const request = base.transaction(STORE).objectStore(STORE).get(key);
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: (key, value) => write(base, (answers) => {
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
-      put: (key, value) => write(base, (answers) => answers.put(value, key)),
-      remove: (key) => write(base, (answers) => answers.delete(key))
+      remove: (key) => write(base, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
     };
   }
-  function write(base, act) {
+  var settling;
+  async function write(base, act) {
+    await transaction(base, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(base, mark, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  function transaction(base, act, durability) {
     return new Promise((resolve, reject) => {
-      const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+      const work = base.transaction(STORE, "readwrite", { durability });
       act(work.objectStore(STORE));
       work.oncomplete = () => resolve();
       work.onerror = () => reject(work.error);
@@ -1097,27 +1266,32 @@
     });
   }
   function textStore(site) {
+    const before = `carts:${site}:`;
     try {
-      const probe = `carts:${site}:probe`;
-      localStorage.setItem(probe, "1");
-      localStorage.removeItem(probe);
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
     } catch {
       return null;
     }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
     return {
       kind: "kept",
-      get: async (key) => JSON.parse(localStorage.getItem(`carts:${site}:${key}`) ?? "null"),
-      put: async (key, value) => localStorage.setItem(`carts:${site}:${key}`, JSON.stringify(value)),
-      remove: async (key) => localStorage.removeItem(`carts:${site}:${key}`)
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
     };
   }
   function memory() {
     const kept = /* @__PURE__ */ new Map();
     return {
       kind: "memory",
+      how: "memory",
       get: async (key) => kept.get(key),
-      put: async (key, value) => void kept.set(key, value),
-      remove: async (key) => void kept.delete(key)
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
     };
   }
   function place() {
@@ -1148,6 +1322,7 @@
         baked.fence.predict
       );
       this.root = root;
+      this.spec = spec;
       this.locked = locked;
       this.saved = need(root, ".carts-saved");
       this.error = need(root, ".carts-predict-error");
@@ -1190,10 +1365,10 @@
           "This browser keeps nothing: your prediction is lost when you close the page."
         );
       }
-      const found = await this.#store.get(this.key).catch(() => null);
-      if (found?.type === this.#entry.type) {
-        this.#entry = found;
-        this.form.value = found.value;
+      const found2 = await this.#store.get(this.key).catch(() => null);
+      if (found2?.type === this.#entry.type && isCurrent(found2)) {
+        this.#entry = found2;
+        this.form.value = found2.value;
         say(this.saved, "Saved.");
       }
       this.form.enable(!this.isLocked);
@@ -1227,6 +1402,8 @@
     async #changed() {
       const now = (/* @__PURE__ */ new Date()).toISOString();
       this.#entry.value = this.form.value;
+      this.#entry.asked = this.spec.ask;
+      this.#entry.said = this.spec.options[Number(this.form.value)] ?? "";
       this.#entry.first ??= now;
       this.#entry.last = now;
       this.#entry.tries += 1;
@@ -1260,6 +1437,7 @@
       if (this.#store.kind === "kept") say(this.saved, "Saving…");
       try {
         await this.#store.put(this.key, this.#entry);
+        document.dispatchEvent(new Event("carts-kept"));
         if (this.#store.kind === "kept") say(this.saved, "Saved.");
       } catch {
         say(this.saved, "Not saved: this browser refuses to keep it. Write it on paper too.");
@@ -1280,6 +1458,76 @@
     }
   };
 
+  // src/choose.js
+  var FORCES = ["F", "a"];
+  var Choose = class {
+    /**
+     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {Choice[]} views
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void}} acts
+     */
+    constructor(root, baked, views, acts) {
+      const place2 = need(root, ".carts-choices");
+      const { show, forces: forces2 } = baked.fence;
+      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
+        key: quantity,
+        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
+        seen: show.includes(quantity)
+      }));
+      place2.replaceChildren(group("Graphs", graphs, acts.graph), group("Views", views, acts.view));
+    }
+  };
+  function group(title, choices, act) {
+    const set = document.createElement("fieldset");
+    set.append(html("legend", "", title));
+    for (const { key, label, seen } of choices) {
+      const line = html("label");
+      const box2 = document.createElement("input");
+      box2.type = "checkbox";
+      box2.checked = seen;
+      box2.dataset.choice = key;
+      box2.addEventListener("change", () => act(key, box2.checked));
+      line.append(box2, ` ${label}`);
+      set.append(line);
+    }
+    set.hidden = choices.length === 0;
+    return set;
+  }
+  function emptyGraph(root, baked, quantity) {
+    const pattern = (
+      /** @type {HTMLTemplateElement} */
+      /** @type {unknown} */
+      need(root, "template.carts-graph-pattern")
+    );
+    const graph = (
+      /** @type {HTMLElement} */
+      pattern.content.firstElementChild?.cloneNode(true)
+    );
+    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
+    const isForce = quantity === "F";
+    graph.dataset.quantity = quantity;
+    const name2 = isForce ? "Size of the contact force" : title;
+    graph.setAttribute("aria-label", `${name2} against time`);
+    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
+    need(graph, ".carts-graph-name").replaceChildren(
+      `${name2} ${camera}`,
+      html("i", "", isForce ? "|F|" : symbol),
+      ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`
+    );
+    say(need(graph, "summary"), `Table: ${name2.toLowerCase()}`);
+    for (const clip of graph.querySelectorAll("[clip-path]")) {
+      clip.setAttribute("clip-path", `url(#${baked.fence.id}-${quantity}-clip)`);
+    }
+    need(graph, "clipPath").id = `${baked.fence.id}-${quantity}-clip`;
+    for (const button of graph.querySelectorAll("[data-for]")) {
+      if (
+        /** @type {HTMLElement} */
+        button.dataset.for !== quantity
+      ) button.remove();
+    }
+    return graph;
+  }
+
   // src/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
@@ -1289,9 +1537,9 @@
   function ticks(axis2) {
     const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
     const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
-    const found = [];
-    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
-    return found;
+    const found2 = [];
+    for (let k = first; k <= last; k += 1) found2.push(k * axis2.step);
+    return found2;
   }
   function niceAbove(value) {
     const power = Number(`1e${exponent(value)}`);
@@ -1339,6 +1587,12 @@
       }
     }
     return [low, high];
+  }
+  function reached(run, [low, high, factor, room], mirrored = false) {
+    const down = Math.min(run[0] * factor, mirrored ? -high : low);
+    const up = Math.max(run[1] * factor, high);
+    const most = room * Math.max(-run[0], run[1]);
+    return most > 0 ? [Math.max(down, -most), Math.min(up, most)] : [down, up];
   }
   function planeFor(values, window) {
     return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
@@ -1403,6 +1657,123 @@
     return `b${index % 8}`;
   }
 
+  // src/forces.js
+  function contactForce({ trajectory }, pair, t, zero) {
+    const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
+    return force < zero ? 0 : force;
+  }
+  function contactForces(run, name2, t, zero) {
+    return run.header.contacts.filter(({ bodies, stiffness }) => stiffness && bodies.includes(name2)).map(({ pair, bodies: [left, right] }) => {
+      const size = contactForce(run, pair, t, zero);
+      const isLeft = left === name2;
+      const by = isLeft ? right : left;
+      return {
+        name: `force on ${name2} by ${body(by)}`,
+        on: name2,
+        by,
+        way: (
+          /** @type {const} */
+          "along"
+        ),
+        side: isLeft ? (
+          /** @type {const} */
+          "right"
+        ) : (
+          /** @type {const} */
+          "left"
+        ),
+        value: isLeft ? -size : size
+      };
+    }).sort((a, b) => a.side < b.side ? -1 : 1);
+  }
+  function verticalForces({ header }, name2) {
+    const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
+    const weight = mass * header.gravity;
+    return [
+      { name: `weight of ${name2}: force on ${name2} by the Earth`, by: "Earth", value: -weight },
+      { name: `support: force on ${name2} by the track`, by: "track", value: weight }
+    ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
+  }
+
+  // src/impulse.js
+  function area({ trajectory }, pair, from, to) {
+    const { t, F, dF } = trajectory;
+    const [values, slopes] = [F[pair] ?? [], dF[pair] ?? []];
+    let sum = 0;
+    for (let k = Math.max(0, rowAt(t, from)); k < t.length - 1 && Number(t[k]) < to; k += 1) {
+      const [low, high] = [Math.max(from, Number(t[k])), Math.min(to, Number(t[k + 1]))];
+      if (high <= low) continue;
+      const at = (when) => hermite(t, values, slopes, k, when);
+      sum += (high - low) / 6 * (at(low) + 4 * at((low + high) / 2) + at(high));
+    }
+    return sum;
+  }
+  function changes({ header, trajectory }, windows, touch, t) {
+    return touch.bodies.map((name2) => {
+      const mass = header.bodies.find((body2) => body2.name === name2)?.mass;
+      const others = windows.some(
+        (one) => one !== touch && one.bodies.includes(name2) && one.start < t && one.end > touch.start
+      );
+      if (mass === void 0 || others) return { name: name2, change: null };
+      const v = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
+      return { name: name2, change: mass * (v(t) - v(touch.start)) };
+    });
+  }
+
+  // src/impulse-layer.js
+  var POINTS = 40;
+  var ImpulseLayer = class {
+    /** @param {HTMLElement} root of the graph @param {import("./types.js").View} view */
+    constructor(root, view) {
+      this.shade = need(root, '[data-part="areas"]');
+      this.note = need(root, ".carts-area-note");
+      this.decimals = Math.max(3, view.decimals.p ?? 3);
+      this.windows = [];
+    }
+    /** @param {import("./types.js").Run} run */
+    show({ header }) {
+      this.windows = touches(header.events, header.until);
+    }
+    /** @param {import("./types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
+    at(run, plane, t, signed) {
+      const touch = latestTouch(this.windows, t);
+      const paths = this.shade.children;
+      for (const path2 of paths) put(path2, "d", "");
+      if (!touch) {
+        const hint = "Move into a touch: the shaded area is the impulse.";
+        return say(this.note, this.windows.length ? hint : "");
+      }
+      const end = Math.min(t, touch.end);
+      const outline2 = (sign) => {
+        const points = Array.from({ length: POINTS + 1 }, (_, k) => {
+          const at = touch.start + (end - touch.start) * k / POINTS;
+          const force = sign * contactForce(run, touch.pair, at, 0);
+          return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
+        });
+        const zero = px(valueY(plane, 0));
+        return `M${px(timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
+      };
+      put(
+        /** @type {Element} */
+        paths[0],
+        "d",
+        outline2(1)
+      );
+      if (signed) put(
+        /** @type {Element} */
+        paths[1],
+        "d",
+        outline2(-1)
+      );
+      const impulse = area(run, touch.pair, touch.start, end);
+      const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const parts = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(({ name: name2, change }) => `m Δv of ${name2}: ${fixed(change ?? 0, this.decimals)}`);
+      const whole = t >= touch.end ? "" : " so far";
+      const all = [`${names}, shaded area${whole}: ${amount}`, ...parts].join("; ");
+      say(this.note, `${all}, all in N s.`);
+    }
+  };
+
   // src/series.js
   function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
@@ -1435,8 +1806,23 @@
           return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
       }
     });
+    if (quantity === "p" && hasPartner(header)) curves.push(partner(curves));
     if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
     return curves;
+  }
+  function hasPartner({ track }) {
+    return track.left === "wall" || track.right === "wall";
+  }
+  function partner(curves) {
+    const { values, slopes } = total(curves);
+    const start = Number(values[0]);
+    return {
+      label: "wall + Earth",
+      style: "wall",
+      over: false,
+      values: Float64Array.from(values, (value) => start - value),
+      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
+    };
   }
   function total(curves) {
     const sum = (columns) => {
@@ -1447,7 +1833,7 @@
       return rows;
     };
     return {
-      label: "all carts",
+      label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
       style: "total",
       over: false,
       values: sum(curves.map((c) => c.values)),
@@ -1479,6 +1865,134 @@
       });
     }
     return curves;
+  }
+
+  // src/ledger.js
+  function ledger({ header, trajectory }, windows, camera) {
+    const moving = seriesOf("energy", header, trajectory, camera).filter((c) => c.style !== "total");
+    const times = trajectory.t;
+    const sum = (k) => moving.reduce((s, c) => s + Number(c.values[k]), 0);
+    const start = sum(0);
+    const squeezed = new Float64Array(times.length);
+    const warmed = new Float64Array(times.length);
+    const groups = together(windows);
+    let kept = 0;
+    for (let k = 0; k < times.length; k += 1) {
+      const t = Number(times[k]);
+      const away = Math.max(0, start - sum(k));
+      const on = groups.some((group2) => t >= group2.start && t < group2.end);
+      if (!on) kept = away;
+      warmed[k] = Math.min(kept, away);
+      squeezed[k] = away - Number(warmed[k]);
+    }
+    return [
+      ...moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` })),
+      {
+        label: "in squeezed bumpers",
+        style: "squeezed",
+        over: false,
+        values: squeezed,
+        slopes: null
+      },
+      { label: "has warmed the bumpers", style: "warmed", over: false, values: warmed, slopes: null }
+    ];
+  }
+  function together(windows) {
+    const groups = [];
+    for (const { start, end } of windows) {
+      const last = groups.at(-1);
+      if (last && start < last.end) last.end = Math.max(last.end, end);
+      else groups.push({ start, end });
+    }
+    return groups;
+  }
+  function stacked(entries) {
+    let below = new Float64Array(entries[0]?.values.length ?? 0);
+    return entries.map((entry) => {
+      below = Float64Array.from(below, (value, k) => value + Number(entry.values[k]));
+      return { ...entry, values: below };
+    });
+  }
+
+  // src/ledger-layer.js
+  var NEAR2 = 0.5;
+  function hasLedger({ fence, run }) {
+    const effects = (
+      /** @type {unknown[]} */
+      fence.scene.effects ?? []
+    );
+    const { left, right } = run.header.track;
+    return effects.length === 0 && (!fence.camera || left !== "wall" && right !== "wall");
+  }
+  var LedgerLayer = class {
+    /** @type {Series[]} */
+    entries = [];
+    /** @type {Series[]} */
+    tops = [];
+    /** @param {HTMLElement} root of the graph @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.areas = need(root, '[data-part="areas"]');
+      this.key = need(root, ".carts-key");
+      this.camera = baked.fence.camera;
+      this.decimals = baked.view.decimals.energy ?? 3;
+    }
+    /** @param {Run} run */
+    show(run) {
+      const { events, until } = run.header;
+      this.entries = ledger(run, touches(events, until), this.camera);
+      this.tops = stacked(this.entries);
+    }
+    clear() {
+      this.areas.replaceChildren();
+    }
+    /** @param {ArrayLike<number>} times @param {g.Plane} plane */
+    draw(times, plane) {
+      while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
+      while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
+      this.tops.forEach((top, i) => {
+        const path2 = (
+          /** @type {Element} */
+          this.areas.children[i]
+        );
+        put(path2, "class", `carts-band carts-${top.style}`);
+        put(path2, "d", band(times, plane, top.values, this.tops[i - 1]?.values));
+      });
+      delete this.key.dataset.curves;
+      this.key.replaceChildren(
+        ...this.entries.map(({ style }) => {
+          const entry = document.createElement("span");
+          const swatch = svg("svg", { viewBox: "0 0 14 12", width: 14, height: 12 });
+          swatch.setAttribute("aria-hidden", "true");
+          swatch.append(svg("path", { class: `carts-band carts-${style}`, d: "M1 1H13V11H1Z" }));
+          entry.className = `carts-${style}`;
+          entry.append(swatch, document.createElement("b"));
+          return entry;
+        })
+      );
+    }
+    /** @param {ArrayLike<number>} times @param {number} t in s */
+    at(times, t) {
+      this.entries.forEach(({ label, values }, i) => {
+        const now = Math.max(0, valueAt(times, values, null, t));
+        const text = this.key.children[i]?.querySelector("b");
+        if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
+      });
+    }
+  };
+  function band(times, plane, top, bottom) {
+    const above = [];
+    const below = [];
+    let [x0, y0, z0] = [-9, -9, -9];
+    for (let k = 0; k < times.length; k += 1) {
+      const x = timeX(plane, Number(times[k]));
+      const [y, z] = [Number(top[k]), Number(bottom?.[k] ?? 0)].map((v) => valueY(plane, v));
+      const moved = Math.max(Math.abs(x - x0), Math.abs(Number(y) - y0), Math.abs(Number(z) - z0));
+      if (moved < NEAR2 && k < times.length - 1) continue;
+      [x0, y0, z0] = [x, Number(y), Number(z)];
+      above.push(`${px(x)} ${px(y0)}`);
+      below.unshift(`${px(x)} ${px(z0)}`);
+    }
+    return `M${above.join("L")}L${below.join("L")}Z`;
   }
 
   // src/table.js
@@ -1537,11 +2051,11 @@
     return cell;
   }
   function greatest2(curves) {
-    let found = 0;
+    let found2 = 0;
     for (const { values } of curves) {
-      for (let k = 0; k < values.length; k += 1) found = Math.max(found, Math.abs(Number(values[k])));
+      for (let k = 0; k < values.length; k += 1) found2 = Math.max(found2, Math.abs(Number(values[k])));
     }
-    return found || 1;
+    return found2 || 1;
   }
 
   // src/graph-view.js
@@ -1556,7 +2070,8 @@
     #plane = planeFor([0, 1], [0, 1]);
     /** @type {Element[]} */
     #dots = [];
-    #signed = false;
+    #pressed = false;
+    // “with sign”, “as a ledger”
     /** @type {[number, number] | null} */
     #window = null;
     /**
@@ -1567,19 +2082,22 @@
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
       this.camera = baked.fence.camera;
-      this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1];
+      this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
       this.per = speedUnit(baked.view.velocity)[0];
       this.plot = /** @type {SVGSVGElement} */
       /** @type {unknown} */
       need(root, ".carts-plot");
       this.table = new Table(need(root, "details"), this.quantity, baked.view);
-      this.sign = /** @type {HTMLButtonElement | null} */
+      this.button = /** @type {HTMLButtonElement | null} */
       root.querySelector(".carts-sign");
-      this.sign?.addEventListener("click", () => this.#toggleSign());
+      this.impulse = this.quantity === "F" ? new ImpulseLayer(root, baked.view) : null;
+      this.ledger = this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
+      if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
+      this.button?.addEventListener("click", () => this.#toggle());
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
-        const frame2 = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame2.left) / frame2.width * WIDTH;
+        const frame3 = this.plot.getBoundingClientRect();
+        const x = (event.clientX - frame3.left) / frame3.width * WIDTH;
         const part = Math.min(1, Math.max(0, (x - LEFT2) / (RIGHT - LEFT2)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
@@ -1588,15 +2106,17 @@
       this.plot.addEventListener("pointermove", point);
     }
     enable() {
-      if (this.sign) this.sign.disabled = false;
+      if (this.button) this.button.disabled = false;
     }
     /** @param {Run} run @param {number} t the instant shown */
     show(run, t) {
       if (!isTold(run)) return;
       this.#run = run;
       if (run.trajectory.t.length > 1) this.#first ??= run;
+      this.impulse?.show(run);
+      this.ledger?.show(run);
       this.#draw(t);
-      this.table.show(run, this.#curves);
+      this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
     }
     /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window, t) {
@@ -1608,6 +2128,8 @@
       const run = this.#run;
       if (!run) return;
       const x = px(timeX(this.#plane, t));
+      this.impulse?.at(run, this.#plane, t, this.#pressed);
+      if (this.#stacked) this.ledger?.at(run.trajectory.t, t);
       put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
       this.#curves.forEach((curve, i) => {
         const y = valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t));
@@ -1615,15 +2137,18 @@
         if (dot2) put(dot2, "transform", `translate(${x} ${px(y)})`);
       });
     }
-    #toggleSign() {
-      this.#signed = !this.#signed;
-      this.sign?.setAttribute("aria-pressed", String(this.#signed));
-      const name2 = need(this.root, ".carts-graph-name");
-      name2.replaceChildren(
-        this.#signed ? "Contact force " : "Size of the contact force ",
-        Object.assign(document.createElement("i"), { textContent: this.#signed ? "F" : "|F|" }),
-        this.#signed ? " in N, + is right" : " in N"
-      );
+    get #signed() {
+      return this.#pressed && this.quantity === "F";
+    }
+    get #stacked() {
+      return this.#pressed && this.ledger !== null;
+    }
+    #toggle() {
+      this.#pressed = !this.#pressed;
+      this.button?.setAttribute("aria-pressed", String(this.#pressed));
+      const [title, symbol, rest] = this.ledger ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"] : this.#pressed ? ["Contact force ", "F", " in N, + is right"] : ["Size of the contact force ", "|F|", " in N"];
+      const italic = Object.assign(document.createElement("i"), { textContent: symbol });
+      need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
     /** @param {number} t */
@@ -1635,29 +2160,38 @@
       const { header, trajectory } = run;
       this.#curves = this.#curvesOf(run);
       const values = extent(this.#curves);
-      const [low, high, factor] = this.reach;
       const first = extent(this.#first ? this.#curvesOf(this.#first) : []);
-      const down = this.#signed ? -high : low;
-      values[0] = Math.min(values[0], first[0] * factor, down);
-      values[1] = Math.max(values[1], first[1] * factor, high);
-      this.#plane = planeFor(values, this.#window ?? [0, header.until]);
+      const reached2 = reached(first, this.reach, this.#signed);
+      const both = (
+        /** @type {[number, number]} */
+        [
+          Math.min(values[0], reached2[0]),
+          Math.max(values[1], reached2[1])
+        ]
+      );
+      this.#plane = planeFor(both, this.#window ?? [0, header.until]);
       this.#axes();
-      const group = need(this.root, '[data-part="curves"]');
-      fit(group, this.#curves.length, () => svg("path"));
+      const group2 = need(this.root, '[data-part="curves"]');
+      fit(group2, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve, i) => {
         const line = (
           /** @type {Element} */
-          group.children[i]
+          group2.children[i]
         );
         put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
         put(line, "d", path(curve, trajectory.t, this.#plane));
       });
       this.#cursor();
-      this.#key();
+      if (this.#stacked) this.ledger?.draw(trajectory.t, this.#plane);
+      else {
+        this.ledger?.clear();
+        this.#key();
+      }
       this.at(t);
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
+      if (this.#stacked) return this.ledger?.tops ?? [];
       return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
     }
     #axes() {
@@ -1689,9 +2223,9 @@
       });
     }
     #cursor() {
-      const group = need(this.root, '[data-part="cursor"]');
-      fit(group, this.#curves.length + 1, () => svg("path"));
-      this.#dots = [...group.children].slice(1);
+      const group2 = need(this.root, '[data-part="cursor"]');
+      fit(group2, this.#curves.length + 1, () => svg("path"));
+      this.#dots = [...group2.children].slice(1);
       this.#dots.forEach((dot2, i) => {
         const style = this.#curves[i]?.style ?? "b0";
         put(dot2, "class", `carts-dot carts-${style}`);
@@ -1720,8 +2254,7 @@
       viewBox: "0 0 26 10",
       width: 26,
       height: 10,
-      "aria-hidden": "true",
-      focusable: "false"
+      "aria-hidden": "true"
     });
     const over = curve.over ? " carts-over" : "";
     sample.append(
@@ -1735,19 +2268,19 @@
     entry.append(sample, curve.label);
     return entry;
   }
-  function fit(group, count, make) {
-    while (group.children.length > count) group.lastElementChild?.remove();
-    while (group.children.length < count) group.append(make());
+  function fit(group2, count, make) {
+    while (group2.children.length > count) group2.lastElementChild?.remove();
+    while (group2.children.length < count) group2.append(make());
   }
-  function marks(group, count, draw) {
-    while (group.children.length > 2 * count) group.lastElementChild?.remove();
-    while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
+  function marks(group2, count, draw) {
+    while (group2.children.length > 2 * count) group2.lastElementChild?.remove();
+    while (group2.children.length < 2 * count) group2.append(svg("path"), svg("text"));
     for (let i = 0; i < count; i += 1) {
       draw(
         /** @type {Element} */
-        group.children[2 * i],
+        group2.children[2 * i],
         /** @type {Element} */
-        group.children[2 * i + 1],
+        group2.children[2 * i + 1],
         i
       );
     }
@@ -1992,9 +2525,9 @@
           (w) => w.pair === push.pair && t >= w.start && t <= w.end
         );
         const draw = isCut(size, view.force) ? cutArrow : blockArrow;
-        push.groups.forEach((group, side) => {
+        push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
-          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
+          put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
         });
         this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
       }
@@ -2002,7 +2535,7 @@
     /** Both names on the beam, left and right of the contact, clear of each other and of the edges. */
     /** @param {Push} push @param {number} size @param {number} x @param {boolean} visible */
     #names(push, size, x, visible) {
-      const texts = push.groups.map((group) => need(group, '[data-part="text"]'));
+      const texts = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
       if (!visible) return;
       const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
@@ -2066,6 +2599,7 @@
       const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
       if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
       this.root = root;
+      this.torn = false;
       this.layout = layout;
       this.view = baked.view;
       this.camera = baked.fence.camera;
@@ -2077,23 +2611,24 @@
       this.#run = run;
       const { layout, view } = this;
       const boxes = run.header.bodies.map(
-        (body2, i) => box(body2, view, layout, layout.stagger * (i % 2))
+        (body2, i) => box(body2, view, layout, layout.stagger * (i % layout.ranks))
       );
+      this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));
       this.#carts = run.header.bodies.map((body2, i) => {
-        const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
+        const group2 = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
         const box2 = (
           /** @type {shapes.Box} */
           boxes[i]
         );
-        drawBox(group, body2.name, box2);
+        drawBox(group2, body2.name, box2);
         return {
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
           bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
           top: layout.track + labelTop(box2),
           lane: lane(i, tallest, layout),
-          group,
+          group: group2,
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
@@ -2155,7 +2690,7 @@
      */
     guess(guesses) {
       const { header } = this.#run;
-      const group = need(this.root, '[data-part="guess"]');
+      const group2 = need(this.root, '[data-part="guess"]');
       const arrows = guesses.map(({ pair, on, side, size }) => {
         const i = header.bodies.findIndex((body3) => body3.name === on);
         const body2 = header.bodies[i];
@@ -2173,7 +2708,7 @@
           "data-on": on
         });
       });
-      group.replaceChildren(...arrows);
+      group2.replaceChildren(...arrows);
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
@@ -2228,20 +2763,19 @@
       say(text, outside ? `${name2} is outside: ${speed}` : speed);
     }
   };
-  function drawBox(group, name2, box2) {
-    const rect = need(group, '[data-part="box"]');
+  function drawBox(group2, name2, box2) {
+    const rect = need(group2, '[data-part="box"]');
     put(rect, "x", px(box2.x));
     put(rect, "y", px(-box2.height));
     put(rect, "width", px(box2.width));
     put(rect, "height", px(box2.height));
-    const cut = need(group, '[data-part="break"]');
+    const cut = need(group2, '[data-part="break"]');
     put(cut, "visibility", box2.cut ? "visible" : "hidden");
-    put(need(cut, "text"), "y", px(box2.labelY - LINE));
-    const title = need(group, '[data-part="name"]');
+    const title = need(group2, '[data-part="name"]');
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
     say(title, name2);
-    const mass = need(group, '[data-part="mass"]');
+    const mass = need(group2, '[data-part="mass"]');
     put(mass, "y", px(box2.labelY));
     say(mass, box2.label);
   }
@@ -2250,7 +2784,7 @@
   var HALVINGS = 40;
   function exits({ header, trajectory }, { low, high }, camera) {
     const { t: times, x: places, v, a } = trajectory;
-    const found = [];
+    const found2 = [];
     for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
       const place2 = (t) => valueAt(times, places[name2] ?? [], v[name2] ?? [], t) - camera * t;
@@ -2265,9 +2799,9 @@
         else before = middle;
       }
       const velocity = valueAt(times, v[name2] ?? [], a[name2] ?? [], after) - camera;
-      found.push({ t: after, name: name2, side: place2(after) > high ? "right" : "left", velocity });
+      found2.push({ t: after, name: name2, side: place2(after) > high ? "right" : "left", velocity });
     }
-    return found;
+    return found2;
   }
 
   // src/story.js
@@ -2475,6 +3009,360 @@
     }
   };
 
+  // src/bars.js
+  var HALF = 60;
+  var Bars = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("./series.js").Series[]} */
+    #curves = [];
+    /** @type {import("./windows.js").Touch[]} */
+    #windows = [];
+    #full = 1;
+    #first = 0;
+    // of the lesson's own run, so that runs can be compared
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.root = root;
+      this.camera = baked.fence.camera;
+      this.decimals = baked.view.decimals.p ?? 2;
+      this.rows = /** @type {NodeListOf<HTMLElement>} */
+      root.querySelectorAll("tbody tr");
+      this.since = need(root, ".carts-touch-note");
+    }
+    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+      this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
+      let most = this.#first;
+      for (const { values } of this.#curves) {
+        for (let k = 0; k < values.length; k += 1) most = Math.max(most, Math.abs(Number(values[k])));
+      }
+      if (!this.#first) this.#first = most;
+      this.#full = most || 1;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      if (!run) return;
+      const start = latestTouch(this.#windows, t)?.start ?? 0;
+      say(this.since, `at ${fixed(start, 2)} s`);
+      this.rows.forEach((row, k) => {
+        const curve = this.#curves[k];
+        row.hidden = !curve;
+        if (!curve) return;
+        const at = (when) => {
+          const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
+          return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
+        };
+        const [before, now] = [at(start), at(t)];
+        say(need(row, "th"), curve.label);
+        const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
+        row.querySelectorAll("td[data-when]").forEach((cell, i) => {
+          say(cell, texts[i] ?? "");
+        });
+        bar(need(row, '[data-part="before"]'), before / this.#full);
+        bar(need(row, '[data-part="now"]'), now / this.#full);
+      });
+    }
+  };
+  function bar(rect, part) {
+    const length = HALF * Math.min(1, Math.abs(part));
+    put(rect, "x", px(part < 0 ? HALF + 4 - length : HALF + 4));
+    put(rect, "width", px(length));
+  }
+
+  // src/free-body.js
+  var WIDTH2 = 260;
+  var HEIGHT = 60;
+  var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
+  var AXIS = 38;
+  var MIDDLE = WIDTH2 / 2;
+  var APART = 8;
+  var FULL = 95;
+  var FreeBody = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("./windows.js").Touch[]} */
+    #windows = [];
+    #vertical = false;
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => void} redraw */
+    constructor(root, baked, redraw) {
+      this.root = root;
+      this.view = baked.view;
+      this.per = speedUnit(baked.view.velocity)[0];
+      this.zero = 1e-9 * (baked.view.force || 1);
+      this.note = need(root, ".carts-touch-note");
+      const vertical = (
+        /** @type {HTMLInputElement} */
+        need(root, ".carts-vertical")
+      );
+      vertical.addEventListener("change", () => {
+        this.#vertical = vertical.checked;
+        this.root.classList.toggle("carts-with-vertical", vertical.checked);
+        redraw();
+      });
+    }
+    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      if (!run) return;
+      const touch = latestTouch(this.#windows, t);
+      say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
+      const room = this.#vertical ? this.#roomFor(run) : 0;
+      for (const { name: name2, mass } of run.header.bodies) {
+        const along = contactForces(run, name2, t, this.zero);
+        this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
+        const resultant = along.reduce((sum, { value }) => sum + value, 0);
+        const { t: times, v, a } = run.trajectory;
+        const speed = (at) => valueAt(times, v[name2] ?? [], a[name2] ?? [], at);
+        const change = speed(t) - speed(touch?.start ?? 0);
+        const { decimals, velocity } = this.view;
+        const seen = Math.abs(change) < 1e-9 * velocity ? 0 : change / this.per;
+        this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
+        this.#say(name2, "mass", short(mass));
+        this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
+        this.#say(name2, "dv", fixed(seen, decimals.v ?? 2));
+      }
+    }
+    /** @param {string} name @param {string} quantity @param {string} text */
+    #say(name2, quantity, text) {
+      const cell = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
+      if (cell) say(cell, text);
+    }
+    /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
+    #roomFor({ header }) {
+      const weights = header.bodies.map(({ mass }) => mass * header.gravity);
+      const longest = arrowLength(Math.max(...weights), this.view.force, FULL);
+      return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
+    }
+    /** @param {string} name @param {Force[]} forces @param {number} room */
+    #draw(name2, forces2, room) {
+      const card = need(this.root, `.carts-alone[data-body="${name2}"]`);
+      const group2 = need(card, '[data-part="forces"]');
+      const list = need(card, "ul");
+      while (group2.children.length < forces2.length) group2.append(svg("path"));
+      while (group2.children.length > forces2.length) group2.lastElementChild?.remove();
+      while (list.children.length < forces2.length) list.append(document.createElement("li"));
+      while (list.children.length > forces2.length) list.lastElementChild?.remove();
+      forces2.forEach((force, k) => {
+        const length = arrowLength(force.value, this.view.force, FULL);
+        const cut = isCut(force.value, this.view.force);
+        const path2 = (
+          /** @type {Element} */
+          group2.children[k]
+        );
+        const [x, y] = tail(force);
+        put(path2, "class", "carts-block-arrow");
+        put(path2, "d", (cut ? cutArrow : blockArrow)(x, y, length));
+        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x)} ${px(y)})` : "");
+        say(
+          /** @type {Element} */
+          list.children[k],
+          this.#sentence(force, cut)
+        );
+      });
+      const picture = need(card, "svg");
+      put(picture, "viewBox", `0 ${-room} ${WIDTH2} ${HEIGHT + 2 * room}`);
+      put(picture, "height", String(HEIGHT + 2 * room));
+    }
+    /** @param {Force} force @param {boolean} cut */
+    #sentence({ name: name2, way, value }, cut) {
+      const size = `${fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
+      const ways = way === "up" ? ["down", "up"] : ["to the left", "to the right"];
+      const where = value === 0 ? "" : ` ${ways[value < 0 ? 0 : 1]}`;
+      return `${name2}: ${size}${where}${cut ? ", arrow cut" : ""}`;
+    }
+  };
+  function tail({ way, side, value }) {
+    if (way === "up") {
+      const middle = (BOX.top + BOX.bottom) / 2;
+      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
+    }
+    return [side === "left" ? BOX.left : BOX.right, AXIS];
+  }
+
+  // src/lens.js
+  var TIMES = 10;
+  var WIDTH3 = 360;
+  var TRACK = 96;
+  var BAR = 70;
+  var SCALE = 3;
+  var Lens = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {Touch[]} */
+    #windows = [];
+    #perMetre = 3e3;
+    // units
+    #perForce = 100;
+    // units of the full scale
+    #t = 0;
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => void} redraw */
+    constructor(root, baked, redraw) {
+      this.root = root;
+      this.view = baked.view;
+      this.scene = /** @type {HTMLElement} */
+      root.closest("carts-scene");
+      this.plot = need(root, "svg");
+      this.note = need(root, ".carts-lens-note");
+      new ResizeObserver(() => {
+        this.#measure();
+        redraw();
+      }).observe(root);
+    }
+    /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
+    #measure() {
+      for (const layout of this.view.layouts) {
+        const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
+        const [shown, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown || !own2) continue;
+        const unit = shown / layout.width * (WIDTH3 / own2);
+        this.#perMetre = TIMES * layout.scale * unit;
+        this.#perForce = layout.force * unit;
+      }
+      const length = niceAbove(BAR / this.#perMetre / 2.5);
+      const bar2 = px(length * this.#perMetre);
+      put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar2}m0 -2.5v5`);
+      const text = need(this.root, '[data-part="bar-text"]');
+      put(text, "x", px(Number(bar2) + 16));
+      say(text, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
+    }
+    /** @param {Run} run @param {Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      const run = this.#run;
+      const touch = this.#windows.find(({ end }) => t <= end) ?? this.#windows.at(-1);
+      put(this.plot, "visibility", touch ? "visible" : "hidden");
+      this.root.classList.toggle(
+        "carts-is-slow",
+        Boolean(touch && t >= touch.start && t <= touch.end)
+      );
+      if (!run || !touch) return say(this.note, "Nothing touches in this run.");
+      this.#t = t;
+      const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
+      const overlap = Math.max(0, left.face - right.face);
+      const give = Math.min(overlap, left.bumper + right.bumper);
+      const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
+      const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
+      const faces = [left.face - share, Math.max(right.face, left.face - share)];
+      const force = contactForce(run, touch.pair, t, 1e-9 * (this.view.force || 1));
+      [left, right].forEach((side, k) => {
+        this.#draw(k, side, Number(faces[k]), middle, force);
+      });
+      const pair = touch.bodies.map(body).join(" and ");
+      const gap = right.face - left.face;
+      const apart = gap > 0 ? `${lengthText(gap)} apart` : `squeezed by ${lengthText(overlap)}`;
+      const push = `${fixed(force, this.view.decimals.F ?? 2)} N on each`;
+      say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t, 4)} s`);
+    }
+    /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
+    #side({ header, trajectory }, touch, k) {
+      const name2 = String(touch.bodies[k]);
+      const cart = header.bodies.find((one) => one.name === name2);
+      if (!cart) {
+        const wall = name2 === "left" ? 0 : header.track.length ?? 0;
+        return { name: name2, edge: wall, face: wall, bumper: 0 };
+      }
+      const { t, x, v } = trajectory;
+      const centre = valueAt(t, x[name2] ?? [], v[name2] ?? [], this.#t);
+      const way = k === 0 ? 1 : -1;
+      const face = centre + way * cart.length / 2;
+      return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
+    }
+    /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
+    #draw(k, side, face, middle, force) {
+      const at = (x) => WIDTH3 / 2 + (x - middle) * this.#perMetre;
+      const group2 = need(this.root, `[data-side="${k}"]`);
+      const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
+      put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
+      const way = k === 0 ? 1 : -1;
+      const [edge, end] = [at(side.edge), at(face)];
+      const rect = need(group2, '[data-part="body"]');
+      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH3 : edge));
+      const bent = need(group2, '[data-part="spring"]');
+      put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
+      put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
+      const plate = need(group2, '[data-part="face"]');
+      put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
+      const name2 = need(group2, '[data-part="name"]');
+      const inside = Math.min(WIDTH3 - 34, Math.max(34, edge - 22 * way));
+      put(name2, "x", px(inside));
+      say(name2, index < 0 ? "wall" : side.name);
+      const arrow2 = need(group2, '[data-part="arrow"]');
+      const cut = isCut(force, this.view.force);
+      const length = -way * arrowLength(force, this.view.force, this.#perForce);
+      put(arrow2, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
+    }
+  };
+  function lengthText(metres) {
+    return metres < 0.1 ? `${fixed(metres * 1e3, 1)} mm` : `${fixed(metres * 100, 1)} cm`;
+  }
+
+  // src/views.js
+  var KINDS = {
+    "free-body": ["forces on each cart", FreeBody],
+    lens: ["lens on the contact, ×10", Lens],
+    bars: ["momentum before and now", Bars]
+  };
+  var Views = class {
+    /** @type {View[]} */
+    #views = [];
+    /** @type {{run: Run, windows: Touch[], t: number} | null} */
+    #now = null;
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    constructor(root, baked) {
+      this.frame = /** @type {HTMLElement | null} */
+      root.querySelector(".carts-views");
+      for (const section of root.querySelectorAll(".carts-view")) {
+        const element = (
+          /** @type {HTMLElement} */
+          section
+        );
+        const kind = KINDS[element.dataset.view ?? ""];
+        if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
+      }
+    }
+    /** @returns {{key: string, label: string, seen: boolean}[]} what a reader can choose from */
+    get choices() {
+      return this.#views.map(({ root }) => {
+        const key = root.dataset.view ?? "";
+        return { key, label: KINDS[key]?.[0] ?? key, seen: !root.hidden };
+      });
+    }
+    /** @param {string} key @param {boolean} seen */
+    choose(key, seen) {
+      for (const { root } of this.#views) if (root.dataset.view === key) root.hidden = !seen;
+      this.#again();
+    }
+    /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
+    show(run, windows, t) {
+      if (!isTold(run)) return;
+      if (this.frame) this.frame.hidden = false;
+      this.#now = { run, windows, t };
+      for (const view of this.#views) view.show(run, windows);
+    }
+    /** @param {number} t in s */
+    at(t) {
+      if (!this.#now) return;
+      this.#now.t = t;
+      for (const view of this.#views) if (!view.root.hidden) view.at(t);
+    }
+    #again() {
+      if (this.#now) this.at(this.#now.t);
+    }
+  };
+
   // src/scene-view.js
   var SceneView = class {
     /** @type {Run} */
@@ -2496,16 +3384,23 @@
         root.querySelectorAll(".carts-stage")
       );
       this.stages = [...stages].map((stage) => new Stage(stage, baked));
+      this.seek = seek;
       const graphs = (
         /** @type {NodeListOf<HTMLElement>} */
         root.querySelectorAll(".carts-graph")
       );
       this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
+      this.views = new Views(root, baked);
+      new Choose(root, baked, this.views.choices, {
+        graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
+        view: (key, seen) => this.views.choose(key, seen)
+      });
       this.readouts = new Readouts(root, baked);
       this.timeline = new Timeline(root, seek);
       this.story = new Story(root, baked, seek);
       this.transport = new Transport(root, this.player, baked.view.decimals);
       this.announcer = new Announcer(root);
+      this.torn = root.querySelectorAll(".carts-torn");
       this.warnings = need(root, ".carts-warnings");
       this.zoom = /** @type {HTMLSelectElement | null} */
       root.querySelector(".carts-window");
@@ -2524,7 +3419,9 @@
       this.player.stops = header.events.map((event) => event.t);
       this.#offerWindows();
       for (const stage of this.stages) stage.show(run, this.#windows);
+      this.#tellTorn();
       for (const graph of this.graphs) graph.show(run, this.player.time);
+      this.views.show(run, this.#windows, this.player.time);
       this.readouts.show(run);
       this.timeline.show(run, this.#windows);
       this.story.show(run);
@@ -2551,10 +3448,34 @@
       const t = this.player.time;
       for (const stage of this.stages) stage.at(t);
       for (const graph of this.graphs) graph.at(t);
+      this.views.at(t);
       this.readouts.at(t);
       this.timeline.at(t, `${fixed(t, 2)} seconds`);
       this.transport.show();
       if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+    }
+    /** @param {string} quantity @param {boolean} seen */
+    #chooseGraph(quantity, seen) {
+      const place2 = need(this.root, ".carts-graphs");
+      const there = this.graphs.find((graph2) => graph2.quantity === quantity);
+      if (!seen && there) {
+        this.graphs = this.graphs.filter((graph2) => graph2 !== there);
+        there.root.remove();
+      }
+      if (!seen || there) return;
+      const graph = new GraphView(emptyGraph(this.root, this.baked, quantity), this.baked, this.seek);
+      place2.insertBefore(graph.root, need(place2, ".carts-story"));
+      this.graphs.push(graph);
+      graph.enable();
+      graph.show(this.run, this.player.time);
+      this.#zoom();
+    }
+    #tellTorn() {
+      const torn = this.stages.some((stage) => stage.torn);
+      for (const sign of this.torn) {
+        if (torn) sign.removeAttribute("hidden");
+        put(sign, "data-now", torn ? "yes" : "no");
+      }
     }
     #warn() {
       const { warnings } = this.run.header;
@@ -2683,13 +3604,13 @@
        * and leaves the run as it is when a value makes no sense.
        * @param {Settings} changes @param {number} at time of the input, for the measure
        */
-      async set(changes, at = performance.now()) {
+      async set(changes2, at = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
-        Object.assign(this.#wanted, changes);
+        Object.assign(this.#wanted, changes2);
         const generation = this.#generation;
         const reply = await this.#ask();
         if (!reply.header.ok) {
-          for (const key of Object.keys(changes)) this.#giveUp(key, changes[key]);
+          for (const key of Object.keys(changes2)) this.#giveUp(key, changes2[key]);
           throw refusal(reply.header.problems ?? []);
         }
         if (generation !== this.#generation) return;
@@ -2841,6 +3762,585 @@
     note.textContent = `This browser is too old to play the run (missing: ${missing2.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.`;
   }
 
+  // src/map-axis.js
+  var AxisControl = class {
+    /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
+    constructor(root, axis2, chosen) {
+      this.root = root;
+      this.axis = axis2;
+      this.values = axis2.values;
+      this.slider = /** @type {HTMLInputElement} */
+      need(root, ".carts-slider");
+      this.box = /** @type {HTMLInputElement} */
+      need(root, ".carts-number-box");
+      this.error = need(root, ".carts-error");
+      this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
+      const typed = () => this.#typed(chosen);
+      this.box.addEventListener("change", typed);
+      this.box.addEventListener("keydown", (event) => {
+        if (event.key === "Enter") typed();
+      });
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      this.slider.disabled = !on;
+      this.box.disabled = !on;
+    }
+    /** @param {number[]} values of the grid, SI @param {number} place */
+    show(values, place2) {
+      this.values = values;
+      put(this.slider, "max", String(values.length - 1));
+      this.slider.valueAsNumber = place2;
+      this.box.value = this.text(place2).replace("−", "-");
+      this.#complain("");
+    }
+    /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
+    speak(place2, value) {
+      put(this.slider, "aria-valuetext", `${this.text(place2)} ${this.axis.unit}: ${value}`);
+    }
+    /** @param {number} place @returns {string} in the axis's unit */
+    text(place2) {
+      return fixed(this.#shown(Number(this.values[place2])), this.axis.decimals);
+    }
+    /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
+    nearest(value, per = 1) {
+      let best = 0;
+      for (const [k, at] of this.values.entries()) {
+        if (Math.abs(at / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
+      }
+      return best;
+    }
+    /** @param {number} value SI */
+    #shown(value) {
+      return Number((value / this.axis.per).toPrecision(12));
+    }
+    /** @param {(place: number) => void} chosen */
+    #typed(chosen) {
+      const { low, high, unit, label, per, decimals } = this.axis;
+      const read = readTyped(this.box.value);
+      if ("problem" in read) return this.#complain(read.problem);
+      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+      if (read.value < low || read.value > high) {
+        const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
+        return this.#complain(`${label}: ${range}, please.`);
+      }
+      return chosen(this.nearest(read.value, per));
+    }
+    /** @param {string} message */
+    #complain(message) {
+      say(this.error, message);
+      this.error.hidden = !message;
+      this.root.classList.toggle("carts-wrong", Boolean(message));
+      if (message) this.box.setAttribute("aria-invalid", "true");
+      else this.box.removeAttribute("aria-invalid");
+    }
+  };
+
+  // src/map-paint.js
+  var STEP_SLACK2 = 1e-9;
+  var FINE2 = 400;
+  var EDGE2 = 0.72;
+  function band2(value, { low, step, count }) {
+    if (Number.isNaN(value)) return count;
+    const place2 = Math.floor((value - low) / step + STEP_SLACK2);
+    return Math.min(count - 1, Math.max(0, place2));
+  }
+  function mixed(a, b, part) {
+    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
+    return a * (1 - part) + b * part;
+  }
+  function between(values, lines2, count, factor, next, line) {
+    const fine = (count - 1) * factor + 1;
+    const found2 = new Float64Array(lines2 * fine);
+    for (let k = 0; k < fine; k += 1) {
+      const left = Math.min(Math.floor(k / factor), count - 2);
+      const part = (k - left * factor) / factor;
+      for (let i = 0; i < lines2; i += 1) {
+        const at = i * line + left * next;
+        found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
+      }
+    }
+    return found2;
+  }
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const factor = Math.max(1, Math.ceil(FINE2 / (Math.max(columns, rows) - 1)));
+    const width = (columns - 1) * factor + 1;
+    const height = (rows - 1) * factor + 1;
+    const wide = between(values, rows, columns, factor, 1, columns);
+    const fine = between(wide, width, rows, factor, width, 1);
+    const bands = new Uint8Array(width * height);
+    for (let y = 0; y < height; y += 1) {
+      for (let x = 0; x < width; x += 1) {
+        bands[y * width + x] = band2(Number(fine[x * height + (height - 1 - y)]), scale);
+      }
+    }
+    return { places: lines(bands, width, scale), width, height };
+  }
+  function lines(bands, width, { count, zero }) {
+    const places = bands.slice();
+    const line = 2 * count + 1;
+    for (let at = 0; at < bands.length; at += 1) {
+      const own2 = Number(bands[at]);
+      const others = [];
+      if ((at + 1) % width) others.push(at + 1);
+      if (at + width < bands.length) others.push(at + width);
+      for (const other of others) {
+        const next = Number(bands[other]);
+        if (next === own2 || own2 === count) continue;
+        if (next !== count && own2 >= zero !== next >= zero) {
+          places[at] = line;
+          places[other] = line;
+        } else if (places[at] !== line) places[at] = count + 1 + own2;
+      }
+    }
+    return places;
+  }
+  function paint(canvas, { values, columns }, scale) {
+    const { places, width, height } = pixels(values, columns, scale);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const context = canvas.getContext("2d");
+    if (!context) return;
+    const image = context.createImageData(width, height);
+    const words = new Uint32Array(image.data.buffer);
+    const colours = palette(scale);
+    for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
+    context.putImageData(image, 0, 0);
+  }
+  function palette({ colours, none, line }) {
+    const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE2 * part)));
+    const all = [...colours, none, ...edges, line];
+    return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => 255 << 24 | b << 16 | g << 8 | r);
+  }
+
+  // src/map-figure.js
+  var MapFigure = class {
+    /** @type {HTMLCanvasElement | null} */
+    #canvas = null;
+    /** @param {HTMLElement} root @param {MapFacts} facts @param {(places: number[]) => void} point */
+    constructor(root, facts, point) {
+      this.facts = facts;
+      this.holder = need(root, ".carts-map-figure");
+      this.over = need(root, ".carts-map-over");
+      this.axes = facts.axes.map(({ values }) => values);
+      const pointed = (event) => point(this.#placesAt(event));
+      this.over.addEventListener("pointerdown", (event) => {
+        if (!this.#canvas && facts.axes.length === 2) return;
+        this.over.setPointerCapture(event.pointerId);
+        pointed(event);
+      });
+      this.over.addEventListener("pointermove", (event) => {
+        if (event.buttons && this.over.hasPointerCapture(event.pointerId)) pointed(event);
+      });
+    }
+    /** @param {Grid} grid */
+    show(grid) {
+      this.axes = grid.axes;
+      if (grid.axes.length === 1) return this.#curve(grid);
+      this.#canvas ??= this.#laid();
+      paint(this.#canvas, grid, this.facts.scale);
+    }
+    /** @param {number[]} places @param {number} value */
+    mark(places, value) {
+      const [left, top, right, bottom] = this.facts.plot;
+      const x = this.#x(this.#fraction(0, places[0] ?? 0));
+      const flat = places.length === 1;
+      const y = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
+      const across = flat ? "" : `M${left} ${px(y)}H${right}`;
+      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x)} ${top}V${bottom}${across}`);
+      const point = need(this.over, '[data-part="point"]');
+      put(point, "cx", px(x));
+      put(point, "cy", px(Number.isNaN(y) ? bottom : y));
+      put(point, "visibility", Number.isNaN(y) ? "hidden" : "visible");
+    }
+    /** The canvas lies between the picture, which it hides, and the cross. */
+    #laid() {
+      const canvas = (
+        /** @type {HTMLCanvasElement} */
+        html("canvas", "carts-map-canvas")
+      );
+      canvas.setAttribute("aria-hidden", "true");
+      const [left, top, right, bottom] = this.facts.plot;
+      const [width, height] = this.facts.size;
+      canvas.style.left = `${100 * left / width}%`;
+      canvas.style.top = `${100 * top / height}%`;
+      canvas.style.width = `${100 * (right - left) / width}%`;
+      canvas.style.height = `${100 * (bottom - top) / height}%`;
+      this.over.before(canvas);
+      return canvas;
+    }
+    /** @param {Grid} grid */
+    #curve({ axes, values }) {
+      let path2 = "";
+      let pen = "M";
+      for (const [k, value] of values.entries()) {
+        if (Number.isNaN(value)) pen = "M";
+        else {
+          path2 += `${pen}${px(this.#x(this.#fraction(0, k, axes[0])))} ${px(this.#y(value))}`;
+          pen = "L";
+        }
+      }
+      put(need(this.over, '[data-part="curve"]'), "d", path2);
+    }
+    /** @param {number} k axis @param {number} place @returns {number} 0 to 1 along the axis */
+    #fraction(k, place2, values = this.axes[k] ?? [0]) {
+      const { per, low, high } = (
+        /** @type {import("./map-types.js").Axis} */
+        this.facts.axes[k]
+      );
+      const axis2 = span(low, high, 1);
+      const shown = Number((Number(values[place2]) / per).toPrecision(12));
+      return (shown - axis2.low) / (axis2.high - axis2.low);
+    }
+    /** @param {number} fraction */
+    #x(fraction) {
+      const [left, , right] = this.facts.plot;
+      return left + fraction * (right - left);
+    }
+    /** @param {number} value */
+    #y(value) {
+      const [, top, , bottom] = this.facts.plot;
+      const { low, high } = this.facts.value;
+      return bottom - (value - low) * ((bottom - top) / (high - low));
+    }
+    /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
+    #placesAt(event) {
+      const box2 = this.over.getBoundingClientRect();
+      const [left, top, right, bottom] = this.facts.plot;
+      const [width, height] = this.facts.size;
+      const x = (event.clientX - box2.left) / box2.width * width;
+      const y = (event.clientY - box2.top) / box2.height * height;
+      const fractions = [(x - left) / (right - left), (bottom - y) / (bottom - top)];
+      return this.axes.map(({ length }, k) => {
+        const place2 = Math.round(Number(fractions[k]) * (length - 1));
+        return Math.min(length - 1, Math.max(0, place2));
+      });
+    }
+  };
+
+  // src/map-figures.js
+  var SMALLER = 2;
+  function figures(value, most) {
+    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
+  }
+
+  // src/map-settings.js
+  function showSettings(map, controls, settings) {
+    for (const { set, per, step } of controls) {
+      const value = settings[set];
+      const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
+      if (typeof value !== "number" || !root) continue;
+      const shown = Number((value / per).toPrecision(12));
+      const box2 = (
+        /** @type {HTMLInputElement} */
+        need(root, ".carts-number-box")
+      );
+      need(root, ".carts-slider").valueAsNumber = shown;
+      if (box2 !== document.activeElement) {
+        const decimals = Math.max(decimalsOf(shown), decimalsOf(step));
+        box2.value = fixed(shown, decimals).replace("−", "-");
+      }
+    }
+  }
+
+  // src/map-table.js
+  var COLUMNS = 6;
+  var ROWS2 = 11;
+  function spread(count, most) {
+    const wanted = Math.min(most, count);
+    return Array.from(
+      { length: wanted },
+      (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
+    );
+  }
+  function fillTable(table, grid, axisText, valueText) {
+    const flat = grid.axes.length === 1;
+    const columns = flat ? [0] : spread(grid.columns, COLUMNS);
+    const rows = flat ? spread(grid.columns, 2 * ROWS2 - 1) : spread(grid.rows, ROWS2);
+    if (!flat) {
+      const head = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
+      for (const [k, cell] of head.entries()) cell.textContent = axisText(0, Number(columns[k]));
+    }
+    const body2 = rows.map((row) => {
+      const line = html("tr");
+      const head = html("th", "", axisText(flat ? 0 : 1, row));
+      head.setAttribute("scope", "row");
+      const at = (column) => flat ? row : row * grid.columns + column;
+      line.append(
+        head,
+        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at(column)]))))
+      );
+      return line;
+    });
+    table.querySelector("tbody")?.replaceChildren(...body2);
+  }
+
+  // src/map-element.js
+  function mapElement(client) {
+    return class CartsMap extends HTMLElement {
+      /** @type {MapFacts | null} */
+      #facts = null;
+      /** @type {MapFigure | null} */
+      #figure = null;
+      /** @type {AxisControl[]} */
+      #axes = [];
+      /** @type {Controls | null} */
+      #controls = null;
+      /** @type {Grid | null} */
+      #grid = null;
+      /** @type {number[]} the chosen point, one place per axis */
+      #places = [];
+      /** @type {Record<string, number | string>} what the further sliders set */
+      #settings = {};
+      #generation = 0;
+      /** @type {Promise<void> | null} */
+      #opening = null;
+      /** @type {Promise<void>} */
+      #filling = Promise.resolve();
+      connectedCallback() {
+        if (this.#facts) return;
+        const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
+        this.#facts = facts;
+        this.#places = facts.here;
+        this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
+        const roots = (
+          /** @type {NodeListOf<HTMLElement>} */
+          this.querySelectorAll(".carts-map-axis")
+        );
+        this.#axes = [...roots].map((root, k) => {
+          const axis2 = (
+            /** @type {import("./map-types.js").Axis} */
+            facts.axes[k]
+          );
+          return new AxisControl(root, axis2, (place2) => this.#chooseOn(k, place2));
+        });
+        this.#controls = new Controls(this, facts.controls, (target, value, at) => {
+          this.set({ [target]: value }, at).catch((error) => {
+            this.#controls?.complain(target, error.message);
+          });
+        });
+        this.#figure.mark(facts.here, facts.at ?? Number.NaN);
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
+        need(this, ".carts-map-open").addEventListener("click", () => void this.open());
+        this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
+        addEventListener("beforeprint", () => this.#fillTable());
+        need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
+      }
+      /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
+      get grid() {
+        return this.#grid;
+      }
+      /** The chosen point: SI values by path. @returns {Record<string, number>} */
+      get point() {
+        const chosen = this.#axes.map(({ axis: axis2, values }, k) => [
+          axis2.set,
+          Number(values[Number(this.#places[k])])
+        ]);
+        return Object.fromEntries(chosen);
+      }
+      /** The value at the chosen point, in SI; NaN where there is none. */
+      get value() {
+        return this.#valueAt(this.#places);
+      }
+      /** Resolves when no point is left to be run. */
+      get complete() {
+        return this.#filling;
+      }
+      /** Resolves when the map is live; never rejects: a failure is told in the map. */
+      open() {
+        this.#opening ??= this.#open();
+        return this.#opening;
+      }
+      /**
+       * Changes what all points have in common and resolves when the new map is drawn.
+       * @param {Record<string, number | string>} changes @param {number} at time of the input
+       */
+      async set(changes2, at = performance.now()) {
+        const settings = { ...this.#settings, ...changes2 };
+        await this.#compute(settings, at);
+      }
+      async #open() {
+        this.dataset.state = "starting";
+        const button = (
+          /** @type {HTMLButtonElement} */
+          need(this, ".carts-map-open")
+        );
+        button.disabled = true;
+        say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
+        try {
+          await client.need(this.#facts?.packages ?? []);
+          await this.#compute({}, performance.now());
+          this.dataset.state = "live";
+          need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+          const focused = button === document.activeElement;
+          for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+          for (const control of this.#axes) control.enable(true);
+          this.#controls?.enable(true);
+          const run = this.querySelector(".carts-map-run");
+          if (run instanceof HTMLButtonElement) run.disabled = false;
+          if (focused) this.#axes[0]?.slider.focus();
+        } catch (error) {
+          this.#fail(
+            /** @type {Error & {reason?: string}} */
+            error
+          );
+        }
+      }
+      /** @param {Error & {reason?: string}} error */
+      #fail(error) {
+        this.dataset.state = "failed";
+        this.dataset.reason = error.reason ?? "failed";
+        this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+      }
+      /** @param {string} message */
+      #tell(message) {
+        const note = need(this, ".carts-note");
+        say(note, message);
+        note.hidden = !message;
+      }
+      /**
+       * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
+       * @param {Record<string, number | string>} settings @param {number} at
+       */
+      async #compute(settings, at) {
+        this.#generation += 1;
+        const generation = this.#generation;
+        const first = await this.#ask(settings, 0);
+        if (generation !== this.#generation) return;
+        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
+        this.#settings = settings;
+        showSettings(this, this.#facts?.controls ?? [], settings);
+        const { axes, rows, columns, why, runs } = first.header;
+        this.#draw({ axes, rows, columns, why, values: first.numbers });
+        await frame2();
+        performance.measure("carts:map", { start: at, end: performance.now() });
+        this.#filling = this.#fill(settings, first.header.done, runs, generation);
+      }
+      /**
+       * The points that have to be run one by one, slice after slice, drawn as they come.
+       * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
+       * @param {number} generation
+       */
+      async #fill(settings, done, runs, generation) {
+        while (done < runs) {
+          this.#progress(done, runs);
+          const { header, numbers } = await this.#ask(settings, done);
+          if (generation !== this.#generation || !header.ok || !this.#grid) return;
+          const half = numbers.length / 2;
+          for (let k = 0; k < half; k += 1) {
+            this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
+          }
+          done = header.done;
+          this.#draw(this.#grid);
+        }
+        this.#progress(1, 1);
+        this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
+      }
+      /** @param {number} done @param {number} runs */
+      #progress(done, runs) {
+        const bar2 = (
+          /** @type {HTMLProgressElement} */
+          need(this, ".carts-map-progress")
+        );
+        bar2.value = done / runs;
+        bar2.style.visibility = done < runs ? "visible" : "hidden";
+      }
+      /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
+      #ask(settings, from) {
+        const map = this.#facts?.map;
+        return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
+      }
+      /** @param {Grid} grid */
+      #draw(grid) {
+        const before = this.#grid?.axes;
+        this.#grid = grid;
+        this.#figure?.show(grid);
+        if (before !== grid.axes) {
+          const point = before ? this.point : null;
+          this.#places = this.#axes.map((control, k) => {
+            const wanted = point?.[control.axis.set] ?? this.#baked(k);
+            control.show(grid.axes[k] ?? [], 0);
+            return control.nearest(Number(wanted));
+          });
+        }
+        this.#choose(this.#places);
+        if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
+        say(need(this, ".carts-map-why"), grid.why);
+      }
+      /** @param {number} k @returns {number} where the point stood in the page as it was built, SI */
+      #baked(k) {
+        return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
+      }
+      /** @param {number} k @param {number} place */
+      #chooseOn(k, place2) {
+        this.#choose(this.#places.map((old, axis2) => axis2 === k ? place2 : old));
+      }
+      /** @param {number[]} places */
+      #choose(places) {
+        if (!this.#grid) return;
+        this.#places = places;
+        const value = this.#valueAt(places);
+        const text = this.#valueText(value, true);
+        for (const [k, control] of this.#axes.entries()) {
+          control.show(this.#grid.axes[k] ?? [], Number(places[k]));
+          control.speak(Number(places[k]), text);
+        }
+        this.#figure?.mark(places, value);
+        say(need(this, ".carts-map-number"), text);
+      }
+      /** @param {number[]} places */
+      #valueAt([column = 0, row = 0]) {
+        return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
+      }
+      /** @param {number} value @param {boolean} unit */
+      #valueText(value, unit = false) {
+        if (Number.isNaN(value)) return "no value";
+        const text = figures(value, this.#facts?.decimals ?? 3);
+        return unit ? `${text} ${this.#facts?.unit}` : text;
+      }
+      #fillTable() {
+        if (!this.#grid) return;
+        const axisText = (k, place2) => this.#axes[k]?.text(place2) ?? "";
+        fillTable(
+          need(this, ".carts-map-table table"),
+          this.#grid,
+          axisText,
+          (value) => this.#valueText(value)
+        );
+      }
+      /** The scene that the map is of runs with the chosen point. */
+      async #run() {
+        const scene = (
+          /** @type {any} */
+          document.getElementById(this.#facts?.of ?? "")
+        );
+        if (typeof scene?.set !== "function") return;
+        try {
+          this.#tell("");
+          await scene.set({ ...this.#settings, ...this.point });
+          scene.time = 0;
+          scene.scrollIntoView({ block: "start" });
+          scene.querySelector(".carts-play")?.focus({ preventScroll: true });
+        } catch (error) {
+          this.#tell(
+            /** @type {Error} */
+            error.message
+          );
+        }
+      }
+    };
+  }
+  function refusal2([first]) {
+    if (!first) return new Error("This value does not work.");
+    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+  }
+  function frame2() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+
   // src/runtime-failure.js
   var MESSAGES = {
     "not-packed": "This page was built without Python. It shows only the runs that came with it.",
@@ -2871,9 +4371,31 @@
     }
   };
 
+  // src/leaving.js
+  var STAYS = 3e3;
+  var leaving = false;
+  var waiting = [];
+  function stay() {
+    leaving = false;
+    for (const go of waiting) go();
+    waiting = [];
+  }
+  addEventListener("beforeunload", () => {
+    leaving = true;
+    setTimeout(stay, STAYS);
+  });
+  addEventListener("pagehide", () => {
+    leaving = true;
+  });
+  addEventListener("pageshow", stay);
+  var isLeaving = () => leaving;
+  function staying() {
+    return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
+  }
+
   // src/runtime-watch.js
   var SECOND = 1e3;
-  var PATIENCE = 8;
+  var PATIENCE2 = 8;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -2905,14 +4427,17 @@
         then();
       };
       script.onload = settle(resolve);
-      script.onerror = settle(() => reject(new RuntimeFailure("payload-missing", src, name2)));
+      script.onerror = settle(() => {
+        if (isLeaving()) staying().then(() => runScript(src, name2).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name2));
+      });
       document.head.append(script);
     });
   }
   function patiently(promise) {
     return new Promise((resolve, reject) => {
-      const waiting = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
-      promise.then(resolve, reject).finally(waiting.stop);
+      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
+      promise.then(resolve, reject).finally(waiting2.stop);
     });
   }
   function loadIndex(base) {
@@ -3037,7 +4562,7 @@
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
         return await Promise.race([failed, this.boot(parts, reject)]);
@@ -3215,7 +4740,7 @@
       if (data.number !== current?.number) return;
       this.watch?.stop();
       if (data.tell === "begun") {
-        this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        this.watch = watch(PATIENCE2 - PICK_UP, () => this.lose("worker-lost", "no answer"));
         return;
       }
       this.queue.shift();
@@ -3257,8 +4782,9 @@
     for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
   } else {
     const base = new URL("runtime/", own).href;
-    const client = new Client(() => startRuntime({ base, packages: packages() }));
+    const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
     customElements.define("carts-scene", sceneElement(client));
+    customElements.define("carts-map", mapElement(client));
     if (document.querySelector("carts-scene")) {
       if (typeof requestIdleCallback === "function") {
         requestIdleCallback(() => client.wake(), { timeout: 1e3 });

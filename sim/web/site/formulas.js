@@ -13,7 +13,9 @@
     if (name === "style") this.style.cssText = value;
     else setAttribute.call(this, name, value);
   };
-  for (const element of document.querySelectorAll(".arithmatex")) {
+  // What a question says later waits in templates.
+  const parts = [document, ...[...document.querySelectorAll("template")].map((t) => t.content)];
+  for (const element of parts.flatMap((part) => [...part.querySelectorAll(".arithmatex")])) {
     const source = (element.textContent ?? "").trim();
     const displayMode = source.startsWith("\\[");
     const tex = source.replace(/^\\[[(]|\\[\])]$/g, "");

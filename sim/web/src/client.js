@@ -5,7 +5,7 @@
 
 /** @typedef {{header: import("./types.js").Header, numbers: Float64Array, sent: Record<string, any>}} Reply */
 /** @typedef {{request: (message: object) => Promise<{header: any, numbers: Float64Array}>, stop: () => void, onlost: (reason: any) => void}} Runtime */
-/** @typedef {() => Promise<Runtime>} Start */
+/** @typedef {(more: string[]) => Promise<Runtime>} Start `more`: packages beside those of the scenes */
 /** @typedef {"idle" | "starting" | "ready" | "failed"} State */
 /** @typedef {() => Record<string, unknown>} Message made when it is sent, so that it is the newest */
 /** @typedef {{owner: object, message: Message, settle: {resolve: (reply: Reply) => void, reject: (error: Error) => void}[]}} Job */
@@ -25,6 +25,12 @@ export class Client extends EventTarget {
   #flying = null;
   #restarts = 0;
   #lastId = 0;
+  /** @type {string[]} packages that were asked for after the start */
+  #asked = [];
+  /** @type {string[]} those of them that Python has, and gets again after a restart */
+  #more = [];
+  /** @type {Promise<void>} when they are there */
+  #growing = Promise.resolve();
 
   /** @param {Start} start */
   constructor(start) {
@@ -35,6 +41,42 @@ export class Client extends EventTarget {
   /** Starts Python if nobody has yet. */
   wake() {
     if (this.state === "idle") void this.#boot();
+  }
+
+  /**
+   * Has packages that no scene of the page called for. A second Python starts with them and takes
+   * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+   * @param {string[]} names @returns {Promise<void>}
+   */
+  need(names) {
+    if (names.every((name) => this.#asked.includes(name))) return this.#growing;
+    const before = this.#asked;
+    this.#asked = [...new Set([...before, ...names])];
+    const needed = this.#growing.catch(() => {}).then(() => this.#grow(this.#asked));
+    this.#growing = needed;
+    needed.catch(() => {
+      this.#asked = before;
+    });
+    return needed;
+  }
+
+  /** @param {string[]} names */
+  async #grow(names) {
+    this.wake();
+    await this.#settled();
+    if (this.state === "failed") throw this.error;
+    this.#use(await this.start(names));
+    this.#more = names;
+    this.#become("ready");
+    this.#next();
+  }
+
+  /** Resolves when Python is not just starting. @returns {Promise<void>} */
+  #settled() {
+    if (this.state !== "starting") return Promise.resolve();
+    return new Promise((resolve) => {
+      this.addEventListener("state", () => resolve(this.#settled()), { once: true });
+    });
   }
 
   /**
@@ -88,9 +130,7 @@ export class Client extends EventTarget {
   async #boot() {
     this.#become("starting");
     try {
-      const runtime = await this.start();
-      runtime.onlost = (reason) => this.#lost(runtime, reason);
-      this.#runtime = runtime;
+      this.#use(await this.start(this.#more));
       this.#become("ready");
       this.#next();
     } catch (error) {
@@ -102,17 +142,30 @@ export class Client extends EventTarget {
   #lost(runtime, reason) {
     if (runtime !== this.#runtime) return;
     this.#runtime = null;
-    const job = this.#flying;
-    this.#flying = null;
     runtime.stop();
-    if (job) {
-      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
-      if (newer) newer.settle.unshift(...job.settle);
-      else this.#waiting.unshift(job);
-    }
+    this.#takeBack();
     this.#restarts += 1;
     if (this.#restarts > RESTARTS) this.#fail(reason);
     else void this.#boot();
+  }
+
+  /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
+  #use(runtime) {
+    const older = this.#runtime;
+    runtime.onlost = (reason) => this.#lost(runtime, reason);
+    this.#runtime = runtime;
+    older?.stop();
+    this.#takeBack();
+  }
+
+  /** The request under way waits again, in front: whoever could answer it is gone. */
+  #takeBack() {
+    const job = this.#flying;
+    this.#flying = null;
+    if (!job) return;
+    const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+    if (newer) newer.settle.unshift(...job.settle);
+    else this.#waiting.unshift(job);
   }
 
   /** @param {unknown} reason */

@@ -2,6 +2,8 @@
 
 import { need, put, say, svg } from "./dom.js";
 import * as g from "./graph.js";
+import { ImpulseLayer } from "./impulse-layer.js";
+import { hasLedger, LedgerLayer } from "./ledger-layer.js";
 import { MARKERS } from "./markers.js";
 import { px, speedUnit } from "./numbers.js";
 import { seriesOf } from "./series.js";
@@ -23,7 +25,7 @@ export class GraphView {
   #plane = g.planeFor([0, 1], [0, 1]);
   /** @type {Element[]} */
   #dots = [];
-  #signed = false;
+  #pressed = false; // “with sign”, “as a ledger”
   /** @type {[number, number] | null} */
   #window = null;
 
@@ -35,12 +37,16 @@ export class GraphView {
     this.root = root;
     this.quantity = root.dataset.quantity ?? "x";
     this.camera = baked.fence.camera;
-    this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1];
+    this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
     this.per = speedUnit(baked.view.velocity)[0];
     this.plot = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-plot")));
     this.table = new Table(need(root, "details"), this.quantity, baked.view);
-    this.sign = /** @type {HTMLButtonElement | null} */ (root.querySelector(".carts-sign"));
-    this.sign?.addEventListener("click", () => this.#toggleSign());
+    this.button = /** @type {HTMLButtonElement | null} */ (root.querySelector(".carts-sign"));
+    this.impulse = this.quantity === "F" ? new ImpulseLayer(root, baked.view) : null;
+    this.ledger =
+      this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
+    if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
+    this.button?.addEventListener("click", () => this.#toggle());
     const point = (/** @type {PointerEvent} */ event) => {
       if (event.type === "pointermove" && !(event.buttons & 1)) return;
       const frame = this.plot.getBoundingClientRect();
@@ -54,7 +60,7 @@ export class GraphView {
   }
 
   enable() {
-    if (this.sign) this.sign.disabled = false;
+    if (this.button) this.button.disabled = false;
   }
 
   /** @param {Run} run @param {number} t the instant shown */
@@ -62,8 +68,10 @@ export class GraphView {
     if (!isTold(run)) return; // the axes stay as empty as they were baked
     this.#run = run;
     if (run.trajectory.t.length > 1) this.#first ??= run;
+    this.impulse?.show(run);
+    this.ledger?.show(run);
     this.#draw(t);
-    this.table.show(run, this.#curves);
+    this.table.show(run, this.#stacked ? (this.ledger?.entries ?? []) : this.#curves);
   }
 
   /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
@@ -77,6 +85,8 @@ export class GraphView {
     const run = this.#run;
     if (!run) return;
     const x = px(g.timeX(this.#plane, t));
+    this.impulse?.at(run, this.#plane, t, this.#pressed);
+    if (this.#stacked) this.ledger?.at(run.trajectory.t, t);
     put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
     this.#curves.forEach((curve, i) => {
       const y = g.valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t));
@@ -85,15 +95,24 @@ export class GraphView {
     });
   }
 
-  #toggleSign() {
-    this.#signed = !this.#signed;
-    this.sign?.setAttribute("aria-pressed", String(this.#signed));
-    const name = need(this.root, ".carts-graph-name");
-    name.replaceChildren(
-      this.#signed ? "Contact force " : "Size of the contact force ",
-      Object.assign(document.createElement("i"), { textContent: this.#signed ? "F" : "|F|" }),
-      this.#signed ? " in N, + is right" : " in N",
-    );
+  get #signed() {
+    return this.#pressed && this.quantity === "F";
+  }
+
+  get #stacked() {
+    return this.#pressed && this.ledger !== null;
+  }
+
+  #toggle() {
+    this.#pressed = !this.#pressed;
+    this.button?.setAttribute("aria-pressed", String(this.#pressed));
+    const [title, symbol, rest] = this.ledger
+      ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"]
+      : this.#pressed
+        ? ["Contact force ", "F", " in N, + is right"]
+        : ["Size of the contact force ", "|F|", " in N"];
+    const italic = Object.assign(document.createElement("i"), { textContent: symbol });
+    need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
     this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
   }
 
@@ -103,12 +122,13 @@ export class GraphView {
     const { header, trajectory } = run;
     this.#curves = this.#curvesOf(run);
     const values = g.extent(this.#curves);
-    const [low, high, factor] = this.reach;
     const first = g.extent(this.#first ? this.#curvesOf(this.#first) : []);
-    const down = this.#signed ? -high : low;
-    values[0] = Math.min(values[0], first[0] * factor, down);
-    values[1] = Math.max(values[1], first[1] * factor, high);
-    this.#plane = g.planeFor(values, this.#window ?? [0, header.until]);
+    const reached = g.reached(first, this.reach, this.#signed);
+    const both = /** @type {[number, number]} */ ([
+      Math.min(values[0], reached[0]),
+      Math.max(values[1], reached[1]),
+    ]);
+    this.#plane = g.planeFor(both, this.#window ?? [0, header.until]);
     this.#axes();
     const group = need(this.root, '[data-part="curves"]');
     fit(group, this.#curves.length, () => svg("path"));
@@ -118,12 +138,17 @@ export class GraphView {
       put(line, "d", g.path(curve, trajectory.t, this.#plane));
     });
     this.#cursor();
-    this.#key();
+    if (this.#stacked) this.ledger?.draw(trajectory.t, this.#plane);
+    else {
+      this.ledger?.clear();
+      this.#key();
+    }
     this.at(t);
   }
 
   /** @param {Run} run */
   #curvesOf({ header, trajectory }) {
+    if (this.#stacked) return this.ledger?.tops ?? [];
     return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
   }
 
@@ -188,7 +213,6 @@ function keyEntry(curve) {
     width: 26,
     height: 10,
     "aria-hidden": "true",
-    focusable: "false",
   });
   const over = curve.over ? " carts-over" : "";
   sample.append(

@@ -43,6 +43,19 @@ export function extent(curves) {
 }
 
 /**
+ * How far an axis goes: as far as the sliders may take it, but not so far that the run gets small.
+ * @param {[number, number]} run its smallest and greatest value
+ * @param {[number, number, number, number]} reach limits, stretch, room @param {boolean} mirrored below zero too
+ * @returns {[number, number]}
+ */
+export function reached(run, [low, high, factor, room], mirrored = false) {
+  const down = Math.min(run[0] * factor, mirrored ? -high : low);
+  const up = Math.max(run[1] * factor, high);
+  const most = room * Math.max(-run[0], run[1]);
+  return most > 0 ? [Math.max(down, -most), Math.min(up, most)] : [down, up];
+}
+
+/**
  * Axes that cover zero and all the values; `window` is a part of the time.
  * @param {[number, number]} values @param {[number, number]} window in s @returns {Plane}
  */

@@ -3,6 +3,7 @@
 import { Client } from "./client.js";
 import { sceneElement } from "./element.js";
 import { excuse, missingFeatures } from "./features.js";
+import { mapElement } from "./map-element.js";
 import { startRuntime } from "./runtime.js";
 
 const own =
@@ -20,8 +21,9 @@ if (missing.length) {
   for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
 } else {
   const base = new URL("runtime/", own).href;
-  const client = new Client(() => startRuntime({ base, packages: packages() }));
+  const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
   customElements.define("carts-scene", sceneElement(client));
+  customElements.define("carts-map", mapElement(client));
   if (document.querySelector("carts-scene")) {
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1000 });

@@ -3,6 +3,7 @@
  * Until it is locked the page knows nothing but the start state.
  */
 
+import { isCurrent } from "./answers/outline.js";
 import { need, say } from "./dom.js";
 import { Again } from "./predict-again.js";
 import { ArrowsForm } from "./predict-arrows.js";
@@ -17,7 +18,7 @@ import { openStore, place } from "./storage.js";
  * @typedef {{value: unknown, enable: (on: boolean) => void, problem: () => string | null,
  *   compare: (run: Run) => Node[]}} Form
  */
-/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null}} Entry */
+/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string}} Entry */
 
 export class Predict {
   /** @type {Entry} */
@@ -34,6 +35,7 @@ export class Predict {
   constructor(root, baked, draw, locked, forgotten) {
     const spec = /** @type {import("./types.js").PredictSpec} */ (baked.fence.predict);
     this.root = root;
+    this.spec = spec;
     this.locked = locked;
     this.saved = need(root, ".carts-saved");
     this.error = need(root, ".carts-predict-error");
@@ -79,7 +81,7 @@ export class Predict {
       );
     }
     const found = await this.#store.get(this.key).catch(() => null);
-    if (found?.type === this.#entry.type) {
+    if (found?.type === this.#entry.type && isCurrent(found)) {
       this.#entry = found;
       this.form.value = found.value;
       say(this.saved, "Saved.");
@@ -119,6 +121,8 @@ export class Predict {
   async #changed() {
     const now = new Date().toISOString();
     this.#entry.value = this.form.value;
+    this.#entry.asked = this.spec.ask;
+    this.#entry.said = this.spec.options[Number(this.form.value)] ?? "";
     this.#entry.first ??= now;
     this.#entry.last = now;
     this.#entry.tries += 1;
@@ -155,6 +159,7 @@ export class Predict {
     if (this.#store.kind === "kept") say(this.saved, "Saving…");
     try {
       await this.#store.put(this.key, this.#entry);
+      document.dispatchEvent(new Event("carts-kept"));
       if (this.#store.kind === "kept") say(this.saved, "Saved.");
     } catch {
       say(this.saved, "Not saved: this browser refuses to keep it. Write it on paper too.");

@@ -1,5 +1,6 @@
 // Loads the runtime's files: classic scripts that hold gzip as base64, as no other kind of file can be
 // read by a page on file://. Every part is checked before it is used and let go of afterwards.
+import { isLeaving, staying } from "./leaving.js";
 import { RuntimeFailure } from "./runtime-failure.js";
 import { PATIENCE, watch } from "./runtime-watch.js";
 
@@ -24,7 +25,8 @@ const page = self;
 const indexes = new Map();
 
 /**
- * Runs a classic script. What it sets is found on `self`.
+ * Runs a classic script. What it sets is found on `self`. One that is cancelled because the page is
+ * being left is asked for again if the page stays.
  * @param {string} src
  * @param {string} name
  * @returns {Promise<void>}
@@ -39,7 +41,10 @@ function runScript(src, name) {
       then();
     };
     script.onload = settle(resolve);
-    script.onerror = settle(() => reject(new RuntimeFailure("payload-missing", src, name)));
+    script.onerror = settle(() => {
+      if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+      else reject(new RuntimeFailure("payload-missing", src, name));
+    });
     document.head.append(script);
   });
 }

@@ -1,7 +1,8 @@
 /** Everything that shows a run, as one: `show` a run, then `at` any instant. */
 
 import { Announcer } from "./announcer.js";
-import { html, need } from "./dom.js";
+import { Choose, emptyGraph } from "./choose.js";
+import { html, need, put } from "./dom.js";
 import { GraphView } from "./graph-view.js";
 import { fixed } from "./numbers.js";
 import { Player } from "./player.js";
@@ -11,6 +12,7 @@ import { Stage } from "./stage.js";
 import { Story } from "./story.js";
 import { Timeline } from "./timeline.js";
 import { Transport } from "./transport.js";
+import { Views } from "./views.js";
 import { touches } from "./windows.js";
 import { brief } from "./words.js";
 
@@ -35,13 +37,20 @@ export class SceneView {
     };
     const stages = /** @type {NodeListOf<SVGElement>} */ (root.querySelectorAll(".carts-stage"));
     this.stages = [...stages].map((stage) => new Stage(stage, baked));
+    this.seek = seek;
     const graphs = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-graph"));
     this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
+    this.views = new Views(root, baked);
+    new Choose(root, baked, this.views.choices, {
+      graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
+      view: (key, seen) => this.views.choose(key, seen),
+    });
     this.readouts = new Readouts(root, baked);
     this.timeline = new Timeline(root, seek);
     this.story = new Story(root, baked, seek);
     this.transport = new Transport(root, this.player, baked.view.decimals);
     this.announcer = new Announcer(root);
+    this.torn = root.querySelectorAll(".carts-torn");
     this.warnings = need(root, ".carts-warnings");
     this.zoom = /** @type {HTMLSelectElement | null} */ (root.querySelector(".carts-window"));
     this.zoom?.addEventListener("change", () => this.#zoom());
@@ -60,7 +69,9 @@ export class SceneView {
     this.player.stops = header.events.map((event) => event.t);
     this.#offerWindows();
     for (const stage of this.stages) stage.show(run, this.#windows);
+    this.#tellTorn();
     for (const graph of this.graphs) graph.show(run, this.player.time);
+    this.views.show(run, this.#windows, this.player.time);
     this.readouts.show(run);
     this.timeline.show(run, this.#windows);
     this.story.show(run);
@@ -91,10 +102,36 @@ export class SceneView {
     const t = this.player.time;
     for (const stage of this.stages) stage.at(t);
     for (const graph of this.graphs) graph.at(t);
+    this.views.at(t);
     this.readouts.at(t);
     this.timeline.at(t, `${fixed(t, 2)} seconds`);
     this.transport.show();
     if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+  }
+
+  /** @param {string} quantity @param {boolean} seen */
+  #chooseGraph(quantity, seen) {
+    const place = need(this.root, ".carts-graphs");
+    const there = this.graphs.find((graph) => graph.quantity === quantity);
+    if (!seen && there) {
+      this.graphs = this.graphs.filter((graph) => graph !== there);
+      there.root.remove();
+    }
+    if (!seen || there) return;
+    const graph = new GraphView(emptyGraph(this.root, this.baked, quantity), this.baked, this.seek);
+    place.insertBefore(graph.root, need(place, ".carts-story"));
+    this.graphs.push(graph);
+    graph.enable();
+    graph.show(this.run, this.player.time);
+    this.#zoom();
+  }
+
+  #tellTorn() {
+    const torn = this.stages.some((stage) => stage.torn);
+    for (const sign of this.torn) {
+      if (torn) sign.removeAttribute("hidden"); // else it keeps its place where a slider may call for it
+      put(sign, "data-now", torn ? "yes" : "no");
+    }
   }
 
   #warn() {

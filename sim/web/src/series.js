@@ -47,8 +47,27 @@ export function seriesOf(quantity, header, run, camera, signed = false, per = 1)
         return { ...curve, values: seen.map((s) => (mass * s * s) / 2), slopes: null };
     }
   });
+  if (quantity === "p" && hasPartner(header)) curves.push(partner(curves));
   if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
   return curves;
+}
+
+/** @param {Header} header @returns {boolean} whether something outside of the carts takes momentum */
+export function hasPartner({ track }) {
+  return track.left === "wall" || track.right === "wall";
+}
+
+/** What the carts have given to the wall, and the wall to the Earth. @param {Series[]} curves of all carts @returns {Series} */
+function partner(curves) {
+  const { values, slopes } = total(curves);
+  const start = Number(values[0]);
+  return {
+    label: "wall + Earth",
+    style: "wall",
+    over: false,
+    values: Float64Array.from(values, (value) => start - value),
+    slopes: slopes && Float64Array.from(slopes, (slope) => -slope),
+  };
 }
 
 /** @param {Series[]} curves @returns {Series} their sum */
@@ -62,7 +81,7 @@ function total(curves) {
     return rows;
   };
   return {
-    label: "all carts",
+    label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
     style: "total",
     over: false,
     values: sum(curves.map((c) => c.values)),

@@ -18,7 +18,7 @@ const LONGEST = 1.15; // full lengths of a force arrow, so that it stays in the 
 export const FASTEST = 2.2; // full lengths of a velocity arrow
 const EDGE = 5; // units that a velocity arrow keeps from the edges of the picture
 const TORN = 6; // units of the gap in an arrow that is cut
-export const LINE = 12;
+const LINE = 12;
 const NAMED = 34;
 const SPRING = [2, 10];
 export const PUSH = 15.5;
@@ -45,7 +45,7 @@ export function box(body, view, layout, lift) {
 
 /** @param {number} i cart @param {number} tallest box @param {Layout} layout @returns {number} y of its velocity arrow */
 export function lane(i, tallest, layout) {
-  const above = Math.max(tallest, FACE) + layout.stagger + ABOVE;
+  const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
   return layout.track - above - LANE * (layout.lanes - 1 - (i % layout.lanes));
 }
 
@@ -125,5 +125,5 @@ export function keptInside(x, length, width) {
 
 /** @param {Box} box @returns {number} top of the text above a box, relative to the track */
 export function labelTop(box) {
-  return box.labelY - LINE - (box.cut ? LINE : 0);
+  return box.labelY - LINE;
 }

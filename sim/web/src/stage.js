@@ -24,6 +24,7 @@ export class Stage {
     const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
     if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
     this.root = root;
+    this.torn = false; // whether a box is taller than the picture can show
     this.layout = layout;
     this.view = baked.view;
     this.camera = baked.fence.camera;
@@ -36,8 +37,9 @@ export class Stage {
     this.#run = run;
     const { layout, view } = this;
     const boxes = run.header.bodies.map((body, i) =>
-      shapes.box(body, view, layout, layout.stagger * (i % 2)),
+      shapes.box(body, view, layout, layout.stagger * (i % layout.ranks)),
     );
+    this.torn = boxes.some((box) => box.cut);
     const tallest = Math.max(...boxes.map((box) => box.height));
     this.#carts = run.header.bodies.map((body, i) => {
       const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
@@ -193,7 +195,6 @@ function drawBox(group, name, box) {
   put(rect, "height", px(box.height));
   const cut = need(group, '[data-part="break"]');
   put(cut, "visibility", box.cut ? "visible" : "hidden");
-  put(need(cut, "text"), "y", px(box.labelY - shapes.LINE));
   const title = need(group, '[data-part="name"]');
   put(title, "y", px(box.nameY ?? 0));
   put(title, "visibility", box.nameY === null ? "hidden" : "visible");

@@ -1,15 +1,74 @@
 /**
  * What a reader wrote, kept in this browser: IndexedDB, else localStorage, else only until the
  * page closes, with a warning. `put` resolves when the browser says that the value is kept.
+ *
+ * Nothing is lost by a new version of a lesson: an answer to an older form of a question (another
+ * `hash`) is moved to `earlier` when the new one is answered.
  */
 
+import { keepEarlier } from "./answers/entry.js";
+import { stamped } from "./answers/outline.js";
+
 const STORE = "answers";
+const PATIENCE = 4000; // ms until a browser that never answers counts as one that keeps nothing
+const STUDENT = "student"; // the key under which the code word of who works here is kept
+const SETTLED = "settled"; // written last, so that all before it is on the disk
+const SETTLE_AFTER = 400; // ms without a new answer
 
-/** @typedef {{kind: "kept" | "memory", get: (key: string) => Promise<any>, put: (key: string, value: unknown) => Promise<void>,
- *   remove: (key: string) => Promise<void>}} Store */
+/**
+ * `how`: indexed, text (localStorage) or memory. The keys of a student begin with `@CODE/`.
+ * @typedef {{kind: "kept" | "memory", how: "indexed" | "text" | "memory",
+ *   get: (key: string) => Promise<any>, put: (key: string, value: unknown) => Promise<void>,
+ *   remove: (key: string) => Promise<void>, entries: () => Promise<[string, any][]>}} Store
+ */
 
-/** @param {string} site id of the site, so that sites in one folder do not mix @returns {Promise<Store>} */
+/** @type {Map<string, Promise<Store>>} */
+const opened = new Map();
+
+/** The whole store of a site. @param {string} site id, so that sites in one folder do not mix @returns {Promise<Store>} */
+export function openAll(site) {
+  const found = opened.get(site) ?? openOnce(site);
+  opened.set(site, found);
+  return found;
+}
+
+/** The store of the student who works here. @param {string} site @returns {Promise<Store>} */
 export async function openStore(site) {
+  const all = await openAll(site);
+  return forStudent(all, await readStudent(all));
+}
+
+/** @param {Store} all @returns {Promise<string>} the code word, empty: none was given */
+export async function readStudent(all) {
+  const found = await all.get(STUDENT).catch(() => null);
+  return typeof found?.code === "string" ? found.code : "";
+}
+
+/** @param {Store} all @param {string} code */
+export function writeStudent(all, code) {
+  return all.put(STUDENT, { code, last: new Date().toISOString() });
+}
+
+/** The same store with one student's keys only. @param {Store} all @param {string} code @returns {Store} */
+export function forStudent(all, code) {
+  const before = code ? `@${code}/` : "";
+  const mine = (/** @type {string} */ key) =>
+    before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+  return {
+    kind: all.kind,
+    how: all.how,
+    get: (key) => all.get(before + key),
+    put: (key, value) => all.put(before + key, stamped(value)),
+    remove: (key) => all.remove(before + key),
+    entries: async () =>
+      (await all.entries())
+        .filter(([key]) => mine(key))
+        .map(([key, value]) => [key.slice(before.length), value]),
+  };
+}
+
+/** @param {string} site @returns {Promise<Store>} */
+async function openOnce(site) {
   try {
     return indexed(await open(`carts:${site}`));
   } catch {
@@ -25,28 +84,60 @@ function open(name) {
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error);
     request.onblocked = () => reject(new Error("another page holds an older version"));
+    setTimeout(() => reject(new Error("no answer")), PATIENCE);
   });
 }
 
 /** @param {IDBDatabase} base @returns {Store} */
 function indexed(base) {
+  /** @template T @param {(answers: IDBObjectStore) => IDBRequest<T>} ask @returns {Promise<T>} */
+  const read = (ask) =>
+    new Promise((resolve, reject) => {
+      const request = ask(base.transaction(STORE).objectStore(STORE));
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
   return {
     kind: "kept",
-    get: (key) =>
-      new Promise((resolve, reject) => {
-        const request = base.transaction(STORE).objectStore(STORE).get(key);
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
+    how: "indexed",
+    get: (key) => read((answers) => answers.get(key)),
+    put: (key, value) =>
+      write(base, (answers) => {
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
       }),
-    put: (key, value) => write(base, (answers) => answers.put(value, key)),
     remove: (key) => write(base, (answers) => answers.delete(key)),
+    entries: async () => {
+      const [keys, values] = await Promise.all([
+        read((answers) => answers.getAllKeys()),
+        read((answers) => answers.getAll()),
+      ]);
+      return keys.map((key, k) => [String(key), values[k]]);
+    },
   };
 }
 
-/** @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act @returns {Promise<void>} */
-function write(base, act) {
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let settling;
+
+/**
+ * What is complete survives a browser that is killed: the system has it. Waiting for the disk at every
+ * key would let fast typing queue up; so that is done once, in a pause, for a computer that loses power.
+ * @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act
+ */
+async function write(base, act) {
+  await transaction(base, act, "relaxed");
+  clearTimeout(settling);
+  settling = setTimeout(() => {
+    const mark = (/** @type {IDBObjectStore} */ answers) => void answers.put(Date.now(), SETTLED);
+    transaction(base, mark, "strict").catch(() => {}); // the answer itself was kept or refused before
+  }, SETTLE_AFTER);
+}
+
+/** @param {IDBDatabase} base @param {(answers: IDBObjectStore) => void} act @param {IDBTransactionDurability} durability @returns {Promise<void>} */
+function transaction(base, act, durability) {
   return new Promise((resolve, reject) => {
-    const work = base.transaction(STORE, "readwrite", { durability: "strict" });
+    const work = base.transaction(STORE, "readwrite", { durability });
     act(work.objectStore(STORE));
     work.oncomplete = () => resolve();
     work.onerror = () => reject(work.error);
@@ -56,18 +147,26 @@ function write(base, act) {
 
 /** @param {string} site @returns {Store | null} */
 function textStore(site) {
+  const before = `carts:${site}:`;
   try {
-    const probe = `carts:${site}:probe`;
-    localStorage.setItem(probe, "1");
-    localStorage.removeItem(probe);
+    localStorage.setItem(`${before}probe`, "1");
+    localStorage.removeItem(`${before}probe`);
   } catch {
     return null;
   }
+  const get = (/** @type {string} */ key) =>
+    JSON.parse(localStorage.getItem(before + key) ?? "null");
   return {
     kind: "kept",
-    get: async (key) => JSON.parse(localStorage.getItem(`carts:${site}:${key}`) ?? "null"),
-    put: async (key, value) => localStorage.setItem(`carts:${site}:${key}`, JSON.stringify(value)),
-    remove: async (key) => localStorage.removeItem(`carts:${site}:${key}`),
+    how: "text",
+    get: async (key) => get(key),
+    put: async (key, value) =>
+      localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+    remove: async (key) => localStorage.removeItem(before + key),
+    entries: async () =>
+      Object.keys(localStorage)
+        .filter((name) => name.startsWith(before))
+        .map((name) => [name.slice(before.length), get(name.slice(before.length))]),
   };
 }
 
@@ -76,9 +175,11 @@ function memory() {
   const kept = new Map();
   return {
     kind: "memory",
+    how: "memory",
     get: async (key) => kept.get(key),
-    put: async (key, value) => void kept.set(key, value),
+    put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
     remove: async (key) => void kept.delete(key),
+    entries: async () => [...kept],
   };
 }
 

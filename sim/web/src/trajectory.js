@@ -12,10 +12,14 @@ export function fromWire(header, numbers) {
   const { rows, columns, events } = header;
   /** @type {any} */
   const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, events };
-  columns.forEach(([quantity, key], k) => {
+  columns.forEach(([quantity, ...key], k) => {
     const column = numbers.subarray(k * rows, (k + 1) * rows);
-    if (key === undefined) parts[String(quantity)] = column;
-    else parts[String(quantity)][key] = column;
+    const name = String(quantity);
+    if (!key.length) parts[name] = column;
+    else {
+      parts[name] ??= {};
+      parts[name][key.join(" ")] = column;
+    }
   });
   return parts;
 }
@@ -58,10 +62,18 @@ export function rowAt(times, t) {
  * @param {Column} times @param {Column} values @param {Column | null} slopes @param {number} t @returns {number}
  */
 export function valueAt(times, values, slopes, t) {
-  const at = /** @type {(column: Column, k: number) => number} */ ((c, k) => c[k]);
   const k = rowAt(times, t);
-  if (k < 0) return at(values, 0);
-  if (k >= times.length - 1) return at(values, values.length - 1);
+  if (k < 0) return Number(values[0]);
+  if (k >= times.length - 1) return Number(values[values.length - 1]);
+  return hermite(times, values, slopes, k, t);
+}
+
+/**
+ * The curve between row k and the next one.
+ * @param {Column} times @param {Column} values @param {Column | null} slopes @param {number} k @param {number} t @returns {number}
+ */
+export function hermite(times, values, slopes, k, t) {
+  const at = /** @type {(column: Column, k: number) => number} */ ((c, i) => c[i]);
   const h = at(times, k + 1) - at(times, k);
   const s = (t - at(times, k)) / h;
   if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;

@@ -12,7 +12,7 @@
  * @typedef {Record<string, Column>} Columns
  *
  * What a run is made of besides its numbers:
- * @typedef {{ok: boolean, title: string | null, until: number, bodies: Body[], track: Track,
+ * @typedef {{ok: boolean, title: string | null, until: number, gravity: number, bodies: Body[], track: Track,
  *   contacts: Contact[], rows: number, columns: string[][], events: RunEvent[], plan: Phase[],
  *   notSimulated: string[], warnings: Warning[], problems?: Problem[]}} Header
  *
@@ -28,9 +28,9 @@
  *
  * The scales and layouts that the generator fixed:
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,
- *   stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number}} Layout
+ *   ranks: number, stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number}} Layout
  * @typedef {{perHeight: number, tallest: number, force: number, velocity: number,
- *   decimals: Record<string, number>, reach: Record<string, [number, number, number]>, layouts: Layout[]}} View
+ *   decimals: Record<string, number>, reach: Record<string, [number, number, number, number]>, layouts: Layout[]}} View
  *
  * A page's facts about one scene:
  * @typedef {{fence: Fence, view: View, run: Run}} Baked

@@ -32,3 +32,8 @@ export function touches(events, until) {
   }
   return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
 }
+
+/** @param {Touch[]} windows @param {number} t in s @returns {Touch | undefined} the touch that began last, up to t */
+export function latestTouch(windows, t) {
+  return windows.findLast((touch) => touch.start <= t);
+}

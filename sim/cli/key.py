@@ -1,0 +1,63 @@
+"""`carts key`: the right answers of a lesson, for the teacher only."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+import yaml
+
+from sim.cli.check import report
+from sim.pages.check import bank_folders, scene_folders
+from sim.pages.findings import AuthorError
+from sim.pages.question.key_page import lesson_key
+from sim.pages.scene_block import Lesson
+
+
+@click.command("key")
+@click.argument("paths", nargs=-1, type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option(
+    "--out",
+    default=Path("build/keys"),
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Folder for the keys (default: build/keys). Never one that students get.",
+)
+@click.pass_context
+def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
+    """Write the keys of lessons: LESSON.key.json for programs, LESSON.key.html to read and print.
+
+    PATH is a lesson (.md). Without one, all lessons in the folder worksheets are taken.
+    """
+    root = Path.cwd()
+    written = 0
+    for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
+        shown = path.relative_to(root) if path.is_relative_to(root) else path
+        lesson = Lesson(shown.as_posix(), scene_folders(path, root), bank_folders(path, root))
+        try:
+            key = lesson_key(path.read_text(encoding="utf-8"), lesson, path.stem, _site_id(root))
+        except AuthorError as error:
+            report(list(error.findings))
+            ctx.exit(1)
+        if key is None:
+            continue
+        out.mkdir(parents=True, exist_ok=True)
+        text = json.dumps(key.content, ensure_ascii=False, indent=1, allow_nan=False)
+        (out / f"{path.stem}.key.json").write_text(f"{text}\n", encoding="utf-8")
+        (out / f"{path.stem}.key.html").write_text(key.page, encoding="utf-8")
+        written += 1
+        click.echo(f"{out / path.stem}.key.html")
+    if not written:
+        click.echo("There is no question in these lessons.")
+
+
+def _site_id(root: Path) -> str:
+    """extra.carts.site_id of mkdocs.yml, read without running anything in it."""
+    settings = root / "mkdocs.yml"
+    if not settings.is_file():
+        return ""
+    for line in settings.read_text(encoding="utf-8").splitlines():
+        name, _, value = line.strip().partition(":")
+        if name == "site_id":
+            return str(yaml.safe_load(value) or "")
+    return ""

@@ -1,0 +1,174 @@
+"""The file of a student's answers: read with checks, so that nothing unknown gets any further.
+
+The page writes it (sim/web/src/answers/file.js) and reads it with the same rules. What is not
+understood is refused as a whole, with a message for the teacher; unknown keys are left out.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sim.lesson.opening import FORMS
+
+FORMAT = 1
+KIND = "newtons-carts-answers"
+MOST_BYTES = 2_000_000  # an answer file has some 20 000
+MOST_ITEMS = 2000
+LONGEST = 20_000  # characters of one answer
+_ID = re.compile(r"[a-z_][a-z0-9-]{0,63}", re.ASCII)
+_HASH = re.compile(r"[0-9a-f]{12}", re.ASCII)
+_TYPE = re.compile(r"[a-z]{3,12}", re.ASCII)
+_TIME = re.compile(r"\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z", re.ASCII)
+_NAME = re.compile(r"[\w.+-]{1,64}", re.ASCII)
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f#@]")
+TEXTS = ("unit", "said", "asked", "sure", "locked")
+
+
+class AnswerFileError(ValueError):
+    """This is no file of answers that can be used; the message is for people."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Item:
+    """One answer. `value` as in sim.lesson.kinds, times ISO 8601 UTC, `hash` of the question."""
+
+    id: str
+    hash: str
+    type: str
+    value: Any
+    first: str | None
+    last: str | None
+    tries: int
+    own: float | None = None
+    more: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AnswerFile:
+    """One student's answers to one form of one lesson. Earlier answers stand before later ones."""
+
+    site: str
+    lesson: str
+    lesson_hash: str
+    student: str
+    form: str
+    created: str
+    saved: str
+    handed: str | None
+    code: str
+    items: tuple[Item, ...]
+
+    def latest(self) -> dict[str, Item]:
+        """The last answer to each question."""
+        return {item.id: item for item in self.items}
+
+
+def read_answer_file(text: str) -> AnswerFile:
+    """The answers in the text of a file; raises `AnswerFileError`."""
+    content = _table(text)
+    wanted = ("site", "lesson", "lessonHash", "student", "created", "saved")
+    if not all(isinstance(content.get(name), str) for name in wanted) or any(
+        len(content[name]) > 200 or _CONTROL.search(content[name]) for name in wanted
+    ):
+        raise AnswerFileError("this file is damaged: it does not say whose answers it holds")
+    if content.get("form") not in FORMS:
+        raise AnswerFileError("this file is damaged: it does not say which form it is")
+    rows = content.get("items")
+    if not isinstance(rows, list) or len(rows) > MOST_ITEMS:
+        raise AnswerFileError("this file is damaged: its answers cannot be read")
+    handed = content.get("handed")
+    code = content.get("code", "")
+    return AnswerFile(
+        site=content["site"],
+        lesson=content["lesson"],
+        lesson_hash=content["lessonHash"],
+        student=content["student"],
+        form=content["form"],
+        created=content["created"],
+        saved=content["saved"],
+        handed=handed if isinstance(handed, str) and _TIME.fullmatch(handed) else None,
+        code=code if isinstance(code, str) and re.fullmatch(r"[0-9A-Z-]{0,14}", code) else "",
+        items=tuple(map(_item, rows)),
+    )
+
+
+def _table(text: str) -> dict[str, Any]:
+    if len(text) > MOST_BYTES:
+        raise AnswerFileError("this file is too large to be a file of answers")
+    try:
+        content = json.loads(text.removeprefix("\ufeff"), parse_constant=_no_constant)
+    except (ValueError, RecursionError):
+        raise AnswerFileError("this file is damaged, or it is not a file of answers") from None
+    if not isinstance(content, dict) or content.get("kind") != KIND:
+        raise AnswerFileError("this is not a file of answers")
+    version = content.get("format")
+    if isinstance(version, bool) or not isinstance(version, int) or version < 1:
+        raise AnswerFileError("this is not a file of answers")
+    if version > FORMAT:
+        raise AnswerFileError("this file comes from a newer version of the lessons")
+    return content
+
+
+def _no_constant(name: str) -> float:
+    raise ValueError(name)
+
+
+def _item(row: object) -> Item:
+    if not isinstance(row, dict) or not _is_good(row) or not is_plain(row.get("value")):
+        raise AnswerFileError("an answer in this file is damaged")
+    own = row.get("own")
+    return Item(
+        id=row["id"],
+        hash=row["hash"],
+        type=row["type"],
+        value=row.get("value"),
+        first=row["first"],
+        last=row["last"],
+        tries=row["tries"],
+        own=float(own) if isinstance(own, (int, float)) and math.isfinite(own) else None,
+        more={
+            name: row[name]
+            for name in TEXTS
+            if isinstance(row.get(name), str) and len(row[name]) <= LONGEST
+        },
+    )
+
+
+def _is_good(row: Mapping[str, Any]) -> bool:
+    def text(name: str, pattern: re.Pattern[str]) -> bool:
+        return isinstance(row.get(name), str) and pattern.fullmatch(row[name]) is not None
+
+    tries = row.get("tries")
+    return (
+        text("id", _ID)
+        and (row.get("hash") == "" or text("hash", _HASH))
+        and text("type", _TYPE)
+        and all(
+            name in row and (row[name] is None or text(name, _TIME)) for name in ("first", "last")
+        )
+        and isinstance(tries, int)
+        and not isinstance(tries, bool)
+        and tries >= 0
+    )
+
+
+def is_plain(value: object, depth: int = 0) -> bool:
+    """Texts, numbers, short lists and tables of them: all that an answer can be."""
+    if value is None or isinstance(value, bool):
+        return True
+    if isinstance(value, str):
+        return len(value) <= LONGEST
+    if isinstance(value, (int, float)):
+        return abs(value) < 1e300
+    if depth > 3 or not isinstance(value, (list, dict)) or len(value) > 200:
+        return False
+    pairs = value.items() if isinstance(value, dict) else ((str(k), v) for k, v in enumerate(value))
+    return all(
+        _NAME.fullmatch(name) and not name.startswith("__") and is_plain(part, depth + 1)
+        for name, part in pairs
+    )

@@ -1,0 +1,62 @@
+"""The teacher's key file: what marks the answers of a lesson, kept apart from the pages.
+
+`{"format": 1, "kind": "newtons-carts-key", site, lesson, forms: [{form, hash, options, items}]}`;
+an item has the texts, the key, the rubric, the beliefs behind wrong answers and the note.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from sim.lesson.beliefs import BELIEFS
+from sim.lesson.form import Form, radix
+from sim.lesson.kinds.words import Long
+from sim.lesson.question import Question
+
+FORMAT = 1
+KIND = "newtons-carts-key"
+
+
+def key_file(
+    site: str, lesson: str, worksheet: Iterable[Question], forms: Iterable[Form]
+) -> dict[str, Any]:
+    """The key of one lesson: its own questions as the form “worksheet”, then its forms."""
+    own = tuple(worksheet)
+    parts = [_part("worksheet", "", own)] if own else []
+    parts += [_part(form.form, form.hash, form.items) for form in forms]
+    return {"format": FORMAT, "kind": KIND, "site": site, "lesson": lesson, "forms": parts}
+
+
+def _part(name: str, digest: str, items: tuple[Question, ...]) -> dict[str, Any]:
+    return {
+        "form": name,
+        "hash": digest,
+        "options": [[item.id, radix(item)] for item in items],
+        "items": [item_key(item) for item in items],
+    }
+
+
+def item_key(item: Question) -> dict[str, Any]:
+    """Everything that a teacher needs to mark and discuss one question."""
+    key = item.data(key=True)
+    beliefs = sorted(set(_beliefs(key["key"])))
+    row: dict[str, Any] = {
+        **key,
+        "ask": item.common.ask,
+        "texts": item.texts(),
+        "beliefs": {tag: BELIEFS[tag] for tag in beliefs},
+        "topics": list(item.common.topics),
+    }
+    if item.common.note:
+        row["note"] = item.common.note
+    if item.common.explain:
+        row["explain"] = item.common.explain
+    if isinstance(item, Long) and item.rubric:
+        row["rubric"] = {str(marks): text for marks, text in item.rubric.items()}
+    return row
+
+
+def _beliefs(key: Mapping[str, Any]) -> Iterable[str]:
+    yield from (key.get("beliefs") or {}).values()
+    yield from (wrong["belief"] for wrong in key.get("wrong", []) if wrong["belief"])

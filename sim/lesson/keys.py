@@ -1,0 +1,119 @@
+"""Tables of keys: what each is called, what it means, what it holds. Validator, reference page and
+JSON Schemas are made from them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from sim.scene.problem import Path, Problem
+
+TEXT: Mapping[str, Any] = {"type": "string", "minLength": 1}
+NUMBER_OR_TEXT: Mapping[str, Any] = {"type": ["number", "string"]}
+TEXTS: Mapping[str, Any] = {"anyOf": [TEXT, {"type": "array", "items": TEXT}]}
+
+
+def one_of(*words: str) -> Mapping[str, Any]:
+    """The JSON Schema of a choice between words."""
+    return {"enum": list(words)}
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """One key of a block: its name, meaning, an example as an author writes it, its JSON Schema."""
+
+    name: str
+    says: str
+    example: str
+    schema: Mapping[str, Any] = field(default_factory=lambda: TEXT)
+    required: bool = False
+
+
+def names(keys: tuple[Key, ...]) -> tuple[str, ...]:
+    """The names of the keys, in their order."""
+    return tuple(key.name for key in keys)
+
+
+def text(
+    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem], *, hint: str = ""
+) -> str | None:
+    """The text under `name`, stripped; None where there is none. A number stays as written."""
+    value = table.get(name)
+    if value is None and name not in table:
+        return None
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return str(value)
+    if isinstance(value, str) and value.strip():
+        return value.strip()
+    problems.append(Problem((*path, name), "not-text", f"{name} must be a text", hint))
+    return None
+
+
+def needed(
+    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem], hint: str
+) -> str:
+    """The text under `name`, or an empty text and a problem."""
+    found = text(table, name, path, problems, hint=hint)
+    if found is None and name not in table:
+        problems.append(Problem(path, "missing", f"{name} is missing", hint))
+    return found or ""
+
+
+def texts(
+    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem], hint: str
+) -> tuple[str, ...]:
+    """One text or a list of texts; empty where there is none."""
+    value = table.get(name)
+    if value is None and name not in table:
+        return ()
+    listed = value if isinstance(value, (list, tuple)) else [value]
+    found = [str(item).strip() for item in listed if isinstance(item, (str, int, float))]
+    if len(found) != len(listed) or not all(found):
+        problems.append(Problem((*path, name), "not-text", f"{name} lists texts", hint))
+        return ()
+    return tuple(found)
+
+
+def choice(
+    table: Mapping[str, Any], name: str, words: tuple[str, ...], path: Path, problems: list[Problem]
+) -> str:
+    """One of `words`; the first is the default."""
+    value = table.get(name, words[0])
+    if value not in words:
+        problems.append(
+            Problem(
+                (*path, name),
+                "not-a-choice",
+                f"{name} is {' or '.join(words)} (got {str(value)[:40]})",
+                f"{name}: {words[0]}",
+            )
+        )
+        return words[0]
+    return str(value)
+
+
+def flag(
+    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem], *, default: bool
+) -> bool:
+    """true or false."""
+    value = table.get(name, default)
+    if not isinstance(value, bool):
+        problems.append(
+            Problem((*path, name), "not-a-choice", f"{name} is true or false", f"{name}: true")
+        )
+        return default
+    return value
+
+
+def whole(
+    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem], *, default: int
+) -> int:
+    """A whole number from 1."""
+    value = table.get(name, default)
+    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= 600:
+        problems.append(
+            Problem((*path, name), "out-of-range", f"{name} is a whole number", f"{name}: 2")
+        )
+        return default
+    return value

@@ -1,0 +1,238 @@
+"""Choosing: one answer (`single`) or several (`multiple`)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Self
+
+from sim.lesson import keys
+from sim.lesson.beliefs import BELIEFS
+from sim.lesson.keys import TEXT, Key
+from sim.lesson.mark import Mark, all_or_nothing, is_empty
+from sim.lesson.question import Common, Question
+from sim.scene.problem import Path, Problem, nearest
+from sim.scene.tables import unknown_keys
+
+LETTERS = "abcdefghijkl"
+_ID = re.compile(r"[a-z0-9][a-z0-9-]{0,31}", re.ASCII)
+OPTION_KEYS = (
+    Key("text", "the answer, in Markdown", "They are equal.", TEXT, True),
+    Key("correct", "this answer is right", "true", {"type": "boolean"}),
+    Key("belief", "tag of the belief behind a wrong answer", "bigger-pushes-more",
+        {"enum": sorted(BELIEFS)}),
+    Key("feedback", "shown to who chose it", "Compare the two arrows."),
+    Key("id", "name of the answer; default: its letter", "b"),
+)  # fmt: skip
+_HINT = "options:\n    - {text: They are equal., correct: true}\n    - {text: A pushes harder.}"
+OPTIONS = Key(
+    "options",
+    "the answers, in the order in which they stand there: A, B, C …",
+    "[{text: They are equal., correct: true}, {text: A pushes harder.}]",
+    {
+        "type": "array",
+        "minItems": 2,
+        "maxItems": len(LETTERS),
+        "items": {
+            "anyOf": [
+                TEXT,
+                {
+                    "type": "object",
+                    "properties": {key.name: key.schema for key in OPTION_KEYS},
+                    "required": ["text"],
+                    "additionalProperties": False,
+                },
+            ]
+        },
+    },
+    True,
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Option:
+    """One answer to choose."""
+
+    id: str
+    text: str
+    correct: bool = False
+    belief: str = ""
+    feedback: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Single(Question):
+    """One answer is right. The value is the id of the chosen answer."""
+
+    KIND: ClassVar[str] = "single"
+    SAYS: ClassVar[str] = "choose one answer"
+    KEYS: ClassVar[tuple[Key, ...]] = (OPTIONS,)
+    options: tuple[Option, ...]
+
+    @classmethod
+    def read(
+        cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
+    ) -> Self:
+        """Two or more options, exactly one of them right."""
+        options = read_options(table, path, problems)
+        count = sum(option.correct for option in options)
+        if options and count != 1:
+            what = "no option is right" if not count else f"{count} options are right"
+            problems.append(
+                Problem(
+                    (*path, "options"),
+                    "no-correct-option" if not count else "two-correct-options",
+                    f"{what}; a single choice has exactly one",
+                    "add correct: true to one option"
+                    if not count
+                    else "keep correct: true at one option, or write type: multiple",
+                )
+            )
+        return cls(common=common, options=options)
+
+    def asked(self) -> dict[str, Any]:
+        """The ids in the order shown."""
+        return {"options": [option.id for option in self.options]}
+
+    def key(self) -> dict[str, Any]:
+        """The right ids, and the belief behind each wrong one."""
+        return {
+            "correct": [option.id for option in self.options if option.correct],
+            "beliefs": {option.id: option.belief for option in self.options if option.belief},
+            "feedback": sorted(self.feedback()),
+        }
+
+    def texts(self) -> dict[str, str]:
+        """The text of each option."""
+        return {f"option-{option.id}": option.text for option in self.options}
+
+    def feedback(self) -> dict[str, str]:
+        """The feedback of each option that has one."""
+        given = {f"option-{option.id}": option.feedback for option in self.options}
+        return {name: text for name, text in given.items() if text}
+
+    def meaning(self) -> dict[str, Any]:
+        """Texts by id: another order of the same answers changes nothing."""
+        return {"texts": self.texts()}
+
+    def mark(self, value: object, own: float | None = None) -> Mark:
+        """Right if the right one is chosen."""
+        del own
+        if is_empty(value):
+            return Mark("empty", 0, self.common.marks)
+        by_id = {option.id: option for option in self.options}
+        chosen = by_id.get(value) if isinstance(value, str) else None
+        if chosen is None:
+            return Mark("unclear", 0, self.common.marks)
+        return self._marked([chosen], chosen.correct, some=False)
+
+    def _marked(self, chosen: list[Option], right: bool, *, some: bool) -> Mark:
+        return all_or_nothing(
+            right,
+            some,
+            self.common.marks,
+            shown=tuple(f"option-{option.id}" for option in chosen if option.feedback),
+            beliefs=tuple(option.belief for option in chosen if option.belief),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Multiple(Single):
+    """Several answers may be right. The value is the list of chosen ids."""
+
+    KIND: ClassVar[str] = "multiple"
+    SAYS: ClassVar[str] = "choose every answer that fits"
+
+    @classmethod
+    def read(
+        cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
+    ) -> Self:
+        """Two or more options, at least one of them right."""
+        options = read_options(table, path, problems)
+        if options and not any(option.correct for option in options):
+            problems.append(
+                Problem(
+                    (*path, "options"),
+                    "no-correct-option",
+                    "no option is right",
+                    "add correct: true to every right one",
+                )
+            )
+        return cls(common=common, options=options)
+
+    def mark(self, value: object, own: float | None = None) -> Mark:
+        """Right if exactly the right ones are chosen; partly if at least one of them is."""
+        del own
+        if is_empty(value):
+            return Mark("empty", 0, self.common.marks)
+        ids = {option.id for option in self.options}
+        if not isinstance(value, (list, tuple)) or not all(
+            isinstance(item, str) and item in ids for item in value
+        ):
+            return Mark("unclear", 0, self.common.marks)
+        chosen = [option for option in self.options if option.id in value]
+        right = {option.id for option in self.options if option.correct}
+        exact = {option.id for option in chosen} == right
+        return self._marked(chosen, exact, some=any(option.correct for option in chosen))
+
+
+def read_options(
+    table: Mapping[str, Any], path: Path, problems: list[Problem]
+) -> tuple[Option, ...]:
+    """The options of a question; empty with a problem if they cannot be used."""
+    here = (*path, "options")
+    listed = table.get("options")
+    if not isinstance(listed, (list, tuple)) or not 2 <= len(listed) <= len(LETTERS):
+        where = here if "options" in table else path
+        message = f"options lists 2 to {len(LETTERS)} answers"
+        problems.append(Problem(where, "not-a-list", message, _HINT))
+        return ()
+    options: list[Option] = []
+    for k, entry in enumerate(listed):
+        option = _option(entry, LETTERS[k], (*here, k), problems)
+        if option is None:
+            return ()
+        if any(option.id == other.id for other in options):
+            message = f"two options have the id “{option.id}”"
+            problems.append(Problem((*here, k), "id-taken", message, "each needs its own"))
+        same = " ".join(option.text.split())
+        if any(same == " ".join(other.text.split()) for other in options):
+            problems.append(Problem((*here, k), "twice", "this answer stands there twice", _HINT))
+        options.append(option)
+    return tuple(options)
+
+
+def _option(entry: object, letter: str, path: Path, problems: list[Problem]) -> Option | None:
+    table = {"text": entry} if isinstance(entry, (str, int)) else entry
+    if not isinstance(table, Mapping):
+        problems.append(Problem(path, "not-a-table", "an option is a text or a table", _HINT))
+        return None
+    unknown_keys(table, keys.names(OPTION_KEYS), path, problems)
+    belief = read_belief(table, path, problems)
+    correct = keys.flag(table, "correct", path, problems, default=False)
+    if correct and belief:
+        message = "a right answer has no belief behind it"
+        problems.append(Problem((*path, "belief"), "twice", message, "remove one of the two"))
+    identity = keys.text(table, "id", path, problems) or letter
+    if not _ID.fullmatch(identity):
+        message = f"“{identity[:40]}” cannot be an id"
+        problems.append(Problem((*path, "id"), "bad-name", message, "id: equal"))
+    return Option(
+        id=identity,
+        text=keys.needed(table, "text", path, problems, "text: They are equal."),
+        correct=correct,
+        belief=belief,
+        feedback=keys.text(table, "feedback", path, problems) or "",
+    )
+
+
+def read_belief(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> str:
+    """The belief tag of a wrong answer, one of `BELIEFS`; empty where there is none."""
+    belief = keys.text(table, "belief", path, problems) or ""
+    if belief and belief not in BELIEFS:
+        near = nearest(belief, BELIEFS)
+        hint = f"did you mean “{near}”?" if near else f"one of: {', '.join(sorted(BELIEFS))}"
+        message = f"there is no belief “{belief[:40]}”"
+        problems.append(Problem((*path, "belief"), "unknown-belief", message, hint))
+    return belief

@@ -1,0 +1,237 @@
+"""A number with a unit and a stated tolerance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, ClassVar, Self
+
+from sim.lesson import keys, units
+from sim.lesson.beliefs import BELIEFS
+from sim.lesson.keys import NUMBER_OR_TEXT, Key
+from sim.lesson.kinds.choice import read_belief
+from sim.lesson.mark import Mark, all_or_nothing, is_empty
+from sim.lesson.question import Common, Question
+from sim.scene.problem import Path, Problem
+from sim.scene.quantity import Dimension, QuantityError, read_quantity, unit_of
+from sim.scene.tables import mapping, unknown_keys
+
+FIGURES = 3  # what pages show and students type
+WRONG_KEYS = (
+    Key("value", "a wrong answer that is often given", "0.60 m/s", NUMBER_OR_TEXT, True),
+    Key("tolerance", "how near counts; default: the question's", "0.01 m/s", NUMBER_OR_TEXT),
+    Key("belief", "tag of the belief behind it", "motion-needs-force", {"enum": sorted(BELIEFS)}),
+    Key("feedback", "shown to who gave it", "That is the speed before the contact."),
+)
+TOLERANCE = Key(
+    "tolerance",
+    "how far from the answer is still right: with a unit, or in % of the answer",
+    "0.01 m/s",
+    NUMBER_OR_TEXT,
+    True,
+)
+NEAR = 1 + 1e-9  # a number on the edge of the tolerance is inside, whatever its last bit
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wrong:
+    """A wrong answer that is known; numbers in the question's unit."""
+
+    value: float
+    tolerance: float
+    belief: str = ""
+    feedback: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Number(Question):
+    """The value is the number in the question's unit, or the text that could not be read."""
+
+    KIND: ClassVar[str] = "number"
+    SAYS: ClassVar[str] = "type a number; any fitting unit may be typed with it"
+    KEYS: ClassVar[tuple[Key, ...]] = (
+        Key("answer", "the right number with its unit", "0.25 m/s", NUMBER_OR_TEXT, True),
+        TOLERANCE,
+        Key("wrong", "wrong answers with feedback of their own",
+            "[{value: 0.60 m/s, belief: motion-needs-force}]",
+            {"type": "array", "items": {"type": "object", "required": ["value"],
+             "properties": {key.name: key.schema for key in WRONG_KEYS},
+             "additionalProperties": False}}),
+    )  # fmt: skip
+    answer: float
+    tolerance: float
+    unit: str
+    units: Mapping[str, float]
+    wrong: tuple[Wrong, ...] = ()
+
+    @classmethod
+    def read(
+        cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
+    ) -> Self:
+        """The answer's unit is the question's; a tolerance that nobody can meet is a problem."""
+        before = len(problems)
+        unit, dimension = read_unit(table, "answer", path, problems)
+        exact = read_number(table, "answer", dimension, path, problems)
+        tolerance = read_tolerance(table, exact, dimension, path, problems)
+        wrong = _wrong(table, (tolerance, exact), (unit, dimension), path, problems)
+        if len(problems) == before and not reachable(exact, tolerance, dimension.units[unit]):
+            problems.append(
+                Problem(
+                    (*path, "tolerance") if "tolerance" in table else path,
+                    "unreachable-tolerance",
+                    f"no number of {FIGURES} figures lies within the tolerance",
+                    "allow at least half of the last figure: tolerance: 1 %",
+                )
+            )
+        return cls(
+            common=common,
+            answer=units.tidy(exact, unit, dimension),
+            tolerance=units.tidy(tolerance, unit, dimension),
+            unit=unit,
+            units=units.factors(unit, dimension),
+            wrong=wrong,
+        )
+
+    def asked(self) -> dict[str, Any]:
+        """The unit beside the box, and all that may be typed instead."""
+        return {"unit": self.unit, "units": dict(self.units)}
+
+    def key(self) -> dict[str, Any]:
+        """The interval, and the wrong answers that are known."""
+        return {
+            "answer": self.answer,
+            "tolerance": self.tolerance,
+            "wrong": [
+                {"value": w.value, "tolerance": w.tolerance, "belief": w.belief} for w in self.wrong
+            ],
+            "feedback": sorted(self.feedback()),
+        }
+
+    def feedback(self) -> dict[str, str]:
+        """The feedback of the known wrong answers."""
+        return {f"wrong-{k}": w.feedback for k, w in enumerate(self.wrong) if w.feedback}
+
+    def meaning(self) -> dict[str, Any]:
+        """The unit."""
+        return {"unit": self.unit}
+
+    def mark(self, value: object, own: float | None = None) -> Mark:
+        """Right within the tolerance."""
+        del own
+        return mark_number(value, self.answer, self.tolerance, self.common.marks, self.wrong)
+
+
+def mark_number(
+    value: object, answer: float, tolerance: float, of: int, wrong: tuple[Wrong, ...] = ()
+) -> Mark:
+    """Marks a number that is already in the question's unit."""
+    if is_empty(value):
+        return Mark("empty", 0, of)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        return Mark("unclear", 0, of)
+    if abs(value - answer) <= tolerance * NEAR:
+        return all_or_nothing(True, False, of)
+    for k, known in enumerate(wrong):
+        if abs(value - known.value) <= known.tolerance * NEAR:
+            shown = (f"wrong-{k}",) if known.feedback else ()
+            beliefs = (known.belief,) if known.belief else ()
+            return all_or_nothing(False, False, of, shown=shown, beliefs=beliefs)
+    return all_or_nothing(False, False, of)
+
+
+def read_unit(
+    table: Mapping[str, Any], name: str, path: Path, problems: list[Problem]
+) -> tuple[str, Dimension]:
+    """The unit that stands behind a number, and what it measures; a plain number has none."""
+    unit = unit_of(str(table.get(name, ""))).replace("μ", "µ")
+    dimension = units.dimension_of(unit)
+    if dimension is None:
+        message = f"“{unit[:20]}” is not a unit that is known here"
+        hint = "for example m/s, cm, N, kg, J, N s"
+        problems.append(Problem((*path, name), "wrong-unit", message, hint))
+        return "", units.RATIO
+    return unit, dimension
+
+
+def read_number(
+    table: Mapping[str, Any], name: str, dimension: Dimension, path: Path, problems: list[Problem]
+) -> Fraction:
+    """The exact SI value under `name`; 0 and a problem if there is none."""
+    if table.get(name) is None:
+        hint = f"{name}: {dimension.example}"
+        problems.append(Problem(path, "missing", f"{name} is missing", hint))
+        return Fraction(0)
+    try:
+        return read_quantity(table[name], dimension)
+    except QuantityError as error:
+        problems.append(Problem((*path, name), error.code, error.message, error.hint))
+        return Fraction(0)
+
+
+def read_tolerance(
+    table: Mapping[str, Any],
+    exact: Fraction,
+    dimension: Dimension,
+    path: Path,
+    problems: list[Problem],
+) -> Fraction:
+    """The SI tolerance, given with a unit or in percent of the answer; never negative."""
+    value = table.get("tolerance")
+    relative = isinstance(value, str) and value.strip().endswith("%") and dimension is not (
+        units.RATIO
+    )  # fmt: skip
+    kind = units.RATIO if relative else dimension
+    found = read_number(table, "tolerance", kind, path, problems)
+    if found < 0:
+        message = "a tolerance is not negative"
+        problems.append(Problem((*path, "tolerance"), "out-of-range", message, "tolerance: 1 %"))
+    return abs(found * exact) if relative else abs(found)
+
+
+def reachable(exact: Fraction, tolerance: Fraction, unit: Fraction) -> bool:
+    """Whether a number of three figures, in this unit, lies within the tolerance."""
+    answer = float(exact / unit)
+    shown = float(f"{answer:.{FIGURES}g}")
+    return abs(Fraction(repr(shown)) * unit - exact) <= tolerance
+
+
+def _wrong(
+    table: Mapping[str, Any],
+    right: tuple[Fraction, Fraction],
+    measured: tuple[str, Dimension],
+    path: Path,
+    problems: list[Problem],
+) -> tuple[Wrong, ...]:
+    unit, dimension = measured
+    listed = table.get("wrong", [])
+    hint = "wrong:\n    - {value: 0.60 m/s, feedback: That is the speed before.}"
+    if not isinstance(listed, (list, tuple)):
+        problems.append(Problem((*path, "wrong"), "not-a-list", "wrong is a list", hint))
+        return ()
+    found = []
+    for k, entry in enumerate(listed):
+        here: Path = (*path, "wrong", k)
+        row = mapping(entry, here, problems, hint)
+        if row is None:
+            continue
+        unknown_keys(row, keys.names(WRONG_KEYS), here, problems)
+        value = read_number(row, "value", dimension, here, problems)
+        tolerance = (
+            read_tolerance(row, value, dimension, here, problems)
+            if "tolerance" in row
+            else right[0]
+        )
+        if abs(value - right[1]) <= right[0]:
+            message = "this wrong answer lies within the tolerance of the right one"
+            problems.append(Problem((*here, "value"), "unreachable", message, "narrow it"))
+        found.append(
+            Wrong(
+                value=units.tidy(value, unit, dimension),
+                tolerance=units.tidy(tolerance, unit, dimension),
+                belief=read_belief(row, here, problems),
+                feedback=keys.text(row, "feedback", here, problems) or "",
+            )
+        )
+    return tuple(found)

@@ -1,0 +1,197 @@
+"""Answers in words: a few (`short`) or several sentences (`long`)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Self
+
+from sim.lesson import keys
+from sim.lesson.beliefs import BELIEFS
+from sim.lesson.keys import TEXT, TEXTS, Key
+from sim.lesson.kinds.choice import read_belief
+from sim.lesson.mark import Mark, all_or_nothing, is_empty
+from sim.lesson.question import Common, Question
+from sim.scene.problem import Path, Problem
+from sim.scene.tables import mapping, unknown_keys
+
+RUBRIC = Key(
+    "rubric",
+    "what an answer needs for 0, 1, 2 … marks, best with a sample; for the teacher, never in the "
+    "page. The largest number is what the question is worth",
+    "{2: names both forces, 1: names one, 0: “action = reaction” alone}",
+    {"type": "object", "patternProperties": {"^[0-9]$": TEXT}, "additionalProperties": False},
+)
+START = Key("start", "the beginning of a sentence, given to the student", "The force on B by A …")
+WORDS = Key("words", "a bank of words to use", "[equal, opposite, pair]", TEXTS)
+_WRONG_KEYS = (
+    Key("text", "a wrong answer that is often given", "A pushes harder", TEXTS, True),
+    Key("belief", "tag of the belief behind it", "mover-pushes-more", {"enum": sorted(BELIEFS)}),
+    Key("feedback", "shown to who gave it", "Look at both arrows."),
+)
+_PUNCTUATION = re.compile(r"[\s.,;:!?“”„\"'’`()]+")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Long(Question):
+    """Free text, marked by a person with the rubric. The value is the text."""
+
+    KIND: ClassVar[str] = "long"
+    SAYS: ClassVar[str] = "write a few sentences"
+    KEYS: ClassVar[tuple[Key, ...]] = (RUBRIC, START, WORDS)
+    rubric: Mapping[int, str]
+    start: str = ""
+    words: tuple[str, ...] = ()
+
+    @classmethod
+    def read(
+        cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
+    ) -> Self:
+        """Every text question has a rubric."""
+        return cls(
+            common=common,
+            rubric=_rubric(table, path, problems, required=True),
+            start=keys.text(table, "start", path, problems) or "",
+            words=keys.texts(table, "words", path, problems, "words: [equal, pair]"),
+        )
+
+    @property
+    def worth(self) -> int:
+        """The most marks that the rubric gives."""
+        return max(self.rubric, default=self.common.marks)
+
+    def asked(self) -> dict[str, Any]:
+        """What helps with writing."""
+        return {"start": self.start, "words": list(self.words), "marks": self.worth}
+
+    def key(self) -> dict[str, Any]:
+        """Nothing that a page could mark with."""
+        return {"feedback": []}
+
+    def meaning(self) -> dict[str, Any]:
+        """The question alone: another beginning or word bank changes no answer."""
+        return {}
+
+    def mark(self, value: object, own: float | None = None) -> Mark:
+        """A person has to read it."""
+        del own
+        if is_empty(value):
+            return Mark("empty", 0, self.worth)
+        return Mark("open" if isinstance(value, str) else "unclear", None, self.worth, ("explain",))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Short(Long):
+    """A few words. With `accept` the page can tell right from wrong, else a person reads it."""
+
+    KIND: ClassVar[str] = "short"
+    SAYS: ClassVar[str] = "write a few words"
+    KEYS: ClassVar[tuple[Key, ...]] = (
+        Key("accept", "right answers; capitals, spaces and punctuation do not count",
+            "[zero, 0, 0 N]", TEXTS),
+        Key("wrong", "wrong answers with feedback of their own",
+            "[{text: A pushes harder, belief: mover-pushes-more}]",
+            {"type": "array", "items": {"type": "object", "required": ["text"],
+             "properties": {key.name: key.schema for key in _WRONG_KEYS},
+             "additionalProperties": False}}),
+        RUBRIC,
+        START,
+        WORDS,
+    )  # fmt: skip
+    accept: tuple[str, ...] = ()
+    wrong: tuple[tuple[tuple[str, ...], str, str], ...] = ()  # texts, belief, feedback
+
+    @classmethod
+    def read(
+        cls, table: Mapping[str, Any], common: Common, path: Path, problems: list[Problem]
+    ) -> Self:
+        """Either what is accepted, or a rubric."""
+        accept = keys.texts(table, "accept", path, problems, "accept: [zero, 0 N]")
+        return cls(
+            common=common,
+            rubric=_rubric(table, path, problems, required=not accept),
+            start=keys.text(table, "start", path, problems) or "",
+            words=keys.texts(table, "words", path, problems, "words: [equal, pair]"),
+            accept=accept,
+            wrong=_wrong(table, path, problems),
+        )
+
+    def key(self) -> dict[str, Any]:
+        """Plain forms of what is right and of what is known to be wrong."""
+        return {
+            "accept": [plain(text) for text in self.accept],
+            "wrong": [
+                {"texts": [plain(text) for text in texts], "belief": belief}
+                for texts, belief, _ in self.wrong
+            ],
+            "feedback": sorted(self.feedback()),
+        }
+
+    def feedback(self) -> dict[str, str]:
+        """The feedback of the known wrong answers."""
+        return {f"wrong-{k}": given for k, (_, _, given) in enumerate(self.wrong) if given}
+
+    def mark(self, value: object, own: float | None = None) -> Mark:
+        """Right if it is one of the accepted texts."""
+        if is_empty(value) or not isinstance(value, str) or not self.accept:
+            return super(Short, self).mark(value, own)
+        said = plain(value)
+        right = said in [plain(text) for text in self.accept]
+        shown: tuple[str, ...] = ()
+        beliefs: tuple[str, ...] = ()
+        if not right:
+            for k, (texts, belief, given) in enumerate(self.wrong):
+                if said in [plain(text) for text in texts]:
+                    shown = (f"wrong-{k}",) if given else ()
+                    beliefs = (belief,) if belief else ()
+                    break
+        return all_or_nothing(right, False, self.worth, shown=shown, beliefs=beliefs)
+
+
+def plain(text: str) -> str:
+    """A text as it is compared: small letters, one minus, no punctuation, single spaces."""
+    return _PUNCTUATION.sub(" ", text.lower().replace("−", "-").replace("–", "-")).strip()
+
+
+def _rubric(
+    table: Mapping[str, Any], path: Path, problems: list[Problem], *, required: bool
+) -> Mapping[int, str]:
+    hint = "rubric:\n    2: names both forces and says that they are equal\n    0: anything else"
+    if "rubric" not in table:
+        if required:
+            message = "rubric is missing: every text question says what its marks are given for"
+            problems.append(Problem(path, "missing", message, hint))
+        return {}
+    rows = mapping(table["rubric"], (*path, "rubric"), problems, hint) or {}
+    found = {}
+    for key, value in rows.items():
+        if not str(key).isdecimal() or not isinstance(value, (str, int)):
+            message = "a rubric has whole numbers of marks on the left and a text on the right"
+            problems.append(Problem((*path, "rubric", str(key)), "not-a-table", message, hint))
+            return {}
+        found[int(key)] = str(value)
+    if sorted(found) != list(range(len(found))) or len(found) < 2:
+        message = "a rubric names every number of marks from 0 up"
+        problems.append(Problem((*path, "rubric"), "out-of-range", message, hint))
+    return dict(sorted(found.items()))
+
+
+def _wrong(
+    table: Mapping[str, Any], path: Path, problems: list[Problem]
+) -> tuple[tuple[tuple[str, ...], str, str], ...]:
+    listed = table.get("wrong", [])
+    hint = "wrong:\n    - {text: A pushes harder, belief: mover-pushes-more}"
+    if not isinstance(listed, (list, tuple)):
+        problems.append(Problem((*path, "wrong"), "not-a-list", "wrong is a list", hint))
+        return ()
+    found = []
+    for k, entry in enumerate(listed):
+        here: Path = (*path, "wrong", k)
+        row = mapping(entry, here, problems, hint)
+        if row is not None:
+            unknown_keys(row, keys.names(_WRONG_KEYS), here, problems)
+            texts = keys.texts(row, "text", here, problems, hint)
+            given = keys.text(row, "feedback", here, problems) or ""
+            found.append((texts, read_belief(row, here, problems), given))
+    return tuple(found)

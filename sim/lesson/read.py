@@ -1,0 +1,63 @@
+"""From plain values to a question, or to every problem in them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sim.lesson import keys
+from sim.lesson.kinds.arrange import Matching, Ordering
+from sim.lesson.kinds.choice import Multiple, Single
+from sim.lesson.kinds.number import Number
+from sim.lesson.kinds.run import Drawn, Reading
+from sim.lesson.kinds.sure import Confidence
+from sim.lesson.kinds.words import Long, Short
+from sim.lesson.problems import LessonError
+from sim.lesson.question import COMMON_KEYS, Question, read_common
+from sim.scene.problem import Path, Problem, nearest
+from sim.scene.tables import mapping, unknown_keys
+
+KINDS: dict[str, type[Question]] = {
+    kind.KIND: kind
+    for kind in (
+        Single, Multiple, Number, Short, Long, Ordering, Matching, Confidence, Reading, Drawn,
+    )
+}  # fmt: skip
+
+
+def read_question(plain: object) -> Question:
+    """The question that `plain` describes; raises LessonError with every problem."""
+    problems: list[Problem] = []
+    question = collect_question(plain, (), problems)
+    if problems or question is None:
+        raise LessonError(problems)
+    return question
+
+
+def collect_question(plain: object, path: Path, problems: list[Problem]) -> Question | None:
+    """The question at `path`, or None; what is wrong is added to `problems`."""
+    table = mapping(plain, path, problems, "a question is a table of keys: id, type, ask, …")
+    if table is None:
+        return None
+    kind = _kind(table, path, problems)
+    before = len(problems)
+    common = read_common(table, path, problems)
+    if kind is None:
+        return None
+    known = (*keys.names(COMMON_KEYS), *keys.names(kind.KEYS))
+    unknown_keys(table, known, path, problems)
+    question = kind.read(table, common, path, problems)
+    return question if len(problems) == before else None
+
+
+def _kind(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> type[Question] | None:
+    name = table.get("type")
+    kind = KINDS.get(name) if isinstance(name, str) else None
+    if kind is None:
+        near = nearest(str(name), KINDS) if name else None
+        hint = f"did you mean “{near}”?" if near else f"type: one of {', '.join(KINDS)}"
+        given = "type" in table
+        message = f"there is no type “{str(name)[:40]}”" if given else "type is missing"
+        where = (*path, "type") if given else path
+        problems.append(Problem(where, "unknown-type" if given else "missing", message, hint))
+    return kind

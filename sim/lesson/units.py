@@ -1,0 +1,58 @@
+"""Which units an answer may be given in: everything that measures the same thing."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from sim.scene import quantity
+from sim.scene.quantity import Dimension
+
+MOMENTUM = Dimension(
+    "momentum",
+    "kg m/s",
+    "0.3 kg m/s",
+    {
+        **dict.fromkeys(("kg m/s", "kg·m/s", "N s", "N·s", "Ns"), Fraction(1)),
+        **dict.fromkeys(("g m/s", "mN s"), Fraction(1, 1000)),
+    },
+)
+RATIO = Dimension("number", "", "0.8", {"": Fraction(1), "%": Fraction(1, 100)})
+DIMENSIONS = (
+    quantity.MASS,
+    quantity.LENGTH,
+    quantity.SPEED,
+    quantity.TIME,
+    quantity.FORCE,
+    quantity.ACCELERATION,
+    quantity.STIFFNESS,
+    quantity.ENERGY,
+    quantity.ANGLE,
+    MOMENTUM,
+)
+OF_QUANTITY = {
+    "x": quantity.LENGTH,
+    "v": quantity.SPEED,
+    "a": quantity.ACCELERATION,
+    "F": quantity.FORCE,
+    "p": MOMENTUM,
+    "t": quantity.TIME,
+}
+"""What can be read off a run, and how it is measured."""
+
+
+def dimension_of(unit: str) -> Dimension | None:
+    """The kind of quantity that `unit` measures; an empty unit is a plain number."""
+    if not unit or unit == "%":
+        return RATIO
+    return next((d for d in DIMENSIONS if unit in d.units), None)
+
+
+def factors(unit: str, dimension: Dimension) -> dict[str, float]:
+    """How many `unit` each other unit is, each rounded once: for numbers that a student types."""
+    own = dimension.units[unit]
+    return {other: float(size / own) for other, size in dimension.units.items()}
+
+
+def tidy(value: Fraction, unit: str, dimension: Dimension) -> float:
+    """An SI value in `unit`, rounded once."""
+    return float(value / dimension.units[unit])

@@ -1,0 +1,95 @@
+"""The teacher's key of a lesson: answers, rubrics, beliefs, notes; as a file and as a page."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from markupsafe import Markup
+
+from sim.lesson import Question
+from sim.lesson.key_file import item_key, key_file
+from sim.pages.fence_scan import scan
+from sim.pages.question.block import read_question_block
+from sim.pages.question.inside import to_html, to_inline
+from sim.pages.question.quiz import read_quiz_block
+from sim.pages.question.render import FORM_NAMES, templates
+from sim.pages.scene_block import Lesson, SiteIds
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """The key of one lesson: for programs and for people."""
+
+    content: dict[str, Any]
+    page: str
+
+
+def lesson_key(text: str, lesson: Lesson, name: str, site: str) -> Key | None:
+    """The key of a lesson's text; None if it asks nothing. Raises `AuthorError`."""
+    ids = SiteIds()
+    blocks = list(scan(text.splitlines()))
+    own = [
+        read_question_block(block, lesson, ids, first_line=1).question
+        for block in blocks
+        if block.name == "question"
+    ]
+    forms = [
+        read_quiz_block(block, lesson, ids, first_line=1).form
+        for block in blocks
+        if block.name == "quiz"
+    ]
+    if not own and not forms:
+        return None
+    parts = [("Worksheet", tuple(own))] if own else []
+    parts += [(form.title or FORM_NAMES[form.form], form.items) for form in forms]
+    rows = [(title, [_row(item, k) for k, item in enumerate(part, 1)]) for title, part in parts]
+    page = templates().get_template("key.html.j2").render(lesson=name, parts=rows)
+    return Key(key_file(site, name, own, forms), str(page))
+
+
+def _row(item: Question, number: int) -> dict[str, Any]:
+    key = item_key(item)
+    right = key["key"].get("correct", [])
+    beliefs = key["key"].get("beliefs", {})
+    return {
+        "number": number,
+        "id": item.id,
+        "kind": item.KIND,
+        "ask": Markup(to_html(item.common.ask)),
+        "options": [
+            {
+                "letter": letter.upper(),
+                "text": Markup(to_inline(item.texts()[f"option-{option}"])),
+                "right": option in right,
+                "belief": key["beliefs"].get(beliefs.get(option, ""), ""),
+            }
+            for letter, option in zip("abcdefghijkl", key.get("options", []), strict=False)
+            if f"option-{option}" in item.texts()
+        ],
+        "answer": answer_words(item, key["key"]),
+        "rubric": [(marks, Markup(to_html(text))) for marks, text in key.get("rubric", {}).items()],
+        "explain": Markup(to_html(key.get("explain", ""))),
+        "note": Markup(to_html(key.get("note", ""))),
+    }
+
+
+def answer_words(item: Question, key: dict[str, Any]) -> str:
+    """The right answer of the kinds without options, in a line."""
+    texts = item.texts()
+    if item.KIND == "number":
+        unit = item.data(key=False)["unit"]
+        return f"{key['answer']:g} ± {key['tolerance']:g} {unit}".strip()
+    if item.KIND == "reading":
+        data = item.data(key=False)
+        size = 100 * key["tolerance"] if key["relative"] else key["tolerance"]
+        near = f"{size:g} {'%' if key['relative'] else data['unit']}"
+        return f"{data['quantity']} at {data['at']} in the student's own run, ± {near}"
+    if item.KIND == "ordering":
+        return " → ".join(texts[f"line-{line}"] for line in key["order"])
+    if item.KIND == "matching":
+        pairs = key["pairs"].items()
+        return "; ".join(
+            f"{texts[f'left-{k}']} – {texts[f'right-{letter}']}" for k, letter in pairs
+        )
+    return " / ".join(key.get("accept", []))

@@ -1,0 +1,108 @@
+"""What stands together on one page: scenes, questions, forms; and what does not fit together."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from sim.lesson.kinds.run import Drawn, Reading
+from sim.pages.findings import Finding
+from sim.pages.question.block import QuestionBlock
+from sim.pages.question.quiz import QuizBlock
+from sim.scene import Fence, Problem
+
+
+@dataclass(slots=True)
+class PageItems:
+    """The blocks of a page that made sense, in the order of the page."""
+
+    scenes: list[Fence] = field(default_factory=list)
+    questions: list[QuestionBlock] = field(default_factory=list)
+    quizzes: list[QuizBlock] = field(default_factory=list)
+
+    @property
+    def answers(self) -> bool:
+        """Whether there is anything on the page to answer."""
+        return bool(self.questions or self.quizzes or any(s.predict for s in self.scenes))
+
+    def findings(self) -> Iterator[Finding]:
+        """Blocks that make sense alone but not together."""
+        scenes = {scene.id: scene for scene in self.scenes}
+        for block in self.questions:
+            if isinstance(block.question, (Reading, Drawn)):
+                problem = _misfit(block.question, scenes)
+                if problem:
+                    yield block.places.finding(problem)
+        forms: dict[str, str] = {}
+        for quiz in self.quizzes:
+            other = forms.setdefault(quiz.form.form, quiz.form.id)
+            if other != quiz.form.id:
+                message = f"form: “{other}” is already the form “{quiz.form.form}” of this page"
+                hint = "a page has one form of each kind: a student's answers are filed under it"
+                yield quiz.places.finding(Problem(("form",), "twice", message, hint))
+
+    def outline(self, lesson: str) -> dict[str, Any]:
+        """What the page's script needs to know of all that can be answered here."""
+        items = [
+            {"id": s.id, "hash": predict_hash(s), "type": s.predict.kind, "form": "worksheet",
+             "level": "core"}
+            for s in self.scenes if s.predict
+        ]  # fmt: skip
+        for block in self.questions:
+            items.append(_item(block.question.data(key=False), "worksheet"))
+        for quiz in self.quizzes:
+            items += [_item(i.data(key=False), quiz.form.form) for i in quiz.form.items]
+        named = "\n".join(f"{i['form']} {i['id']} {i['hash']}" for i in items)
+        return {
+            "lesson": lesson,
+            "hash": hashlib.sha256(named.encode("utf-8")).hexdigest()[:12],
+            "items": items,
+        }
+
+
+def predict_hash(scene: Fence) -> str:
+    """Twelve hexadecimal digits that change when what is predicted does."""
+    predict = scene.predict
+    asked = predict and [
+        predict.kind, predict.ask, predict.pairs, predict.cart, predict.options,
+        {key: str(value) for key, value in scene.plain.items() if key != "title"},
+    ]  # fmt: skip
+    text = json.dumps(asked, ensure_ascii=False, sort_keys=True)
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()[:12]
+
+
+def _item(data: dict[str, Any], form: str) -> dict[str, Any]:
+    return {name: data[name] for name in ("id", "hash", "type", "level")} | {"form": form}
+
+
+def _misfit(question: Reading | Drawn, scenes: dict[str, Fence]) -> Problem | None:
+    scene = scenes.get(question.scene)
+    if scene is None:
+        known = ", ".join(scenes) or "none"
+        message = f"there is no scene “{question.scene[:40]}” on this page"
+        return Problem(("scene",), "no-such-scene", message, f"scenes of this page: {known}")
+    if isinstance(question, Drawn):
+        if scene.predict is None:
+            message = f"the scene “{scene.id}” asks for no prediction"
+            hint = "add predict: {arrows: [A-B]} to the scene"
+            return Problem(("scene",), "no-prediction", message, hint)
+        return None
+    what, _, whose = question.quantity.partition(".")
+    carts = [cart.name for cart in scene.scene.carts]
+    pairs = [
+        "-".join(scene.scene.names_at(k))
+        for k, contact in enumerate(scene.scene.contacts)
+        if contact is not None
+    ]
+    known_names = pairs if what == "F" else carts
+    if whose not in known_names:
+        message = f"the scene “{scene.id}” has no {what}.{whose}"
+        hint = f"it has {', '.join(f'{what}.{name}' for name in known_names) or 'none'}"
+        return Problem(("quantity",), "unknown-path", message, hint)
+    if isinstance(question.at, float) and question.at > scene.scene.until:
+        message = f"the run ends at {scene.scene.until:g} s, before {question.at:g} s"
+        return Problem(("at",), "out-of-range", message, "at: end")
+    return None

@@ -1,0 +1,102 @@
+"""From questions to `<carts-question>` and `<carts-quiz>`, which can be printed as they are."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from sim.lesson import Question
+from sim.lesson.form import Form
+from sim.lesson.question import CERTAINTY
+from sim.pages.question.inside import to_html, to_inline
+
+LINES = {"short": 1, "long": 5, "number": 1, "reading": 1}
+UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
+LEVELS = {"core": "", "support": "a bit of help", "stretch": "for more"}
+FORM_NAMES = {"pre": "Before", "post": "After", "delayed": "Some time later"}
+SURE = {"guess": "a guess", "think": "I think so", "sure": "I am sure"}
+
+
+def render_question(
+    question: Question, *, number: int | None = None, key: bool = True, scope: str = ""
+) -> str:
+    """HTML of the element. With `key` the page marks at once; without, nothing tells the answer.
+
+    `number` is printed before the question. `scope` is the form it belongs to: the element's id
+    and the form's name of the answer are `scope-id`.
+    """
+    common = question.common
+    element = f"{scope}-{common.id}" if scope else common.id
+    texts = {name: Markup(to_inline(text)) for name, text in question.texts().items()}
+    data = question.data(key=key) | {"element": element}
+    view = {
+        "id": element,
+        "kind": question.KIND,
+        "number": number,
+        "level": common.level,
+        "level_words": LEVELS[common.level],
+        "minutes": common.minutes,
+        "ask": Markup(to_html(common.ask)),
+        "texts": texts,
+        "data": data,
+        "facts": script_json(data),
+        "lines": LINES.get(question.KIND, 0),
+        "hints": [Markup(to_html(hint)) for hint in common.hints] if key else [],
+        "feedback": _feedback(question) if key else {},
+        "checks": key and question.KIND not in ("confidence", "drawn"),
+        "certainty": [(word, SURE[word]) for word in CERTAINTY],
+        "sure": common.sure and question.KIND != "confidence",
+    }
+    return str(templates().get_template("question.html.j2").render(view))
+
+
+def render_quiz(form: Form) -> str:
+    """HTML of the element. An exam's holds no key, no hint and no feedback."""
+    practice = form.mode == "practice"
+    view: dict[str, Any] = {
+        "id": form.id,
+        "form": form.form,
+        "mode": form.mode,
+        "title": form.title or FORM_NAMES[form.form],
+        "intro": Markup(to_html(form.intro)),
+        "minutes": form.minutes,
+        "count": len(form.items),
+        "closed": bool(form.open.facts(form.id)),
+        "asks_word": bool(form.open.word),
+        "facts": script_json(form.facts()),
+        "items": [
+            Markup(render_question(item, number=k, key=practice, scope=form.id))
+            for k, item in enumerate(form.items, start=1)
+        ],
+    }
+    return str(templates().get_template("quiz.html.j2").render(view))
+
+
+def _feedback(question: Question) -> dict[str, Markup]:
+    texts = dict(question.feedback())
+    if question.common.explain:
+        texts["explain"] = question.common.explain
+    return {name: Markup(to_html(text)) for name, text in texts.items()}
+
+
+def script_json(value: Mapping[str, Any]) -> Markup:
+    """JSON that can stand in a script element whatever the texts in it say."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return Markup(text.translate(UNSAFE))
+
+
+@cache
+def templates() -> Environment:
+    """The templates of questions and forms."""
+    return Environment(
+        loader=PackageLoader("sim.pages.question"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )

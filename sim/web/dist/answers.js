@@ -1,0 +1,1941 @@
+"use strict";
+(() => {
+  // src/dom.js
+  function html(tag, className = "", text = "") {
+    const made2 = document.createElement(tag);
+    if (className) made2.className = className;
+    if (text) made2.textContent = text;
+    return made2;
+  }
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+  function need(root, selector) {
+    const found2 = root.querySelector(selector);
+    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found2
+    );
+  }
+
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
+    }
+    return found ?? null;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item2) => item2.id === entry?.id && item2.form === form) ?? null;
+  }
+  function isCurrent(entry) {
+    const item2 = itemOf(entry);
+    return !item2 || !entry.hash || entry.hash === item2.hash;
+  }
+  function stamped(entry) {
+    const page = outline();
+    const item2 = itemOf(entry);
+    if (!page || !item2) return entry;
+    return {
+      form: item2.form,
+      lesson: page.lesson,
+      lessonHash: page.hash,
+      hash: item2.hash,
+      ...entry
+    };
+  }
+
+  // src/answers/bar.js
+  var Bar = class {
+    /** @param {import("./book.js").Book} book @param {() => void} openPanel */
+    constructor(book2, openPanel) {
+      this.book = book2;
+      this.root = html("aside", "carts carts-bar");
+      this.root.setAttribute("aria-label", "My answers");
+      this.who = html("span", "carts-bar-who");
+      this.meter = document.createElement("progress");
+      this.meter.setAttribute("aria-label", "questions answered on this page");
+      this.count = html("span", "carts-bar-count");
+      const button2 = html("button", "carts-button carts-bar-open", "My answers");
+      button2.setAttribute("type", "button");
+      button2.setAttribute("aria-haspopup", "dialog");
+      button2.addEventListener("click", openPanel);
+      this.warning = html("p", "carts-bar-warning");
+      this.warning.setAttribute("role", "alert");
+      this.warning.hidden = true;
+      const row = html("div", "carts-bar-row");
+      row.append(this.who, this.meter, this.count, button2);
+      this.root.append(this.warning, row);
+      if (!outline()) this.root.classList.add("carts-bar-small");
+      document.body.append(this.root);
+      this.onPaper = html("p", "carts-print-head");
+      if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
+      book2.addEventListener("change", () => this.show());
+      void book2.ready.then(() => {
+        this.show();
+        this.root.dataset.ready = "";
+      });
+    }
+    show() {
+      const { done, of } = this.book.progress();
+      this.meter.hidden = of === 0;
+      this.meter.max = of || 1;
+      this.meter.value = done;
+      say(this.count, of ? `${done} of ${of}` : "");
+      say(this.who, this.book.student || (outline() ? "no code word yet" : ""));
+      const code = this.book.student;
+      say(this.onPaper, code ? `Code word: ${code}` : "Code word: ____________________");
+      const warning = this.#warning();
+      say(this.warning, warning);
+      this.warning.hidden = !warning;
+    }
+    #warning() {
+      if (!outline()) return "";
+      if (this.book.refused) {
+        return "This browser refuses to keep more. Press “My answers” and save your file now.";
+      }
+      if (this.book.store?.how === "memory") {
+        return "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave.";
+      }
+      return "";
+    }
+  };
+
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function merged(a, b) {
+    if (!a) return b;
+    if (!b) return a;
+    const [old, young] = String(a.last ?? "") <= String(b.last ?? "") ? [a, b] : [b, a];
+    const earlier = union(old.earlier, young.earlier);
+    const differs = !isEmpty(old.value) && !sameAnswer(old, young);
+    const winner = isEmpty(young.value) && differs ? old : young;
+    const loser = winner === young ? old : young;
+    const all = differs && winner === young ? union(earlier, [alone(loser)]) : earlier;
+    const first = [a.first, b.first].filter(Boolean).sort()[0] ?? null;
+    return all.length ? { ...winner, first, earlier: all } : { ...winner, first };
+  }
+  function sameAnswer(a, b) {
+    return a.hash === b.hash && JSON.stringify(a.value) === JSON.stringify(b.value);
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/storage.js
+  var STORE = "answers";
+  var PATIENCE = 4e3;
+  var STUDENT = "student";
+  var SETTLED = "settled";
+  var SETTLE_AFTER = 400;
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function writeStudent(all, code) {
+    return all.put(STUDENT, { code, last: (/* @__PURE__ */ new Date()).toISOString() });
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value) => all.put(before + key, stamped(value)),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return indexed(await open(`carts:${site}`));
+    } catch {
+      return textStore(site) ?? memory();
+    }
+  }
+  function open(name) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+    });
+  }
+  function indexed(base) {
+    const read = (ask) => new Promise((resolve, reject) => {
+      const request = ask(base.transaction(STORE).objectStore(STORE));
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
+    return {
+      kind: "kept",
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: (key, value) => write(base, (answers) => {
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+      }),
+      remove: (key) => write(base, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
+    };
+  }
+  var settling;
+  async function write(base, act) {
+    await transaction(base, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(base, mark2, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  function transaction(base, act, durability) {
+    return new Promise((resolve, reject) => {
+      const work = base.transaction(STORE, "readwrite", { durability });
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
+  }
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+  function memory() {
+    const kept = /* @__PURE__ */ new Map();
+    return {
+      kind: "memory",
+      how: "memory",
+      get: async (key) => kept.get(key),
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
+    };
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
+    const path = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path
+    };
+  }
+
+  // src/answers/book.js
+  var Book = class extends EventTarget {
+    student = "";
+    /** @type {import("../storage.js").Store | null} */
+    store = null;
+    /** @type {import("../storage.js").Store | null} */
+    all = null;
+    /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
+    /** @type {Map<string, any>} */
+    #known = /* @__PURE__ */ new Map();
+    /** @type {BroadcastChannel | null} */
+    #channel = null;
+    refused = false;
+    /** @type {Set<Promise<void>>} */
+    #writing = /* @__PURE__ */ new Set();
+    constructor() {
+      super();
+      const { site, page } = place();
+      this.site = site;
+      this.page = page;
+      this.ready = this.#open();
+    }
+    /** The key of an answer. @param {string} form @param {string} id */
+    key(form, id) {
+      return form === "worksheet" ? `${this.page}#${id}` : `${this.page}#${form}:${id}`;
+    }
+    /** @param {string} form @param {string} id @returns {any} */
+    get(form, id) {
+      return this.#known.get(this.key(form, id)) ?? null;
+    }
+    /** Every answer of this student that the browser lets this page see. @returns {[string, any][]} */
+    entries() {
+      return [...this.#known];
+    }
+    /** Resolves when the browser says that it is kept; rejects when it refuses. @param {string} form @param {any} entry */
+    async put(form, entry) {
+      await this.ready;
+      const key = this.key(form, entry.id);
+      this.#known.set(key, keepEarlier(this.#known.get(key), { ...entry, form }));
+      const work = this.#write(key, { ...entry, form });
+      this.#writing.add(work);
+      try {
+        await work;
+      } finally {
+        this.#writing.delete(work);
+        this.dispatchEvent(new CustomEvent("change", { detail: key }));
+      }
+    }
+    /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns {Promise<number>} how many are new or changed */
+    async take(student, found2) {
+      await this.ready;
+      if (!this.all) return 0;
+      const { all } = this;
+      const here = new Map(await forStudent(all, student).entries());
+      const changed = found2.map(([key, entry]) => ({ key, old: here.get(key), both: merged(here.get(key), entry) })).filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
+      await Promise.all(
+        changed.map(({ key, both }) => all.put(student ? `@${student}/${key}` : key, both))
+      );
+      if (student === this.student) for (const { key } of changed) this.#tell(key);
+      await this.#read();
+      this.dispatchEvent(new CustomEvent("change", { detail: null }));
+      for (const [key] of student === this.student ? found2 : []) {
+        this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
+      }
+      return changed.length;
+    }
+    /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered without a code */
+    async become(code, carry = false) {
+      await this.ready;
+      if (!this.all) return;
+      if (carry) {
+        const loose = await forStudent(this.all, "").entries();
+        await this.take(code, loose);
+        for (const [key] of loose) await this.all.remove(key);
+      }
+      await writeStudent(this.all, code);
+      this.#channel?.postMessage({ student: code });
+    }
+    /** Whether a student has answers here. @param {string} code @returns {Promise<boolean>} */
+    async has(code) {
+      await this.ready;
+      return this.all ? (await forStudent(this.all, code).entries()).length > 0 : false;
+    }
+    /** Forgets this student's answers, or everybody's. @param {boolean} everybody */
+    async forget(everybody) {
+      await this.ready;
+      await Promise.allSettled(this.#writing);
+      if (!this.all || !this.store) return;
+      if (everybody) for (const [key] of await this.all.entries()) await this.all.remove(key);
+      else for (const [key] of await this.store.entries()) await this.store.remove(key);
+      await writeStudent(this.all, "");
+      this.#known.clear();
+      this.#channel?.postMessage({ student: "" });
+    }
+    /** How much of this page is answered. @returns {{done: number, of: number}} */
+    progress() {
+      const items2 = (outline()?.items ?? []).filter(
+        (item2) => item2.form === "worksheet" && item2.level !== "stretch" && item2.type !== "drawn"
+      );
+      const done = items2.filter((item2) => {
+        const entry = this.get(item2.form, item2.id);
+        const predicted = ["arrows", "curve", "choice", "text"].includes(item2.type);
+        return entry && isCurrent(entry) && (predicted ? entry.locked : !isEmpty(entry.value));
+      });
+      return { done: done.length, of: items2.length };
+    }
+    async #open() {
+      this.all = await openAll(this.site);
+      this.student = await readStudent(this.all);
+      this.store = forStudent(this.all, this.student);
+      await this.#read();
+      if (typeof BroadcastChannel === "function") {
+        this.#channel = new BroadcastChannel(`carts:${this.site}`);
+        this.#channel.onmessage = ({ data }) => void this.#hear(data);
+      }
+      document.addEventListener("carts-kept", () => void this.#refresh());
+    }
+    async #read() {
+      for (const [key, entry] of await this.store?.entries().catch(() => []) ?? []) {
+        const known2 = this.#known.get(key);
+        if (!known2 || String(known2.last ?? "") <= String(entry?.last ?? "")) {
+          this.#known.set(key, entry);
+        }
+      }
+    }
+    /** A prediction was kept by the scene's own script. */
+    async #refresh() {
+      await this.#read();
+      this.dispatchEvent(new CustomEvent("change", { detail: null }));
+    }
+    /** @param {string} key @param {any} entry */
+    async #write(key, entry) {
+      try {
+        await this.store?.put(key, entry);
+      } catch (error) {
+        this.refused = true;
+        throw error;
+      }
+      this.#tell(key);
+    }
+    /** @param {string} key */
+    #tell(key) {
+      this.#channel?.postMessage({ key, student: this.student });
+    }
+    /** Another tab wrote something. @param {any} told */
+    async #hear(told) {
+      if (!told?.key) {
+        if (typeof told?.student === "string" && told.student !== this.student) location.reload();
+        return;
+      }
+      if (told.student !== this.student) return;
+      const entry = await this.store?.get(told.key).catch(() => null);
+      if (!entry) return;
+      this.#known.set(told.key, entry);
+      this.dispatchEvent(new CustomEvent("change", { detail: told.key }));
+      this.dispatchEvent(new CustomEvent("elsewhere", { detail: told.key }));
+    }
+  };
+
+  // src/answers/csv.js
+  var COLUMNS = [
+    "lesson",
+    "form",
+    "student",
+    "id",
+    "type",
+    "asked",
+    "value",
+    "unit",
+    "said",
+    "sure",
+    "tries",
+    "first",
+    "last",
+    "hash"
+  ];
+  var RISKY = /^\s|^[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff"']*[=+\-@|%＝＋－＠]/u;
+  function csvCell(value) {
+    if (typeof value === "number" && Number.isFinite(value)) return String(value);
+    const text = typeof value === "string" ? value : value === null || value === void 0 ? "" : JSON.stringify(value);
+    const clean2 = text.replaceAll("\0", "");
+    return `"${(RISKY.test(clean2) ? `'${clean2}` : clean2).replaceAll('"', '""')}"`;
+  }
+  function csvText(content) {
+    const rows2 = content.items.map(
+      (item2) => COLUMNS.map(
+        (name) => csvCell(
+          name in item2 ? item2[name] : ["lesson", "form", "student"].includes(name) ? content[name] : ""
+        )
+      ).join(",")
+    );
+    return `\uFEFF${[COLUMNS.join(","), ...rows2].join("\r\n")}\r
+`;
+  }
+
+  // src/answers/download.js
+  function download(name, text, type) {
+    const link = document.createElement("a");
+    const address = URL.createObjectURL(new Blob([text], { type }));
+    link.href = address;
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(address), 1e4);
+  }
+
+  // src/answers/file.js
+  var FORMAT = 1;
+  var KIND = "newtons-carts-answers";
+  var MOST_BYTES = 2e6;
+  var MOST_ITEMS = 2e3;
+  var LONGEST = 2e4;
+  var FORMS = ["worksheet", "pre", "post", "delayed"];
+  var ID = /^[a-z_][a-z0-9-]{0,63}$/;
+  var HASH = /^[0-9a-f]{12}$/;
+  var TIME = /^\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z$/;
+  function makeFiles(entries, { site, student }, now) {
+    const groups = /* @__PURE__ */ new Map();
+    for (const [key, entry] of entries) {
+      if (!entry || typeof entry !== "object" || typeof entry.id !== "string") continue;
+      const page = key.split("#")[0] ?? "";
+      const form = FORMS.includes(entry.form) ? entry.form : "worksheet";
+      const lesson = entry.lesson ?? page.split("/").pop() ?? "page";
+      const name = `${page} ${form}`;
+      const group = groups.get(name) ?? { lesson, form, page, kept: (
+        /** @type {any[]} */
+        []
+      ) };
+      group.kept.push(entry);
+      groups.set(name, group);
+    }
+    return [...groups.values()].map(({ lesson, form, page, kept }) => {
+      const last = [...kept].sort((a, b) => String(a.last).localeCompare(String(b.last))).pop();
+      const state = kept.find((entry) => entry.type === "form");
+      const content = {
+        format: FORMAT,
+        kind: KIND,
+        site,
+        lesson,
+        lessonHash: last?.lessonHash ?? "",
+        student,
+        form,
+        created: kept.map((entry) => entry.first).filter(Boolean).sort()[0] ?? now,
+        saved: now,
+        page,
+        ...state?.handed ? { handed: state.handed, code: state.code ?? "" } : {},
+        items: kept.filter((entry) => entry.type !== "form").flatMap(items)
+      };
+      return { lesson, form, page, name: fileName(lesson, form, student, "carts.json"), content };
+    });
+  }
+  function fileName(lesson, form, student, ending) {
+    const safe = (text) => text.replace(/[^\p{L}\p{N}+_-]+/gu, "-").slice(0, 80);
+    return `${safe(lesson)}.${form}.${safe(student) || "no-code"}.${ending}`;
+  }
+  function items(entry) {
+    const all = [...entry.earlier ?? [], entry];
+    return all.filter((one) => !isEmpty(one.value) || one.tries).map(item);
+  }
+  function item(entry) {
+    const { id, hash: hash2 = "", type, value, first = null, last = null, tries = 0 } = entry;
+    const made2 = (
+      /** @type {Record<string, unknown>} */
+      {
+        id,
+        hash: hash2,
+        type,
+        value,
+        first,
+        last,
+        tries
+      }
+    );
+    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked"]) {
+      const more = entry[name];
+      if (more !== void 0 && more !== null && more !== "") made2[name] = more;
+    }
+    return made2;
+  }
+  function readFile(text, site) {
+    if (text.length > MOST_BYTES)
+      return { problem: "This file is too large to be a file of answers." };
+    let content;
+    try {
+      content = JSON.parse(text.replace(/^\uFEFF/, ""));
+    } catch {
+      return { problem: "This file is damaged, or it is not a file of answers." };
+    }
+    const problem = wrong(content, site);
+    if (problem) return { problem };
+    const { page, lesson, form, lessonHash } = content;
+    const found2 = /* @__PURE__ */ new Map();
+    for (const row of content.items) {
+      const entry = clean(row);
+      if (!entry) return { problem: "An answer in this file is damaged. Nothing was taken from it." };
+      const key = form === "worksheet" ? `${page}#${entry.id}` : `${page}#${form}:${entry.id}`;
+      const other = found2.get(key);
+      const full = { ...entry, form, lesson, lessonHash };
+      found2.set(
+        key,
+        other ? { ...full, earlier: [...other.earlier ?? [], { ...other, earlier: void 0 }] } : full
+      );
+    }
+    if (TIME.test(content.handed ?? "")) found2.set(`${page}#${form}:_form`, handedIn(content));
+    return { student: content.student, form, lesson, entries: [...found2] };
+  }
+  function wrong(content, site) {
+    const isTable = typeof content === "object" && content !== null && !Array.isArray(content);
+    if (!isTable || content.kind !== KIND) return "This is not a file of answers.";
+    if (!Number.isInteger(content.format) || content.format < 1)
+      return "This is not a file of answers.";
+    if (content.format > FORMAT) {
+      return "This file comes from a newer version of the lessons. Open it there.";
+    }
+    if (content.site !== site) return "This file belongs to another site.";
+    const texts = [content.lesson, content.student, content.page].every(
+      (text) => typeof text === "string" && text.length <= 200 && !/[\p{Cc}#@]/u.test(text)
+    );
+    const hash2 = content.lessonHash === "" || HASH.test(String(content.lessonHash));
+    if (!texts || !hash2 || !content.page || !FORMS.includes(content.form)) {
+      return "This file is damaged. Nothing was taken from it.";
+    }
+    if (!Array.isArray(content.items) || content.items.length > MOST_ITEMS) {
+      return "This file is damaged. Nothing was taken from it.";
+    }
+    return "";
+  }
+  function clean(row) {
+    if (typeof row !== "object" || row === null) return null;
+    const { id, hash: hash2, type, value, first, last, tries } = row;
+    const good = typeof id === "string" && ID.test(id) && (hash2 === "" || HASH.test(String(hash2))) && typeof type === "string" && /^[a-z]{3,12}$/.test(type) && [first, last].every((time) => time === null || TIME.test(String(time))) && Number.isInteger(tries) && tries >= 0 && isPlain(value, 0);
+    if (!good) return null;
+    const entry = (
+      /** @type {Record<string, unknown>} */
+      {
+        id,
+        hash: hash2,
+        type,
+        value,
+        first,
+        last,
+        tries
+      }
+    );
+    for (const name of ["unit", "said", "asked", "sure", "locked"]) {
+      if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
+    }
+    if (Number.isFinite(row.own)) entry.own = row.own;
+    if (isPlain(row.set, 1) && row.set) entry.set = row.set;
+    return entry;
+  }
+  function isPlain(value, depth) {
+    if (value === null || value === void 0 || typeof value === "boolean") return true;
+    if (typeof value === "string") return value.length <= LONGEST;
+    if (typeof value === "number") return Number.isFinite(value);
+    if (depth > 3 || typeof value !== "object") return false;
+    const parts = Object.entries(value);
+    return parts.length <= 200 && parts.every(
+      ([key, part2]) => /^[\w.+-]{1,64}$/.test(key) && !key.startsWith("__") && isPlain(part2, depth + 1)
+    );
+  }
+  function handedIn({ handed, code, created, form, lesson, lessonHash }) {
+    const known2 = typeof code === "string" && /^[0-9A-Z-]{0,14}$/.test(code) ? code : "";
+    return {
+      id: "_form",
+      type: "form",
+      form,
+      lesson,
+      lessonHash,
+      value: { handed, code: known2 },
+      handed,
+      code: known2,
+      words: [],
+      first: TIME.test(String(created)) ? created : null,
+      last: handed,
+      tries: 0
+    };
+  }
+
+  // src/answers/parts.js
+  function part(name, title) {
+    const made2 = html("section", `carts-answers-part carts-answers-${name}`);
+    made2.append(html("h3", "", title));
+    return made2;
+  }
+  function button(text, act, name = "") {
+    const made2 = (
+      /** @type {HTMLButtonElement} */
+      html("button", `carts-button ${name}`.trim(), text)
+    );
+    made2.type = "button";
+    made2.addEventListener("click", act);
+    return made2;
+  }
+  function askingButton(text, question2, yes, act, name) {
+    const row = html("p", `carts-answers-asking ${name}`);
+    const first = button(text, () => ask(true));
+    const asked = html("span", "", `${question2} `);
+    const no = button("No", () => ask(false), "carts-answers-no");
+    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    asked.hidden = true;
+    row.append(first, asked);
+    function ask(on) {
+      first.hidden = on;
+      asked.hidden = !on;
+      (on ? no : first).focus();
+    }
+    return row;
+  }
+  function status() {
+    const made2 = html("p", "carts-answers-status");
+    made2.setAttribute("role", "status");
+    return made2;
+  }
+  function clock(time) {
+    const date = new Date(time ?? "");
+    return Number.isNaN(date.getTime()) ? "" : date.toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+  }
+
+  // src/answers/panel-files.js
+  var NAMES = (
+    /** @type {Record<string, string>} */
+    {
+      worksheet: "worksheet",
+      pre: "test before",
+      post: "test after",
+      delayed: "last test"
+    }
+  );
+  var MOST_BYTES2 = 4e6;
+  function filesPart(book2) {
+    const root = part("files", "Hand in: save a file");
+    const table = html("div", "carts-answers-table");
+    const told = status();
+    root.append(table, told, importRow(book2, told));
+    const draw = () => table.replaceChildren(...rows(book2, told));
+    draw();
+    return { root, draw };
+  }
+  function rows(book2, told) {
+    const files = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString());
+    files.sort((a, b) => Number(b.page === book2.page) - Number(a.page === book2.page));
+    if (!files.length) return [html("p", "carts-quiet", "Nothing has been answered yet.")];
+    return files.map((file) => {
+      const row = html("div", "carts-answers-file");
+      const count = file.content.items.length;
+      const last = file.content.items.map((item2) => item2.last).sort().pop();
+      const name = html("span", "carts-answers-name");
+      name.append(
+        html("strong", "", file.lesson),
+        ` · ${NAMES[file.form]} · ${count} ${count === 1 ? "answer" : "answers"}`
+      );
+      if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
+      const save = button(
+        "Save file",
+        () => {
+          const [fresh] = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString()).filter(
+            (one) => one.page === file.page && one.form === file.form
+          );
+          const content = (fresh ?? file).content;
+          download(file.name, `${JSON.stringify(content, null, 1)}
+`, "application/json");
+          say(
+            told,
+            `Saved as ${file.name}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.`
+          );
+        },
+        "carts-answers-save"
+      );
+      const csv = button(
+        "Table (CSV)",
+        () => {
+          download(
+            fileName(file.lesson, file.form, book2.student, "csv"),
+            csvText(file.content),
+            "text/csv"
+          );
+          say(told, "Saved. A spreadsheet program opens it.");
+        },
+        "carts-answers-csv"
+      );
+      row.append(name, save, " ", csv);
+      return row;
+    });
+  }
+  function importRow(book2, told) {
+    const row = html("p", "carts-answers-import");
+    const label = html("label", "", "Bring answers back from a file ");
+    const box = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-answers-open")
+    );
+    Object.assign(box, { type: "file", accept: ".json,application/json" });
+    label.append(box);
+    row.append(label);
+    box.addEventListener("change", async () => {
+      const file = box.files?.[0];
+      if (!file) return;
+      const text = file.size > MOST_BYTES2 ? " ".repeat(MOST_BYTES2) : await file.text().catch(() => "");
+      const found2 = readFile(text, book2.site);
+      if ("problem" in found2) return say(told, found2.problem);
+      const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
+      if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
+      box.value = "";
+      const whose = found2.student === book2.student ? "" : ` They belong to ${found2.student || "somebody without a code word"}: continue under that code word to see them.`;
+      say(
+        told,
+        `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file; nothing that was here is lost.${whose}`
+      );
+      const predicted = found2.entries.some(([, entry]) => entry.locked);
+      if (!whose && changed && predicted) setTimeout(() => location.reload(), 1500);
+    });
+    return row;
+  }
+
+  // src/answers/panel-leave.js
+  function leavePart(book2) {
+    const root = part("leave", "Before you leave this computer");
+    const forget = async (everybody) => {
+      await book2.forget(everybody);
+      location.reload();
+    };
+    root.append(
+      html("p", "carts-answers-where", whereKept(book2)),
+      askingButton(
+        "Clear this laptop",
+        "Is your file saved? Your answers on this computer will be gone.",
+        "Clear my answers",
+        () => void forget(false),
+        "carts-answers-clear"
+      ),
+      askingButton(
+        "Delete everything",
+        "This deletes the answers of everybody who worked on this computer.",
+        "Delete all of them",
+        () => void forget(true),
+        "carts-answers-delete"
+      )
+    );
+    return root;
+  }
+  function whereKept(book2) {
+    const how = book2.store?.how;
+    if (how === "memory")
+      return "This browser keeps nothing after the page is closed. Save your file now.";
+    const words2 = ["Your answers are kept in this browser on this computer, and nowhere else."];
+    if (how === "text") words2.push("If the computer crashes, the last seconds may be lost.");
+    if (location.protocol === "file:" && navigator.userAgent.includes("Firefox/")) {
+      words2.push(
+        "Firefox keeps them for this page in this folder: if the folder is moved or renamed, bring your file back in."
+      );
+    } else if (location.protocol === "file:") {
+      words2.push("They are still there if the folder is moved or renamed.");
+    }
+    words2.push(
+      "A private window, or a laptop that is wiped when you log out, may forget them: save your file before you leave."
+    );
+    return words2.join(" ");
+  }
+
+  // src/question/handin.js
+  var ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
+  var ANSWER_BITS = 44n;
+  var CHECK_BITS = 16n;
+  function fits(options) {
+    const all = options.length > 0 && options.every((count) => count > 0);
+    return all && options.reduce((size, count) => size * BigInt(count + 1), 1n) <= 1n << ANSWER_BITS;
+  }
+  function encode(options, chosen2, form) {
+    let number = 0n;
+    options.forEach((count, k) => {
+      number = number * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
+    });
+    const whole2 = number << CHECK_BITS | BigInt(check(number, form));
+    const letters = Array.from(
+      { length: 12 },
+      (_, k) => ALPHABET[Number(whole2 >> BigInt(55 - 5 * k) & 31n)]
+    );
+    return [0, 4, 8].map((k) => letters.slice(k, k + 4).join("")).join("-");
+  }
+  function check(number, form) {
+    const bytes = [...new TextEncoder().encode(form)];
+    for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number >> 8n * k & 255n));
+    let crc = 65535;
+    for (const byte of bytes) {
+      crc ^= byte << 8;
+      for (let bit = 0; bit < 8; bit += 1) {
+        crc = (crc & 32768 ? crc << 1 ^ 4129 : crc << 1) & 65535;
+      }
+    }
+    return crc;
+  }
+
+  // src/question/opening.js
+  var NAMES2 = (
+    /** @type {Record<string, string>} */
+    {
+      pre: "the test before the lesson",
+      post: "the test after the lesson",
+      delayed: "the last test"
+    }
+  );
+  function reasons(rule, state) {
+    const why = [];
+    if (rule.word && !state.words.includes(rule.word)) why.push("It opens with your teacher's word.");
+    if (rule.date && today(state.now) < rule.date) why.push(`It opens on ${rule.date}.`);
+    if (rule.done === "worksheet" && !state.answered) {
+      why.push("It opens when every question of the worksheet above is answered.");
+    } else if (rule.done && rule.done !== "worksheet") {
+      const handed = state.handed[rule.done];
+      if (!handed) why.push(`It opens when ${NAMES2[rule.done] ?? rule.done} is handed in.`);
+      else if (rule.days) {
+        const day = new Date(handed);
+        day.setDate(day.getDate() + rule.days);
+        if (today(state.now) < today(day)) why.push(`It opens on ${today(day)}.`);
+      }
+    }
+    return why;
+  }
+  function isOver(rule, now) {
+    return Boolean(rule.date) && today(now) > String(rule.date);
+  }
+  function wordSum(scope, word) {
+    const text = `${scope}:${word.replace(/\s+/g, "").toUpperCase()}`;
+    let crc = ~0;
+    for (const byte of new TextEncoder().encode(text)) {
+      crc ^= byte;
+      for (let bit = 0; bit < 8; bit += 1) crc = crc & 1 ? crc >>> 1 ^ 3988292384 : crc >>> 1;
+    }
+    return (~crc >>> 0).toString(16).padStart(8, "0");
+  }
+  function today(date) {
+    const two = (n) => String(n).padStart(2, "0");
+    return `${date.getFullYear()}-${two(date.getMonth() + 1)}-${two(date.getDate())}`;
+  }
+
+  // src/question/shuffle.js
+  var LETTERS = "ABCDEFGHIJKL";
+  function shuffleOptions(quiz, student) {
+    for (const question2 of quiz.querySelectorAll("carts-question")) {
+      const body = question2.querySelector(".carts-q-options");
+      const labels = [...body?.querySelectorAll("label") ?? []];
+      const order = new Map(
+        labels.map((label) => [label, hash(`${student}/${question2.id}/${label.dataset.option}`)])
+      );
+      labels.sort((a, b) => (order.get(a) ?? 0) - (order.get(b) ?? 0));
+      labels.forEach((label, k) => {
+        body?.append(label);
+        const letter = label.querySelector(".carts-q-letter");
+        if (letter) letter.textContent = LETTERS[k] ?? "";
+      });
+    }
+  }
+  function hash(text) {
+    let sum = 2166136261;
+    for (const byte of new TextEncoder().encode(text)) sum = Math.imul(sum ^ byte, 16777619);
+    sum = Math.imul(sum ^ sum >>> 15, 739982445);
+    return (sum ^ sum >>> 13) >>> 0;
+  }
+
+  // src/question/quiz.js
+  var STATE = "_form";
+  function quizElement(book2) {
+    return class CartsQuiz extends HTMLElement {
+      connectedCallback() {
+        if (this.facts) return;
+        this.facts = JSON.parse(need(this, "script.carts-quiz-facts").textContent ?? "{}");
+        this.#listen();
+        void book2.ready.then(() => {
+          if (this.facts.shuffle && book2.student) shuffleOptions(this, book2.student);
+          this.#follow();
+        });
+      }
+      #listen() {
+        const word = (
+          /** @type {HTMLInputElement} */
+          need(this, ".carts-quiz-word")
+        );
+        need(this, ".carts-quiz-open").addEventListener(
+          "click",
+          () => void this.#tryWord(word.value)
+        );
+        word.addEventListener("keydown", ({ key }) => {
+          if (key === "Enter") void this.#tryWord(word.value);
+        });
+        need(this, ".carts-quiz-hand-in").addEventListener("click", () => this.#ask(true));
+        need(this, ".carts-quiz-no").addEventListener("click", () => this.#ask(false));
+        need(this, ".carts-quiz-yes").addEventListener("click", () => void this.#handIn());
+        this.addEventListener("carts-answer", () => this.#count());
+        book2.addEventListener("change", () => this.#follow());
+      }
+      /** @returns {any} opened, handed, words: what is known of the form itself */
+      get state() {
+        const found2 = book2.get(this.facts.form, STATE);
+        return found2 ?? {
+          id: STATE,
+          type: "form",
+          value: null,
+          words: [],
+          first: null,
+          last: null,
+          tries: 0
+        };
+      }
+      #questions() {
+        return (
+          /** @type {any[]} */
+          [...this.querySelectorAll("carts-question")]
+        );
+      }
+      /** Shows the form, or why it is closed. */
+      #follow() {
+        const { handed, words: words2 } = this.state;
+        const now = /* @__PURE__ */ new Date();
+        const all = {
+          now,
+          words: words2 ?? [],
+          answered: this.#worksheetDone(),
+          handed: handedForms(book2)
+        };
+        const over = isOver(this.facts.close, now);
+        const why = handed ? [] : over ? ["This form is closed."] : reasons(this.facts.open, all);
+        const review = handed && this.facts.review && reasons(this.facts.review, all).length === 0;
+        const wantsWord = handed ? !review && this.facts.review?.word : !over && this.facts.open.word && !all.words.includes(this.facts.open.word);
+        const open2 = !why.length && (!handed || review);
+        need(this, ".carts-quiz-items").hidden = !open2;
+        need(this, ".carts-quiz-gate").hidden = open2 && !wantsWord;
+        say(need(this, ".carts-quiz-why"), why.join(" "));
+        need(this, ".carts-quiz-ask").hidden = !wantsWord;
+        need(this, ".carts-quiz-foot").hidden = !open2 || Boolean(handed);
+        for (const question2 of this.#questions()) question2.close(Boolean(handed));
+        if (open2 && !handed) this.#count();
+        this.#done(handed, Boolean(review));
+      }
+      #worksheetDone() {
+        const { done, of } = book2.progress();
+        return of > 0 && done === of;
+      }
+      /** @param {string} typed */
+      async #tryWord(typed) {
+        const sum = wordSum(this.facts.id, typed);
+        const { open: open2, review } = this.facts;
+        if (![open2.word, review?.word].includes(sum)) {
+          say(need(this, ".carts-quiz-why"), "That is not the word. Ask your teacher.");
+          return;
+        }
+        const state = this.state;
+        const now = (/* @__PURE__ */ new Date()).toISOString();
+        await this.#keep({
+          ...state,
+          words: [...state.words ?? [], sum],
+          first: state.first ?? now,
+          last: now
+        });
+      }
+      #count() {
+        const left = this.#questions().filter((question2) => !question2.answered).length;
+        say(need(this, ".carts-quiz-left"), left ? `${left} not answered yet` : "All answered.");
+      }
+      /** @param {boolean} on */
+      #ask(on) {
+        const left = this.#questions().filter((question2) => !question2.answered).length;
+        const missing = left ? `${left} ${left === 1 ? "question is" : "questions are"} not answered. ` : "";
+        say(
+          need(this, ".carts-quiz-sure-text"),
+          `${missing}After handing in you cannot change anything.`
+        );
+        need(this, ".carts-quiz-sure").hidden = !on;
+        need(this, ".carts-quiz-hand-in").hidden = on;
+        need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();
+      }
+      async #handIn() {
+        const now = (/* @__PURE__ */ new Date()).toISOString();
+        const state = this.state;
+        const code = this.#code();
+        const value = { handed: now, code, hash: this.facts.hash };
+        await this.#keep({
+          ...state,
+          value,
+          handed: now,
+          code,
+          first: state.first ?? now,
+          last: now
+        });
+        this.#ask(false);
+        this.#follow();
+        this.dispatchEvent(
+          new CustomEvent("carts-handed-in", { bubbles: true, detail: this.facts.form })
+        );
+      }
+      /** The code for paper, or nothing where the form is too long or has other kinds of items. */
+      #code() {
+        const options = this.facts.items.map((item2) => item2[1]);
+        if (!fits(options)) return "";
+        const chosen2 = this.#questions().map((question2) => {
+          return isEmpty(question2.value) ? 0 : question2.facts.options.indexOf(question2.value) + 1;
+        });
+        return encode(options, chosen2, `${this.facts.form}:${this.facts.hash}`);
+      }
+      /** @param {any} state */
+      async #keep(state) {
+        try {
+          await book2.put(this.facts.form, state);
+        } catch {
+        }
+      }
+      /** @param {string | null | undefined} handed @param {boolean} review */
+      #done(handed, review) {
+        const place2 = need(this, ".carts-quiz-done");
+        place2.hidden = !handed;
+        if (!handed) return;
+        const when = new Date(handed).toLocaleString();
+        const code = this.state.code ? ` Hand-in code: ${this.state.code}.` : "";
+        const hidden = review ? "" : " The questions are hidden until your teacher opens them again.";
+        say(place2, `Handed in on ${when}.${code} Save your file under “My answers”.${hidden}`);
+      }
+    };
+  }
+  function handedForms(book2) {
+    const found2 = {};
+    for (const form of ["pre", "post", "delayed"]) {
+      const handed = book2.get(form, STATE)?.handed;
+      if (handed) found2[form] = handed;
+    }
+    return found2;
+  }
+
+  // src/answers/panel-list.js
+  function listPart(book2) {
+    const root = part("list", "On this page");
+    const mine = book2.entries().filter(([key, entry]) => key.startsWith(`${book2.page}#`) && entry?.type !== "form");
+    const handed = handedForms(book2);
+    const shown = mine.filter(([, entry]) => !handed[entry.form] && !isEmpty(entry.value));
+    const hidden = mine.filter(([, entry]) => handed[entry.form]).length;
+    if (outline()) {
+      const row = html("p");
+      row.append(
+        button("Print with my answers", () => print(false)),
+        " ",
+        button("Print empty", () => print(true))
+      );
+      root.append(row);
+    }
+    if (!shown.length) root.append(html("p", "carts-quiet", "Nothing to show."));
+    if (hidden)
+      root.append(
+        html(
+          "p",
+          "carts-quiet",
+          `${hidden} answers of a form that was handed in are kept and not shown.`
+        )
+      );
+    const list = html("dl", "carts-answers-said");
+    for (const [, entry] of shown) {
+      const there = itemOf(entry);
+      const note = there ? "" : " (no longer on this page)";
+      list.append(html("dt", "", `${entry.asked || entry.id}${note}`));
+      list.append(html("dd", "", entry.said || plainValue(entry.value)));
+      for (const old of entry.earlier ?? []) {
+        list.append(html("dd", "carts-quiet", `earlier: ${old.said || plainValue(old.value)}`));
+      }
+    }
+    root.append(list);
+    return root;
+  }
+  function plainValue(value) {
+    return typeof value === "string" ? value : JSON.stringify(value);
+  }
+  function print(empty) {
+    document.documentElement.classList.toggle("carts-print-empty", empty);
+    for (const dialog of document.querySelectorAll("dialog")) dialog.close();
+    window.print();
+  }
+
+  // src/answers/codes.js
+  var MOST = 80;
+  function readCode(typed) {
+    const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
+    const codes = [...new Set(parts)].sort();
+    const code = codes.join("+");
+    if (!typed.trim()) return { problem: "Type the code word from your card." };
+    if (code.length > MOST) return { problem: "That is too long for a code word." };
+    if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
+      return { problem: "A code word has letters, digits and hyphens: BLUE-FOX-27" };
+    }
+    if (codes.some((part2) => part2.length < 4)) {
+      return { problem: "A code word has at least four letters or digits." };
+    }
+    return { code };
+  }
+
+  // src/answers/panel-who.js
+  function whoPart(book2) {
+    const root = part("who", "Who works here");
+    const { student } = book2;
+    const now = student ? `These are the answers of ${student}.` : "No code word yet: the next person at this computer sees these answers.";
+    const label = html(
+      "label",
+      "",
+      student ? "Somebody else? Code word " : "Code word from your card "
+    );
+    const box = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-answers-code")
+    );
+    Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
+    box.placeholder = "BLUE-FOX-27";
+    label.append(box);
+    const told = status();
+    const choices = html("p", "carts-answers-choices");
+    const go = button("Continue", () => void look(), "carts-answers-go");
+    box.addEventListener("keydown", ({ key }) => {
+      if (key === "Enter") void look();
+    });
+    const row = html("p");
+    row.append(label, " ", go);
+    const two = html("p", "carts-quiet", "Two students at one computer: both code words with a +.");
+    root.append(html("p", "carts-answers-now", now), row, told, choices, two);
+    async function look() {
+      choices.replaceChildren();
+      const found2 = readCode(box.value);
+      if ("problem" in found2) return say(told, found2.problem);
+      const { code } = found2;
+      if (code === student) return say(told, "That is who works here now.");
+      const loose = !student && book2.entries().length > 0;
+      const known2 = await book2.has(code);
+      if (known2 && !loose) return become(code, false);
+      say(told, question(code, known2, loose));
+      if (loose) {
+        choices.append(
+          button(
+            "They are mine: take them along",
+            () => void become(code, true),
+            "carts-answers-mine"
+          ),
+          " "
+        );
+        choices.append(button("Leave them", () => void become(code, false)));
+      } else
+        choices.append(
+          button(`Begin as ${code}`, () => void become(code, false), "carts-answers-begin")
+        );
+      choices.querySelector("button")?.focus();
+    }
+    async function become(code, carry) {
+      await book2.become(code, carry);
+      location.reload();
+    }
+    return root;
+  }
+  function question(code, known2, loose) {
+    const first = known2 ? "" : `On this computer there is nothing of ${code} yet. `;
+    return loose ? `${first}Somebody has answered here without a code word. Was that you?` : first;
+  }
+
+  // src/answers/panel.js
+  var Panel = class {
+    /** @param {import("./book.js").Book} book */
+    constructor(book2) {
+      this.book = book2;
+      this.root = document.createElement("dialog");
+      this.root.className = "carts carts-answers";
+      this.root.setAttribute("aria-labelledby", "carts-answers-title");
+      document.body.append(this.root);
+      book2.addEventListener("change", () => {
+        if (this.root.open) this.#files?.();
+      });
+    }
+    /** @type {(() => void) | null} draws the table of files anew */
+    #files = null;
+    async open() {
+      await this.book.ready;
+      const title = html("h2", "carts-answers-title", "My answers");
+      title.id = "carts-answers-title";
+      const close = html("button", "carts-button carts-answers-close", "Close");
+      close.setAttribute("type", "button");
+      close.addEventListener("click", () => this.root.close());
+      const head = html("div", "carts-answers-head");
+      head.append(title, close);
+      const files = filesPart(this.book);
+      this.#files = files.draw;
+      this.root.replaceChildren(
+        head,
+        whoPart(this.book),
+        files.root,
+        listPart(this.book),
+        leavePart(this.book)
+      );
+      if (!this.root.open) this.root.showModal();
+    }
+  };
+
+  // src/question/marking/plain.js
+  function plain(text) {
+    return text.toLowerCase().replace(/[−–]/g, "-").replace(/[\s.,;:!?“”„"'’`()]+/g, " ").trim();
+  }
+
+  // src/question/marking/mark.js
+  var NEAR = 1 + 1e-9;
+  function mark(facts, value, own = null) {
+    const of = facts.marks;
+    if (isEmpty(value)) return made("empty", 0, of);
+    const rule = RULES[facts.type];
+    if (!rule) return made("unclear", 0, of);
+    return rule(facts, value, own);
+  }
+  var RULES = {
+    single({ options, key, marks }, value) {
+      if (!options.includes(value)) return made("unclear", 0, marks);
+      return chosen([value], key, key.correct.includes(value), false, marks);
+    },
+    multiple({ options, key, marks }, value) {
+      if (!Array.isArray(value) || !value.every((item2) => options.includes(item2))) {
+        return made("unclear", 0, marks);
+      }
+      const picked = options.filter((item2) => value.includes(item2));
+      const right = picked.filter((item2) => key.correct.includes(item2));
+      const exact = right.length === picked.length && right.length === key.correct.length;
+      return chosen(picked, key, exact, right.length > 0, marks);
+    },
+    number: ({ key, marks }, value) => near(value, key.answer, key.tolerance, marks, key),
+    reading({ key, marks }, value, own) {
+      if (own === null) return made("open", null, marks);
+      return near(value, own, key.relative ? Math.abs(own) * key.tolerance : key.tolerance, marks);
+    },
+    long: ({ marks }, value) => written(value, marks),
+    short({ key, marks }, value) {
+      if (typeof value !== "string" || !key.accept.length) return written(value, marks);
+      const said = plain(value);
+      if (key.accept.includes(said)) return whole(true, false, marks);
+      const k = key.wrong.findIndex((known2) => known2.texts.includes(said));
+      return known(key, k, marks);
+    },
+    ordering({ key, marks }, value) {
+      const right = key.order;
+      const same = Array.isArray(value) && [...value].sort().join() === [...right].sort().join();
+      if (!same) return made("unclear", 0, marks);
+      const followed = right.slice(1).map((line, k) => `${right[k]}${line}`);
+      const kept = value.slice(1).filter(
+        (line, k) => followed.includes(`${value[k]}${line}`)
+      );
+      return whole(value.join() === right.join(), 2 * kept.length >= followed.length, marks);
+    },
+    matching({ key, right, marks }, value) {
+      const entries = Object.entries(value);
+      const fits2 = !Array.isArray(value) && typeof value === "object";
+      if (!fits2 || !entries.every(([left, letter]) => left in key.pairs && right.includes(letter))) {
+        return made("unclear", 0, marks);
+      }
+      const good = entries.filter(([left, letter]) => key.pairs[left] === letter);
+      const all = good.length === entries.length && good.length === Object.keys(key.pairs).length;
+      return whole(all, good.length > 0, marks);
+    },
+    confidence: ({ options }, value) => options.includes(value) ? made("open", null, 0) : made("unclear", null, 0),
+    drawn: () => made("open", null, 0)
+  };
+  function made(verdict, marks, of, shown = [], beliefs = []) {
+    return { verdict, marks, of, shown, beliefs };
+  }
+  function whole(right, some, of, shown = [], beliefs = []) {
+    if (right) return made("right", of, of, [...shown, "explain"]);
+    return made(some ? "partly" : "wrong", 0, of, shown, beliefs);
+  }
+  function chosen(picked, key, right, some, of) {
+    const shown = picked.map((item2) => `option-${item2}`).filter((name) => key.feedback.includes(name));
+    const beliefs = picked.flatMap(
+      (item2) => Object.hasOwn(key.beliefs, item2) ? key.beliefs[item2] : []
+    );
+    return whole(right, some, of, shown, beliefs);
+  }
+  function written(value, of) {
+    return typeof value === "string" ? made("open", null, of, ["explain"]) : made("unclear", null, of, ["explain"]);
+  }
+  function known(key, k, of) {
+    if (k < 0) return whole(false, false, of);
+    const shown = key.feedback.includes(`wrong-${k}`) ? [`wrong-${k}`] : [];
+    return whole(false, false, of, shown, key.wrong[k].belief ? [key.wrong[k].belief] : []);
+  }
+  function near(value, answer, tolerance, of, key = null) {
+    if (typeof value !== "number" || !Number.isFinite(value)) return made("unclear", 0, of);
+    if (Math.abs(value - answer) <= tolerance * NEAR) return whole(true, false, of);
+    const k = (key?.wrong ?? []).findIndex(
+      (wrong2) => Math.abs(value - wrong2.value) <= wrong2.tolerance * NEAR
+    );
+    return known(key, k, of);
+  }
+
+  // src/question/feedback.js
+  var WORDS = {
+    right: "Right.",
+    partly: "Partly right. Look again.",
+    wrong: "Not yet. Think again.",
+    open: "Written down.",
+    empty: "Answer first.",
+    unclear: "This cannot be read."
+  };
+  var SHOW_AFTER = 3;
+  var Feedback = class {
+    /**
+     * @param {HTMLElement} root the question, with its facts
+     * @param {() => {value: any, own: number | null, tries: number} | null} attempt
+     */
+    constructor(root, attempt) {
+      this.root = root;
+      this.place = need(root, ".carts-q-feedback");
+      root.querySelector(".carts-q-check")?.addEventListener("click", () => {
+        const tried = attempt();
+        if (tried) this.#show(tried);
+      });
+      const hints = (
+        /** @type {HTMLElement[]} */
+        [...need(root, ".carts-q-hints").children]
+      );
+      const more = (
+        /** @type {HTMLButtonElement | null} */
+        root.querySelector(".carts-q-hint")
+      );
+      more?.addEventListener("click", () => {
+        const next = hints.find((hint) => hint.hidden);
+        if (next) next.hidden = false;
+        more.disabled = !hints.some((hint) => hint.hidden);
+      });
+    }
+    /** The answer has changed: what was said is about another one. */
+    stale() {
+      this.place.replaceChildren();
+      delete this.root.dataset.verdict;
+    }
+    /** @param {{value: any, own: number | null, tries: number}} tried */
+    #show({ value, own, tries }) {
+      const facts = (
+        /** @type {any} */
+        this.root.facts
+      );
+      const found2 = mark(facts, value, own);
+      this.root.dataset.verdict = found2.verdict;
+      const names = new Set(found2.shown);
+      if (tries >= SHOW_AFTER) names.add("explain");
+      this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found2.verdict]));
+      if (own !== null && tries >= SHOW_AFTER && found2.verdict !== "right") {
+        this.place.append(
+          html("p", "", `Your run says ${Number(own.toPrecision(3))} ${facts.unit}.`)
+        );
+      }
+      for (const name of names) {
+        const template = this.root.querySelector(`template[data-for="${CSS.escape(name)}"]`);
+        if (template instanceof HTMLTemplateElement) {
+          const part2 = html("div", "carts-q-said");
+          part2.append(template.content.cloneNode(true));
+          this.place.append(part2);
+        }
+      }
+    }
+  };
+
+  // src/question/plain-text.js
+  function plainText(place2) {
+    if (!place2) return "";
+    const copy = (
+      /** @type {Element} */
+      place2.cloneNode(true)
+    );
+    for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
+    return (copy.textContent ?? "").replace(/\s+/g, " ").trim();
+  }
+
+  // src/question/forms/arrange.js
+  function orderForm(root, changed) {
+    const list = (
+      /** @type {HTMLElement} */
+      root.querySelector(".carts-q-lines")
+    );
+    let touched = false;
+    const items2 = () => (
+      /** @type {HTMLElement[]} */
+      [...list.children]
+    );
+    const buttons = () => (
+      /** @type {HTMLButtonElement[]} */
+      [...list.querySelectorAll("button")]
+    );
+    list.addEventListener("click", ({ target }) => {
+      const button2 = (
+        /** @type {Element} */
+        target.closest("button")
+      );
+      const item2 = button2?.closest("li");
+      if (!button2 || !item2) return;
+      const up = button2.classList.contains("carts-q-up");
+      const other = up ? item2.previousElementSibling : item2.nextElementSibling;
+      if (other) list.insertBefore(up ? item2 : other, up ? other : item2);
+      touched = true;
+      button2.focus();
+      changed();
+    });
+    return {
+      get value() {
+        return touched ? items2().map((item2) => item2.dataset.line) : null;
+      },
+      set value(value) {
+        touched = Array.isArray(value) && value.length > 0;
+        const order = Array.isArray(value) && touched ? value : [...items2().map((item2) => item2.dataset.line)].sort();
+        for (const line of order) {
+          const item2 = items2().find((one) => one.dataset.line === line);
+          if (item2) list.append(item2);
+        }
+      },
+      enable(on) {
+        for (const button2 of buttons()) button2.disabled = !on;
+      },
+      said: () => touched ? items2().map((item2) => plainText(item2.querySelector(".carts-q-text"))).join(" → ") : ""
+    };
+  }
+  function matchForm(root, changed) {
+    const rows2 = (
+      /** @type {HTMLElement[]} */
+      [...root.querySelectorAll("[data-left]")]
+    );
+    const select = (row) => (
+      /** @type {HTMLSelectElement} */
+      row.querySelector("select")
+    );
+    const text = (place2) => plainText(place2?.querySelector(".carts-q-text"));
+    for (const row of rows2) select(row).addEventListener("change", changed);
+    const chosen2 = () => rows2.filter((row) => select(row).value);
+    return {
+      get value() {
+        return Object.fromEntries(chosen2().map((row) => [row.dataset.left, select(row).value]));
+      },
+      set value(value) {
+        for (const row of rows2) {
+          const left = String(row.dataset.left);
+          select(row).value = value && Object.hasOwn(value, left) ? String(value[left]) : "";
+        }
+      },
+      enable(on) {
+        for (const row of rows2) select(row).disabled = !on;
+      },
+      said: () => chosen2().map((row) => {
+        const right = root.querySelector(`[data-right="${CSS.escape(select(row).value)}"]`);
+        return `${text(row)} – ${text(right)}`;
+      }).join("; ")
+    };
+  }
+
+  // src/question/forms/choice.js
+  function choiceForm(root, changed) {
+    const body = (
+      /** @type {HTMLElement} */
+      root.querySelector(".carts-q-body")
+    );
+    const inputs = (
+      /** @type {HTMLInputElement[]} */
+      [...body.querySelectorAll("input")]
+    );
+    const several = inputs.some((input) => input.type === "checkbox");
+    for (const input of inputs) input.addEventListener("change", changed);
+    const picked = () => inputs.filter((input) => input.checked);
+    return {
+      get value() {
+        const values = picked().map((input) => input.value);
+        return several ? values.sort() : values[0] ?? null;
+      },
+      set value(value) {
+        const values = several ? Array.isArray(value) ? value : [] : [value];
+        for (const input of inputs) input.checked = values.includes(input.value);
+      },
+      enable(on) {
+        for (const input of inputs) input.disabled = !on;
+      },
+      said: () => picked().map((input) => words(input.closest("label"))).join("; ")
+    };
+  }
+  function words(label) {
+    const letter = label?.querySelector(".carts-q-letter")?.textContent;
+    const text = plainText(label?.querySelector(".carts-q-text"));
+    return letter ? `${letter}: ${text}` : text;
+  }
+
+  // src/trajectory.js
+  function rowAt(times, t) {
+    let low = 0;
+    let high = times.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt(times, values, slopes, t) {
+    const k = rowAt(times, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times.length - 1) return Number(values[values.length - 1]);
+    return hermite(times, values, slopes, k, t);
+  }
+  function hermite(times, values, slopes, k, t) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, i) => c[i])
+    );
+    const h = at(times, k + 1) - at(times, k);
+    const s = (t - at(times, k)) / h;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const r = 1 - s;
+    return at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+  }
+
+  // src/question/marking/typed-number.js
+  var LONGEST2 = 40;
+  var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
+  var GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
+  function readNumber(typed, units) {
+    const text = typed.trim().replace(/[−–]/g, "-");
+    if (!text) return { problem: "Type a number, for example 0.5" };
+    if (text.length > LONGEST2) return { problem: "That is too long for a number." };
+    const grouped = GROUPED.exec(text);
+    if (grouped) return { problem: twoReadings(String(grouped[1])) };
+    const found2 = NUMBER.exec(text);
+    if (!found2) return { problem: `“${text}” is not a number. Type for example 0.5` };
+    const number = String(found2[1]);
+    const unit = (found2[2] ?? "").replace(/μ/g, "µ");
+    const factor = unit ? Object.hasOwn(units, unit) ? units[unit] : void 0 : 1;
+    if (factor === void 0) {
+      const known2 = Object.keys(units).filter(Boolean).join(", ");
+      return { problem: `“${found2[2]}” does not fit here. Units: ${known2}` };
+    }
+    const value = Number(number.replace(",", ".")) * factor;
+    return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
+  }
+  function twoReadings(text) {
+    const whole2 = text.replaceAll(",", "");
+    if (text.split(",").length > 2) return `Type ${whole2} without commas.`;
+    const decimal = String(Number(text.replace(",", ".")));
+    return `${text} can mean ${decimal} or ${whole2}: type ${decimal} or ${whole2}`;
+  }
+
+  // src/question/forms/run.js
+  var KILOGRAMS = { kg: 1, g: 1e-3, mg: 1e-6, t: 1e3 };
+  function ownReading(facts) {
+    const scene = (
+      /** @type {any} */
+      document.getElementById(facts.scene)
+    );
+    const run = scene?.trajectory;
+    const set = changes.get(scene) ?? {};
+    if (!run) return { own: null, set };
+    const value = reading(run, masses(scene), facts.quantity, facts.at);
+    return { own: value === null ? null : value / facts.per, set };
+  }
+  function reading(run, mass, quantity, at) {
+    const [what, ...rest] = quantity.split(".");
+    const whose = rest.join(".");
+    const column = (what === "p" ? run.v : run[String(what)])?.[whose];
+    if (!column?.length) return null;
+    const factor = what === "p" ? mass[whose] ?? Number.NaN : 1;
+    const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
+    if (at === "largest") {
+      let most = 0;
+      for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
+      return most * factor;
+    }
+    const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
+    return valueAt(run.t, column, slopes, t) * factor;
+  }
+  var changes = /* @__PURE__ */ new WeakMap();
+  document.addEventListener("carts-update", (event) => {
+    const { target, detail } = (
+      /** @type {CustomEvent} */
+      event
+    );
+    if (target instanceof Element) changes.set(target, detail);
+  });
+  function masses(scene) {
+    const found2 = {};
+    const baked = scene?.querySelector("script.carts-baked")?.textContent;
+    for (const body of JSON.parse(baked ?? "{}").bodies ?? []) found2[body.name] = body.mass;
+    for (const [path, value] of Object.entries(changes.get(
+      /** @type {Element} */
+      scene
+    ) ?? {})) {
+      if (!path.endsWith(".mass")) continue;
+      const mass = readNumber(String(value), KILOGRAMS);
+      if ("value" in mass) found2[path.slice(0, -".mass".length)] = mass.value;
+    }
+    return found2;
+  }
+  function drawnForm(root, _changed, facts) {
+    const done = (
+      /** @type {HTMLElement} */
+      root.querySelector(".carts-q-done")
+    );
+    return {
+      value: null,
+      enable: () => {
+      },
+      said: () => "",
+      follow: (book2) => {
+        const entry = book2.get("worksheet", facts.scene);
+        const locked = entry && !isEmpty(entry.value) && entry.locked;
+        done.textContent = locked ? "✓ done" : "";
+      }
+    };
+  }
+
+  // src/question/forms/typed.js
+  function wordsForm(root, changed) {
+    const box = typedBox(root, changed);
+    return {
+      get value() {
+        return box.value;
+      },
+      set value(value) {
+        box.value = typeof value === "string" ? value : "";
+      },
+      enable: (on) => {
+        box.readOnly = !on;
+      },
+      said: () => box.value
+    };
+  }
+  function numberForm(root, changed, facts) {
+    const box = typedBox(root, changed);
+    const read = () => readNumber(box.value, facts.units);
+    return {
+      get value() {
+        if (!box.value.trim()) return null;
+        const found2 = read();
+        return "value" in found2 ? found2.value : box.value;
+      },
+      set value(value) {
+        box.value = value === null || value === void 0 ? "" : String(value);
+      },
+      enable: (on) => {
+        box.readOnly = !on;
+      },
+      said: () => {
+        const bare = /^[\s+\-−–\d.,eE]*$/.test(box.value);
+        return box.value.trim() && bare && facts.unit ? `${box.value.trim()} ${facts.unit}` : box.value.trim();
+      },
+      recall: (said) => {
+        const unit = facts.unit ? ` ${facts.unit}` : "";
+        box.value = unit && said.endsWith(unit) ? said.slice(0, -unit.length) : said;
+      },
+      problem: () => {
+        const found2 = read();
+        return "problem" in found2 ? found2.problem : "";
+      }
+    };
+  }
+  function typedBox(root, changed) {
+    const box = (
+      /** @type {HTMLInputElement | HTMLTextAreaElement} */
+      root.querySelector(".carts-q-typed")
+    );
+    box.addEventListener("input", changed);
+    return box;
+  }
+
+  // src/question/element.js
+  var FORMS2 = {
+    single: choiceForm,
+    multiple: choiceForm,
+    confidence: choiceForm,
+    number: numberForm,
+    reading: numberForm,
+    short: wordsForm,
+    long: wordsForm,
+    ordering: orderForm,
+    matching: matchForm,
+    drawn: drawnForm
+  };
+  var ASKED = 300;
+  function questionElement(book2) {
+    return class CartsQuestion extends HTMLElement {
+      /** @type {Form | null} */
+      #form = null;
+      /** @type {Feedback | null} */
+      #feedback = null;
+      /** @type {any} */
+      #entry = null;
+      #early = false;
+      // something was typed before the earlier answers were back
+      #writes = 0;
+      closed = false;
+      connectedCallback() {
+        if (this.#form) return;
+        this.facts = JSON.parse(need(this, "script.carts-q-facts").textContent ?? "{}");
+        this.formName = this.closest("carts-quiz")?.getAttribute("data-form") ?? "worksheet";
+        const make = FORMS2[this.facts.type];
+        if (!make) return;
+        this.#form = make(this, () => this.#changed(), this.facts);
+        this.#entry = this.#fresh();
+        for (const radio of this.#certainty()) {
+          radio.addEventListener("change", () => this.#changed());
+        }
+        if (this.facts.key) this.#feedback = new Feedback(this, () => this.#attempt());
+        book2.addEventListener("elsewhere", (event) => {
+          const key = (
+            /** @type {CustomEvent} */
+            event.detail
+          );
+          if (key === book2.key(this.formName ?? "worksheet", this.facts.id)) this.#show();
+        });
+        book2.addEventListener("change", () => this.#form?.follow?.(book2));
+        void book2.ready.then(() => this.#restore());
+      }
+      /** Whether this question has an answer now. */
+      get answered() {
+        return !isEmpty(this.#form?.value);
+      }
+      /** The answer as it stands. */
+      get value() {
+        return this.#form?.value ?? null;
+      }
+      /** No more changes: the form was handed in, or is over. @param {boolean} closed */
+      close(closed) {
+        this.closed = closed;
+        this.#form?.enable(!closed);
+        for (const radio of this.#certainty()) radio.disabled = closed;
+        need(this, ".carts-q-row").hidden = closed || !this.#feedback;
+      }
+      #fresh() {
+        const { id, hash: hash2, type } = this.facts;
+        return { id, hash: hash2, type, value: null, first: null, last: null, tries: 0 };
+      }
+      #certainty() {
+        return (
+          /** @type {HTMLInputElement[]} */
+          [...this.querySelectorAll(".carts-q-sure input")]
+        );
+      }
+      async #restore() {
+        if (this.#early) await this.#keep();
+        else this.#show();
+        this.#form?.follow?.(book2);
+      }
+      /** Shows what is kept; an answer to another version of the question is shown beside it. */
+      #show() {
+        const found2 = book2.get(this.formName ?? "worksheet", this.facts.id);
+        if (!found2 || !this.#form) return;
+        const current = found2.hash === this.facts.hash && found2.type === this.facts.type;
+        const earlier = [
+          ...found2.earlier ?? [],
+          ...current || isEmpty(found2.value) ? [] : [found2]
+        ];
+        if (current) {
+          this.#entry = found2;
+          if (this.#form.recall && typeof found2.said === "string") this.#form.recall(found2.said);
+          else this.#form.value = found2.value;
+          for (const radio of this.#certainty()) radio.checked = radio.value === found2.sure;
+          this.#say(isEmpty(found2.value) ? "" : this.#keptWord());
+        }
+        this.#print();
+        this.#showEarlier(earlier);
+      }
+      /** @param {any[]} earlier */
+      #showEarlier(earlier) {
+        const place2 = need(this, ".carts-q-earlier");
+        const old = earlier.filter((entry) => !isEmpty(entry.value));
+        place2.hidden = old.length === 0;
+        place2.replaceChildren(
+          ...old.map((entry) => {
+            const line = html("p");
+            const other = entry.hash !== this.facts.hash;
+            const head = other ? "Your answer to an earlier version of this question: " : "Your other answer: ";
+            line.append(html("strong", "", head), entry.said || JSON.stringify(entry.value));
+            return line;
+          })
+        );
+      }
+      #changed() {
+        if (this.closed) return;
+        const now = (/* @__PURE__ */ new Date()).toISOString();
+        const sure = this.#certainty().find((radio) => radio.checked)?.value;
+        const entry = {
+          ...this.#entry,
+          hash: this.facts.hash,
+          value: this.#form?.value ?? null,
+          said: this.#form?.said() ?? "",
+          asked: plainText(need(this, ".carts-q-ask")).slice(0, ASKED),
+          first: this.#entry.first ?? now,
+          last: now
+        };
+        if (this.facts.unit) entry.unit = this.facts.unit;
+        if (sure) entry.sure = sure;
+        this.#entry = entry;
+        this.#feedback?.stale();
+        this.#complain("");
+        this.#print();
+        this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
+        void this.#keep();
+      }
+      async #keep() {
+        this.#writes += 1;
+        const mine = this.#writes;
+        this.#early = !book2.store;
+        this.#say("Saving…");
+        try {
+          await book2.put(this.formName ?? "worksheet", this.#entry);
+          if (mine === this.#writes) this.#say(this.#keptWord());
+        } catch {
+          this.#say("Not saved");
+        }
+      }
+      #keptWord() {
+        return book2.store?.kind === "memory" ? "Not saved" : "Saved";
+      }
+      /** One press on Check: what was answered, and the run that it was read off. */
+      #attempt() {
+        const problem = this.#form?.problem?.() ?? "";
+        if (!this.answered || problem) {
+          this.#complain(problem || "Answer first.");
+          return null;
+        }
+        let own = null;
+        if (this.facts.type === "reading") {
+          const found2 = ownReading(this.facts);
+          own = found2.own;
+          if (own === null) {
+            this.#complain("Run the scene first: lock your prediction there.");
+            return null;
+          }
+          this.#entry = { ...this.#entry, own, set: found2.set };
+        }
+        this.#entry = { ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 };
+        void this.#keep();
+        return { value: this.#form?.value, own, tries: this.#entry.tries };
+      }
+      /** The answer in words, for paper. */
+      #print() {
+        const said = this.#form?.said() ?? "";
+        const free = ["short", "long", "number", "reading", "ordering"].includes(this.facts.type);
+        say(need(this, ".carts-q-printed"), free ? said : "");
+        this.toggleAttribute("data-answered", this.answered);
+      }
+      /** @param {string} word */
+      #say(word) {
+        const place2 = need(this, ".carts-q-saved");
+        say(place2, word);
+        place2.classList.toggle("carts-q-unsaved", word === "Not saved");
+      }
+      /** @param {string} problem */
+      #complain(problem) {
+        const place2 = need(this, ".carts-q-error");
+        say(place2, problem);
+        place2.hidden = !problem;
+      }
+    };
+  }
+
+  // src/answers-main.js
+  var book = new Book();
+  customElements.define("carts-question", questionElement(book));
+  customElements.define("carts-quiz", quizElement(book));
+  var panel = new Panel(book);
+  new Bar(book, () => void panel.open());
+})();

@@ -1,0 +1,13 @@
+/** The script of every page: keeps answers and shows the panel “My answers”. It starts no Python. */
+
+import { Bar } from "./answers/bar.js";
+import { Book } from "./answers/book.js";
+import { Panel } from "./answers/panel.js";
+import { questionElement } from "./question/element.js";
+import { quizElement } from "./question/quiz.js";
+
+const book = new Book();
+customElements.define("carts-question", questionElement(book));
+customElements.define("carts-quiz", quizElement(book));
+const panel = new Panel(book);
+new Bar(book, () => void panel.open());

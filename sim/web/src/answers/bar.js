@@ -1,0 +1,64 @@
+/**
+ * The line at the foot of the window: who works here, how much is done, whether it is kept, and the
+ * button “My answers”. It floats, so that nothing of the page moves when it comes.
+ */
+
+import { html, say } from "../dom.js";
+import { outline } from "./outline.js";
+
+export class Bar {
+  /** @param {import("./book.js").Book} book @param {() => void} openPanel */
+  constructor(book, openPanel) {
+    this.book = book;
+    this.root = html("aside", "carts carts-bar");
+    this.root.setAttribute("aria-label", "My answers");
+    this.who = html("span", "carts-bar-who");
+    this.meter = document.createElement("progress");
+    this.meter.setAttribute("aria-label", "questions answered on this page");
+    this.count = html("span", "carts-bar-count");
+    const button = html("button", "carts-button carts-bar-open", "My answers");
+    button.setAttribute("type", "button");
+    button.setAttribute("aria-haspopup", "dialog");
+    button.addEventListener("click", openPanel);
+    this.warning = html("p", "carts-bar-warning");
+    this.warning.setAttribute("role", "alert");
+    this.warning.hidden = true;
+    const row = html("div", "carts-bar-row");
+    row.append(this.who, this.meter, this.count, button);
+    this.root.append(this.warning, row);
+    if (!outline()) this.root.classList.add("carts-bar-small");
+    document.body.append(this.root);
+    this.onPaper = html("p", "carts-print-head");
+    if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
+    book.addEventListener("change", () => this.show());
+    void book.ready.then(() => {
+      this.show();
+      this.root.dataset.ready = ""; // what was kept is back
+    });
+  }
+
+  show() {
+    const { done, of } = this.book.progress();
+    this.meter.hidden = of === 0;
+    this.meter.max = of || 1;
+    this.meter.value = done;
+    say(this.count, of ? `${done} of ${of}` : "");
+    say(this.who, this.book.student || (outline() ? "no code word yet" : ""));
+    const code = this.book.student;
+    say(this.onPaper, code ? `Code word: ${code}` : "Code word: ____________________");
+    const warning = this.#warning();
+    say(this.warning, warning);
+    this.warning.hidden = !warning;
+  }
+
+  #warning() {
+    if (!outline()) return "";
+    if (this.book.refused) {
+      return "This browser refuses to keep more. Press “My answers” and save your file now.";
+    }
+    if (this.book.store?.how === "memory") {
+      return "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave.";
+    }
+    return "";
+  }
+}

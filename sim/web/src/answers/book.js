@@ -1,0 +1,184 @@
+/** The answers of one page and one student: read once, written at every input, told to other tabs. */
+
+import { forStudent, openAll, place, readStudent, writeStudent } from "../storage.js";
+import { isEmpty, keepEarlier, merged } from "./entry.js";
+import { isCurrent, outline } from "./outline.js";
+
+/** @typedef {import("./entry.js").Entry} Entry */
+
+export class Book extends EventTarget {
+  student = "";
+  /** @type {import("../storage.js").Store | null} */
+  store = null;
+  /** @type {import("../storage.js").Store | null} */
+  all = null;
+  /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
+  /** @type {Map<string, any>} */
+  #known = new Map();
+  /** @type {BroadcastChannel | null} */
+  #channel = null;
+  refused = false;
+  /** @type {Set<Promise<void>>} */
+  #writing = new Set();
+
+  constructor() {
+    super();
+    const { site, page } = place();
+    this.site = site;
+    this.page = page;
+    /** @type {Promise<void>} */
+    this.ready = this.#open();
+  }
+
+  /** The key of an answer. @param {string} form @param {string} id */
+  key(form, id) {
+    return form === "worksheet" ? `${this.page}#${id}` : `${this.page}#${form}:${id}`;
+  }
+
+  /** @param {string} form @param {string} id @returns {any} */
+  get(form, id) {
+    return this.#known.get(this.key(form, id)) ?? null;
+  }
+
+  /** Every answer of this student that the browser lets this page see. @returns {[string, any][]} */
+  entries() {
+    return [...this.#known];
+  }
+
+  /** Resolves when the browser says that it is kept; rejects when it refuses. @param {string} form @param {any} entry */
+  async put(form, entry) {
+    await this.ready;
+    const key = this.key(form, entry.id);
+    this.#known.set(key, keepEarlier(this.#known.get(key), { ...entry, form }));
+    const work = this.#write(key, { ...entry, form });
+    this.#writing.add(work);
+    try {
+      await work;
+    } finally {
+      this.#writing.delete(work);
+      this.dispatchEvent(new CustomEvent("change", { detail: key }));
+    }
+  }
+
+  /** Takes answers from a file in, losing neither side. @param {string} student @param {[string, any][]} found @returns {Promise<number>} how many are new or changed */
+  async take(student, found) {
+    await this.ready;
+    if (!this.all) return 0;
+    const { all } = this;
+    const here = new Map(await forStudent(all, student).entries());
+    const changed = found
+      .map(([key, entry]) => ({ key, old: here.get(key), both: merged(here.get(key), entry) }))
+      .filter(({ old, both }) => JSON.stringify(both) !== JSON.stringify(old));
+    await Promise.all(
+      changed.map(({ key, both }) => all.put(student ? `@${student}/${key}` : key, both)),
+    );
+    if (student === this.student) for (const { key } of changed) this.#tell(key);
+    await this.#read();
+    this.dispatchEvent(new CustomEvent("change", { detail: null }));
+    for (const [key] of student === this.student ? found : []) {
+      this.dispatchEvent(new CustomEvent("elsewhere", { detail: key }));
+    }
+    return changed.length;
+  }
+
+  /** From now on another student works here; the page is read anew. @param {string} code @param {boolean} carry take along what was answered without a code */
+  async become(code, carry = false) {
+    await this.ready;
+    if (!this.all) return;
+    if (carry) {
+      const loose = await forStudent(this.all, "").entries();
+      await this.take(code, loose);
+      for (const [key] of loose) await this.all.remove(key);
+    }
+    await writeStudent(this.all, code);
+    this.#channel?.postMessage({ student: code });
+  }
+
+  /** Whether a student has answers here. @param {string} code @returns {Promise<boolean>} */
+  async has(code) {
+    await this.ready;
+    return this.all ? (await forStudent(this.all, code).entries()).length > 0 : false;
+  }
+
+  /** Forgets this student's answers, or everybody's. @param {boolean} everybody */
+  async forget(everybody) {
+    await this.ready;
+    await Promise.allSettled(this.#writing);
+    if (!this.all || !this.store) return;
+    if (everybody) for (const [key] of await this.all.entries()) await this.all.remove(key);
+    else for (const [key] of await this.store.entries()) await this.store.remove(key);
+    await writeStudent(this.all, "");
+    this.#known.clear();
+    this.#channel?.postMessage({ student: "" });
+  }
+
+  /** How much of this page is answered. @returns {{done: number, of: number}} */
+  progress() {
+    const items = (outline()?.items ?? []).filter(
+      (item) => item.form === "worksheet" && item.level !== "stretch" && item.type !== "drawn",
+    );
+    const done = items.filter((item) => {
+      const entry = this.get(item.form, item.id);
+      const predicted = ["arrows", "curve", "choice", "text"].includes(item.type);
+      return entry && isCurrent(entry) && (predicted ? entry.locked : !isEmpty(entry.value));
+    });
+    return { done: done.length, of: items.length };
+  }
+
+  async #open() {
+    this.all = await openAll(this.site);
+    this.student = await readStudent(this.all);
+    this.store = forStudent(this.all, this.student);
+    await this.#read();
+    if (typeof BroadcastChannel === "function") {
+      this.#channel = new BroadcastChannel(`carts:${this.site}`);
+      this.#channel.onmessage = ({ data }) => void this.#hear(data);
+    }
+    document.addEventListener("carts-kept", () => void this.#refresh());
+  }
+
+  async #read() {
+    for (const [key, entry] of (await this.store?.entries().catch(() => [])) ?? []) {
+      const known = this.#known.get(key);
+      if (!known || String(known.last ?? "") <= String(entry?.last ?? "")) {
+        this.#known.set(key, entry);
+      }
+    }
+  }
+
+  /** A prediction was kept by the scene's own script. */
+  async #refresh() {
+    await this.#read();
+    this.dispatchEvent(new CustomEvent("change", { detail: null }));
+  }
+
+  /** @param {string} key @param {any} entry */
+  async #write(key, entry) {
+    try {
+      await this.store?.put(key, entry);
+    } catch (error) {
+      this.refused = true;
+      throw error;
+    }
+    this.#tell(key);
+  }
+
+  /** @param {string} key */
+  #tell(key) {
+    this.#channel?.postMessage({ key, student: this.student });
+  }
+
+  /** Another tab wrote something. @param {any} told */
+  async #hear(told) {
+    if (!told?.key) {
+      if (typeof told?.student === "string" && told.student !== this.student) location.reload();
+      return;
+    }
+    if (told.student !== this.student) return;
+    const entry = await this.store?.get(told.key).catch(() => null);
+    if (!entry) return;
+    this.#known.set(told.key, entry);
+    this.dispatchEvent(new CustomEvent("change", { detail: told.key }));
+    this.dispatchEvent(new CustomEvent("elsewhere", { detail: told.key }));
+  }
+}

@@ -1,0 +1,109 @@
+/** Files: save, table for a spreadsheet, print, and bring answers back in from a file. */
+
+import { html, say } from "../dom.js";
+import { csvText } from "./csv.js";
+import { download } from "./download.js";
+import { fileName, makeFiles, readFile } from "./file.js";
+import { button, clock, part, status } from "./parts.js";
+
+const NAMES = /** @type {Record<string, string>} */ ({
+  worksheet: "worksheet",
+  pre: "test before",
+  post: "test after",
+  delayed: "last test",
+});
+const MOST_BYTES = 4_000_000;
+
+/** @param {import("./book.js").Book} book @returns {{root: HTMLElement, draw: () => void}} */
+export function filesPart(book) {
+  const root = part("files", "Hand in: save a file");
+  const table = html("div", "carts-answers-table");
+  const told = status();
+  root.append(table, told, importRow(book, told));
+  const draw = () => table.replaceChildren(...rows(book, told));
+  draw();
+  return { root, draw };
+}
+
+/** @param {import("./book.js").Book} book @param {HTMLElement} told @returns {Node[]} */
+function rows(book, told) {
+  const files = makeFiles(book.entries(), book, new Date().toISOString());
+  files.sort((a, b) => Number(b.page === book.page) - Number(a.page === book.page));
+  if (!files.length) return [html("p", "carts-quiet", "Nothing has been answered yet.")];
+  return files.map((file) => {
+    const row = html("div", "carts-answers-file");
+    const count = file.content.items.length;
+    const last = file.content.items
+      .map((/** @type {any} */ item) => item.last)
+      .sort()
+      .pop();
+    const name = html("span", "carts-answers-name");
+    name.append(
+      html("strong", "", file.lesson),
+      ` · ${NAMES[file.form]} · ${count} ${count === 1 ? "answer" : "answers"}`,
+    );
+    if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
+    const save = button(
+      "Save file",
+      () => {
+        const [fresh] = makeFiles(book.entries(), book, new Date().toISOString()).filter(
+          (one) => one.page === file.page && one.form === file.form,
+        );
+        const content = (fresh ?? file).content;
+        download(file.name, `${JSON.stringify(content, null, 1)}\n`, "application/json");
+        say(
+          told,
+          `Saved as ${file.name}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.`,
+        );
+      },
+      "carts-answers-save",
+    );
+    const csv = button(
+      "Table (CSV)",
+      () => {
+        download(
+          fileName(file.lesson, file.form, book.student, "csv"),
+          csvText(file.content),
+          "text/csv",
+        );
+        say(told, "Saved. A spreadsheet program opens it.");
+      },
+      "carts-answers-csv",
+    );
+    row.append(name, save, " ", csv);
+    return row;
+  });
+}
+
+/** @param {import("./book.js").Book} book @param {HTMLElement} told */
+function importRow(book, told) {
+  const row = html("p", "carts-answers-import");
+  const label = html("label", "", "Bring answers back from a file ");
+  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-open"));
+  Object.assign(box, { type: "file", accept: ".json,application/json" });
+  label.append(box);
+  row.append(label);
+  box.addEventListener("change", async () => {
+    const file = box.files?.[0];
+    if (!file) return;
+    const text =
+      file.size > MOST_BYTES ? " ".repeat(MOST_BYTES) : await file.text().catch(() => "");
+    const found = readFile(text, book.site);
+    if ("problem" in found) return say(told, found.problem);
+    const changed = await book.take(found.student, found.entries).catch(() => -1);
+    if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
+    box.value = "";
+    const whose =
+      found.student === book.student
+        ? ""
+        : ` They belong to ${found.student || "somebody without a code word"}: continue under that code word to see them.`;
+    say(
+      told,
+      `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file; nothing that was here is lost.${whose}`,
+    );
+    // A scene takes its prediction up only when the page is read.
+    const predicted = found.entries.some(([, entry]) => entry.locked);
+    if (!whose && changed && predicted) setTimeout(() => location.reload(), 1500);
+  });
+  return row;
+}

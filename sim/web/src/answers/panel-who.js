@@ -1,0 +1,73 @@
+/** New student, or continue as … by the code word from a printed card. Nobody else's answers are shown. */
+
+import { html, say } from "../dom.js";
+import { readCode } from "./codes.js";
+import { button, part, status } from "./parts.js";
+
+/** @param {import("./book.js").Book} book @returns {HTMLElement} */
+export function whoPart(book) {
+  const root = part("who", "Who works here");
+  const { student } = book;
+  const now = student
+    ? `These are the answers of ${student}.`
+    : "No code word yet: the next person at this computer sees these answers.";
+  const label = html(
+    "label",
+    "",
+    student ? "Somebody else? Code word " : "Code word from your card ",
+  );
+  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-code"));
+  Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
+  box.placeholder = "BLUE-FOX-27";
+  label.append(box);
+  const told = status();
+  const choices = html("p", "carts-answers-choices");
+  const go = button("Continue", () => void look(), "carts-answers-go");
+  box.addEventListener("keydown", ({ key }) => {
+    if (key === "Enter") void look();
+  });
+  const row = html("p");
+  row.append(label, " ", go);
+  const two = html("p", "carts-quiet", "Two students at one computer: both code words with a +.");
+  root.append(html("p", "carts-answers-now", now), row, told, choices, two);
+
+  async function look() {
+    choices.replaceChildren();
+    const found = readCode(box.value);
+    if ("problem" in found) return say(told, found.problem);
+    const { code } = found;
+    if (code === student) return say(told, "That is who works here now.");
+    const loose = !student && book.entries().length > 0;
+    const known = await book.has(code);
+    if (known && !loose) return become(code, false);
+    say(told, question(code, known, loose));
+    if (loose) {
+      choices.append(
+        button(
+          "They are mine: take them along",
+          () => void become(code, true),
+          "carts-answers-mine",
+        ),
+        " ",
+      );
+      choices.append(button("Leave them", () => void become(code, false)));
+    } else
+      choices.append(
+        button(`Begin as ${code}`, () => void become(code, false), "carts-answers-begin"),
+      );
+    choices.querySelector("button")?.focus();
+  }
+
+  /** @param {string} code @param {boolean} carry */
+  async function become(code, carry) {
+    await book.become(code, carry);
+    location.reload();
+  }
+  return root;
+}
+
+/** @param {string} code @param {boolean} known @param {boolean} loose */
+function question(code, known, loose) {
+  const first = known ? "" : `On this computer there is nothing of ${code} yet. `;
+  return loose ? `${first}Somebody has answered here without a code word. Was that you?` : first;
+}

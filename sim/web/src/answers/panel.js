@@ -1,0 +1,45 @@
+/** “My answers”: who works here, files, what was answered, and how to hand in. One on every page. */
+
+import { html } from "../dom.js";
+import { filesPart } from "./panel-files.js";
+import { leavePart } from "./panel-leave.js";
+import { listPart } from "./panel-list.js";
+import { whoPart } from "./panel-who.js";
+
+export class Panel {
+  /** @param {import("./book.js").Book} book */
+  constructor(book) {
+    this.book = book;
+    this.root = document.createElement("dialog");
+    this.root.className = "carts carts-answers";
+    this.root.setAttribute("aria-labelledby", "carts-answers-title");
+    document.body.append(this.root);
+    book.addEventListener("change", () => {
+      if (this.root.open) this.#files?.();
+    });
+  }
+
+  /** @type {(() => void) | null} draws the table of files anew */
+  #files = null;
+
+  async open() {
+    await this.book.ready;
+    const title = html("h2", "carts-answers-title", "My answers");
+    title.id = "carts-answers-title";
+    const close = html("button", "carts-button carts-answers-close", "Close");
+    close.setAttribute("type", "button");
+    close.addEventListener("click", () => this.root.close());
+    const head = html("div", "carts-answers-head");
+    head.append(title, close);
+    const files = filesPart(this.book);
+    this.#files = files.draw;
+    this.root.replaceChildren(
+      head,
+      whoPart(this.book),
+      files.root,
+      listPart(this.book),
+      leavePart(this.book),
+    );
+    if (!this.root.open) this.root.showModal();
+  }
+}

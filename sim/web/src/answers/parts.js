@@ -1,0 +1,53 @@
+/** Pieces that the parts of the panel share. */
+
+import { html } from "../dom.js";
+
+/** A part of the panel with its heading. @param {string} name of the class @param {string} title @returns {HTMLElement} */
+export function part(name, title) {
+  const made = html("section", `carts-answers-part carts-answers-${name}`);
+  made.append(html("h3", "", title));
+  return made;
+}
+
+/** @param {string} text @param {() => void} act @param {string} name of the class @returns {HTMLButtonElement} */
+export function button(text, act, name = "") {
+  const made = /** @type {HTMLButtonElement} */ (
+    html("button", `carts-button ${name}`.trim(), text)
+  );
+  made.type = "button";
+  made.addEventListener("click", act);
+  return made;
+}
+
+/** A button that asks before it acts, in the page. @param {string} text @param {string} question @param {string} yes @param {() => void} act @param {string} name */
+export function askingButton(text, question, yes, act, name) {
+  const row = html("p", `carts-answers-asking ${name}`);
+  const first = button(text, () => ask(true));
+  const asked = html("span", "", `${question} `);
+  const no = button("No", () => ask(false), "carts-answers-no");
+  asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+  asked.hidden = true;
+  row.append(first, asked);
+  /** @param {boolean} on */
+  function ask(on) {
+    first.hidden = on;
+    asked.hidden = !on;
+    (on ? no : first).focus();
+  }
+  return row;
+}
+
+/** @returns {HTMLElement} a line that is read out when its text changes */
+export function status() {
+  const made = html("p", "carts-answers-status");
+  made.setAttribute("role", "status");
+  return made;
+}
+
+/** @param {string | null | undefined} time ISO @returns {string} on this computer's clock */
+export function clock(time) {
+  const date = new Date(time ?? "");
+  return Number.isNaN(date.getTime())
+    ? ""
+    : date.toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+}

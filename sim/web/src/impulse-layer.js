@@ -1,0 +1,58 @@
+/** The shaded impulse in the force graph, with its number and m Δv of both bodies beside it. */
+
+import { need, put, say } from "./dom.js";
+import { contactForce } from "./forces.js";
+import * as g from "./graph.js";
+import { area, changes } from "./impulse.js";
+import { fixed, px } from "./numbers.js";
+import { latestTouch, touches } from "./windows.js";
+import { brief } from "./words.js";
+
+const POINTS = 40; // of the shaded outline
+
+export class ImpulseLayer {
+  /** @param {HTMLElement} root of the graph @param {import("./types.js").View} view */
+  constructor(root, view) {
+    this.shade = need(root, '[data-part="areas"]');
+    this.note = need(root, ".carts-area-note");
+    this.decimals = Math.max(3, view.decimals.p ?? 3);
+    /** @type {import("./windows.js").Touch[]} */
+    this.windows = [];
+  }
+
+  /** @param {import("./types.js").Run} run */
+  show({ header }) {
+    this.windows = touches(header.events, header.until);
+  }
+
+  /** @param {import("./types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
+  at(run, plane, t, signed) {
+    const touch = latestTouch(this.windows, t);
+    const paths = this.shade.children;
+    for (const path of paths) put(path, "d", "");
+    if (!touch) {
+      const hint = "Move into a touch: the shaded area is the impulse.";
+      return say(this.note, this.windows.length ? hint : "");
+    }
+    const end = Math.min(t, touch.end);
+    const outline = (/** @type {number} */ sign) => {
+      const points = Array.from({ length: POINTS + 1 }, (_, k) => {
+        const at = touch.start + ((end - touch.start) * k) / POINTS;
+        const force = sign * contactForce(run, touch.pair, at, 0);
+        return `${px(g.timeX(plane, at))} ${px(g.valueY(plane, force))}`;
+      });
+      const zero = px(g.valueY(plane, 0));
+      return `M${px(g.timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
+    };
+    put(/** @type {Element} */ (paths[0]), "d", outline(1));
+    if (signed) put(/** @type {Element} */ (paths[1]), "d", outline(-1));
+    const impulse = area(run, touch.pair, touch.start, end);
+    const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+    const parts = changes(run, this.windows, touch, end)
+      .filter(({ change }) => change !== null)
+      .map(({ name, change }) => `m\u00a0Δv of ${name}: ${fixed(change ?? 0, this.decimals)}`);
+    const whole = t >= touch.end ? "" : " so far";
+    const all = [`${names}, shaded area${whole}: ${amount}`, ...parts].join("; ");
+    say(this.note, `${all}, all in N\u00a0s.`);
+  }
+}

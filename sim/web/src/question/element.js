@@ -1,0 +1,221 @@
+/** `<carts-question>`: one question, saved at every input, marked where the page has the key. */
+
+import { isEmpty } from "../answers/entry.js";
+import { html, need, say } from "../dom.js";
+import { Feedback } from "./feedback.js";
+import { matchForm, orderForm } from "./forms/arrange.js";
+import { choiceForm } from "./forms/choice.js";
+import { drawnForm, ownReading } from "./forms/run.js";
+import { numberForm, wordsForm } from "./forms/typed.js";
+import { plainText } from "./plain-text.js";
+
+/**
+ * What every kind of form offers. `said` is the answer in words; `recall` brings typed words back.
+ * @typedef {{value: any, enable: (on: boolean) => void, said: () => string, recall?: (said: string) => void,
+ *   problem?: () => string, follow?: (book: import("../answers/book.js").Book) => void}} Form
+ */
+
+/** @type {Record<string, (root: HTMLElement, changed: () => void, facts: any) => Form>} */
+const FORMS = {
+  single: choiceForm,
+  multiple: choiceForm,
+  confidence: choiceForm,
+  number: numberForm,
+  reading: numberForm,
+  short: wordsForm,
+  long: wordsForm,
+  ordering: orderForm,
+  matching: matchForm,
+  drawn: drawnForm,
+};
+const ASKED = 300; // characters of the question that go with an answer
+
+/** The element class for the page's answers. @param {import("../answers/book.js").Book} book */
+export function questionElement(book) {
+  return class CartsQuestion extends HTMLElement {
+    /** @type {Form | null} */
+    #form = null;
+    /** @type {Feedback | null} */
+    #feedback = null;
+    /** @type {any} */
+    #entry = null;
+    #early = false; // something was typed before the earlier answers were back
+    #writes = 0;
+    closed = false;
+
+    connectedCallback() {
+      if (this.#form) return;
+      this.facts = JSON.parse(need(this, "script.carts-q-facts").textContent ?? "{}");
+      this.formName = this.closest("carts-quiz")?.getAttribute("data-form") ?? "worksheet";
+      const make = FORMS[this.facts.type];
+      if (!make) return;
+      this.#form = make(this, () => this.#changed(), this.facts);
+      this.#entry = this.#fresh();
+      for (const radio of this.#certainty()) {
+        radio.addEventListener("change", () => this.#changed());
+      }
+      if (this.facts.key) this.#feedback = new Feedback(this, () => this.#attempt());
+      book.addEventListener("elsewhere", (event) => {
+        const key = /** @type {CustomEvent} */ (event).detail;
+        if (key === book.key(this.formName ?? "worksheet", this.facts.id)) this.#show();
+      });
+      book.addEventListener("change", () => this.#form?.follow?.(book));
+      void book.ready.then(() => this.#restore());
+    }
+
+    /** Whether this question has an answer now. */
+    get answered() {
+      return !isEmpty(this.#form?.value);
+    }
+
+    /** The answer as it stands. */
+    get value() {
+      return this.#form?.value ?? null;
+    }
+
+    /** No more changes: the form was handed in, or is over. @param {boolean} closed */
+    close(closed) {
+      this.closed = closed;
+      this.#form?.enable(!closed);
+      for (const radio of this.#certainty()) radio.disabled = closed;
+      need(this, ".carts-q-row").hidden = closed || !this.#feedback;
+    }
+
+    #fresh() {
+      const { id, hash, type } = this.facts;
+      return { id, hash, type, value: null, first: null, last: null, tries: 0 };
+    }
+
+    #certainty() {
+      return /** @type {HTMLInputElement[]} */ ([...this.querySelectorAll(".carts-q-sure input")]);
+    }
+
+    async #restore() {
+      if (this.#early) await this.#keep();
+      else this.#show();
+      this.#form?.follow?.(book);
+    }
+
+    /** Shows what is kept; an answer to another version of the question is shown beside it. */
+    #show() {
+      const found = book.get(this.formName ?? "worksheet", this.facts.id);
+      if (!found || !this.#form) return;
+      const current = found.hash === this.facts.hash && found.type === this.facts.type;
+      const earlier = [
+        ...(found.earlier ?? []),
+        ...(current || isEmpty(found.value) ? [] : [found]),
+      ];
+      if (current) {
+        this.#entry = found;
+        if (this.#form.recall && typeof found.said === "string") this.#form.recall(found.said);
+        else this.#form.value = found.value;
+        for (const radio of this.#certainty()) radio.checked = radio.value === found.sure;
+        this.#say(isEmpty(found.value) ? "" : this.#keptWord());
+      }
+      this.#print();
+      this.#showEarlier(earlier);
+    }
+
+    /** @param {any[]} earlier */
+    #showEarlier(earlier) {
+      const place = need(this, ".carts-q-earlier");
+      const old = earlier.filter((entry) => !isEmpty(entry.value));
+      place.hidden = old.length === 0;
+      place.replaceChildren(
+        ...old.map((entry) => {
+          const line = html("p");
+          const other = entry.hash !== this.facts.hash;
+          const head = other
+            ? "Your answer to an earlier version of this question: "
+            : "Your other answer: ";
+          line.append(html("strong", "", head), entry.said || JSON.stringify(entry.value));
+          return line;
+        }),
+      );
+    }
+
+    #changed() {
+      if (this.closed) return;
+      const now = new Date().toISOString();
+      const sure = this.#certainty().find((radio) => radio.checked)?.value;
+      const entry = {
+        ...this.#entry,
+        hash: this.facts.hash,
+        value: this.#form?.value ?? null,
+        said: this.#form?.said() ?? "",
+        asked: plainText(need(this, ".carts-q-ask")).slice(0, ASKED),
+        first: this.#entry.first ?? now,
+        last: now,
+      };
+      if (this.facts.unit) entry.unit = this.facts.unit;
+      if (sure) entry.sure = sure;
+      this.#entry = entry;
+      this.#feedback?.stale();
+      this.#complain("");
+      this.#print();
+      this.dispatchEvent(new CustomEvent("carts-answer", { bubbles: true }));
+      void this.#keep();
+    }
+
+    async #keep() {
+      this.#writes += 1;
+      const mine = this.#writes;
+      this.#early = !book.store;
+      this.#say("Saving…");
+      try {
+        await book.put(this.formName ?? "worksheet", this.#entry);
+        if (mine === this.#writes) this.#say(this.#keptWord());
+      } catch {
+        this.#say("Not saved");
+      }
+    }
+
+    #keptWord() {
+      return book.store?.kind === "memory" ? "Not saved" : "Saved";
+    }
+
+    /** One press on Check: what was answered, and the run that it was read off. */
+    #attempt() {
+      const problem = this.#form?.problem?.() ?? "";
+      if (!this.answered || problem) {
+        this.#complain(problem || "Answer first.");
+        return null;
+      }
+      let own = null;
+      if (this.facts.type === "reading") {
+        const found = ownReading(this.facts);
+        own = found.own;
+        if (own === null) {
+          this.#complain("Run the scene first: lock your prediction there.");
+          return null;
+        }
+        this.#entry = { ...this.#entry, own, set: found.set };
+      }
+      this.#entry = { ...this.#entry, tries: (this.#entry.tries ?? 0) + 1 };
+      void this.#keep();
+      return { value: this.#form?.value, own, tries: this.#entry.tries };
+    }
+
+    /** The answer in words, for paper. */
+    #print() {
+      const said = this.#form?.said() ?? "";
+      const free = ["short", "long", "number", "reading", "ordering"].includes(this.facts.type);
+      say(need(this, ".carts-q-printed"), free ? said : "");
+      this.toggleAttribute("data-answered", this.answered);
+    }
+
+    /** @param {string} word */
+    #say(word) {
+      const place = need(this, ".carts-q-saved");
+      say(place, word);
+      place.classList.toggle("carts-q-unsaved", word === "Not saved");
+    }
+
+    /** @param {string} problem */
+    #complain(problem) {
+      const place = need(this, ".carts-q-error");
+      say(place, problem);
+      place.hidden = !problem;
+    }
+  };
+}

@@ -1,0 +1,65 @@
+/** Check, hints, and what the page says to an answer. The texts lie in templates beside the question. */
+
+import { html, need } from "../dom.js";
+import { mark } from "./marking/mark.js";
+
+const WORDS = {
+  right: "Right.",
+  partly: "Partly right. Look again.",
+  wrong: "Not yet. Think again.",
+  open: "Written down.",
+  empty: "Answer first.",
+  unclear: "This cannot be read.",
+};
+const SHOW_AFTER = 3; // tries until the explanation is shown all the same
+
+export class Feedback {
+  /**
+   * @param {HTMLElement} root the question, with its facts
+   * @param {() => {value: any, own: number | null, tries: number} | null} attempt
+   */
+  constructor(root, attempt) {
+    this.root = root;
+    this.place = need(root, ".carts-q-feedback");
+    root.querySelector(".carts-q-check")?.addEventListener("click", () => {
+      const tried = attempt();
+      if (tried) this.#show(tried);
+    });
+    const hints = /** @type {HTMLElement[]} */ ([...need(root, ".carts-q-hints").children]);
+    const more = /** @type {HTMLButtonElement | null} */ (root.querySelector(".carts-q-hint"));
+    more?.addEventListener("click", () => {
+      const next = hints.find((hint) => hint.hidden);
+      if (next) next.hidden = false;
+      more.disabled = !hints.some((hint) => hint.hidden);
+    });
+  }
+
+  /** The answer has changed: what was said is about another one. */
+  stale() {
+    this.place.replaceChildren();
+    delete this.root.dataset.verdict;
+  }
+
+  /** @param {{value: any, own: number | null, tries: number}} tried */
+  #show({ value, own, tries }) {
+    const facts = /** @type {any} */ (this.root).facts;
+    const found = mark(facts, value, own);
+    this.root.dataset.verdict = found.verdict;
+    const names = new Set(found.shown);
+    if (tries >= SHOW_AFTER) names.add("explain");
+    this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found.verdict]));
+    if (own !== null && tries >= SHOW_AFTER && found.verdict !== "right") {
+      this.place.append(
+        html("p", "", `Your run says ${Number(own.toPrecision(3))} ${facts.unit}.`),
+      );
+    }
+    for (const name of names) {
+      const template = this.root.querySelector(`template[data-for="${CSS.escape(name)}"]`);
+      if (template instanceof HTMLTemplateElement) {
+        const part = html("div", "carts-q-said");
+        part.append(template.content.cloneNode(true));
+        this.place.append(part);
+      }
+    }
+  }
+}

@@ -1,0 +1,71 @@
+/** Questions on a scene of the page: a reading off the student's own run, and a drawn prediction. */
+
+import { isEmpty } from "../../answers/entry.js";
+import { valueAt } from "../../trajectory.js";
+import { readNumber } from "../marking/typed-number.js";
+
+const KILOGRAMS = { kg: 1, g: 0.001, mg: 1e-6, t: 1000 };
+
+/** What the student's own run says, in the question's unit; null: there is no run yet. */
+/** @param {Record<string, any>} facts @returns {{own: number | null, set: Record<string, unknown>}} */
+export function ownReading(facts) {
+  const scene = /** @type {any} */ (document.getElementById(facts.scene));
+  const run = scene?.trajectory;
+  const set = changes.get(scene) ?? {};
+  if (!run) return { own: null, set };
+  const value = reading(run, masses(scene), facts.quantity, facts.at);
+  return { own: value === null ? null : value / facts.per, set };
+}
+
+/** @param {any} run @param {Record<string, number>} mass @param {string} quantity @param {number | string} at */
+export function reading(run, mass, quantity, at) {
+  const [what, ...rest] = quantity.split(".");
+  const whose = rest.join(".");
+  const column = (what === "p" ? run.v : run[String(what)])?.[whose];
+  if (!column?.length) return null;
+  const factor = what === "p" ? (mass[whose] ?? Number.NaN) : 1;
+  const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
+  if (at === "largest") {
+    let most = 0;
+    for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
+    return most * factor;
+  }
+  const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
+  return valueAt(run.t, column, slopes, t) * factor;
+}
+
+/** @type {WeakMap<Element, Record<string, unknown>>} what the student set in each scene */
+const changes = new WeakMap();
+document.addEventListener("carts-update", (event) => {
+  const { target, detail } = /** @type {CustomEvent} */ (event);
+  if (target instanceof Element) changes.set(target, detail);
+});
+
+/** @param {Element | null} scene @returns {Record<string, number>} kg, by cart, as set by the student */
+function masses(scene) {
+  /** @type {Record<string, number>} */
+  const found = {};
+  const baked = scene?.querySelector("script.carts-baked")?.textContent;
+  for (const body of JSON.parse(baked ?? "{}").bodies ?? []) found[body.name] = body.mass;
+  for (const [path, value] of Object.entries(changes.get(/** @type {Element} */ (scene)) ?? {})) {
+    if (!path.endsWith(".mass")) continue;
+    const mass = readNumber(String(value), KILOGRAMS);
+    if ("value" in mass) found[path.slice(0, -".mass".length)] = mass.value;
+  }
+  return found;
+}
+
+/** @param {HTMLElement} root @param {() => void} _changed @param {Record<string, any>} facts @returns {import("../element.js").Form} */
+export function drawnForm(root, _changed, facts) {
+  const done = /** @type {HTMLElement} */ (root.querySelector(".carts-q-done"));
+  return {
+    value: null,
+    enable: () => {},
+    said: () => "",
+    follow: (book) => {
+      const entry = book.get("worksheet", facts.scene);
+      const locked = entry && !isEmpty(entry.value) && entry.locked;
+      done.textContent = locked ? "✓ done" : "";
+    },
+  };
+}

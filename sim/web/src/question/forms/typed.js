@@ -1,0 +1,64 @@
+/** Answers that are typed: a number with a unit, a few words, several sentences. */
+
+import { readNumber } from "../marking/typed-number.js";
+
+/** @typedef {import("../element.js").Form} Form */
+
+/** @param {HTMLElement} root @param {() => void} changed @returns {Form} */
+export function wordsForm(root, changed) {
+  const box = typedBox(root, changed);
+  return {
+    get value() {
+      return box.value;
+    },
+    set value(value) {
+      box.value = typeof value === "string" ? value : "";
+    },
+    enable: (on) => {
+      box.readOnly = !on;
+    },
+    said: () => box.value,
+  };
+}
+
+/** @param {HTMLElement} root @param {() => void} changed @param {Record<string, any>} facts @returns {Form} */
+export function numberForm(root, changed, facts) {
+  const box = typedBox(root, changed);
+  const read = () => readNumber(box.value, facts.units);
+  return {
+    get value() {
+      if (!box.value.trim()) return null;
+      const found = read();
+      return "value" in found ? found.value : box.value;
+    },
+    set value(value) {
+      box.value = value === null || value === undefined ? "" : String(value);
+    },
+    enable: (on) => {
+      box.readOnly = !on;
+    },
+    said: () => {
+      const bare = /^[\s+\-−–\d.,eE]*$/.test(box.value);
+      return box.value.trim() && bare && facts.unit
+        ? `${box.value.trim()} ${facts.unit}`
+        : box.value.trim();
+    },
+    recall: (said) => {
+      const unit = facts.unit ? ` ${facts.unit}` : "";
+      box.value = unit && said.endsWith(unit) ? said.slice(0, -unit.length) : said;
+    },
+    problem: () => {
+      const found = read();
+      return "problem" in found ? found.problem : "";
+    },
+  };
+}
+
+/** @param {HTMLElement} root @param {() => void} changed */
+function typedBox(root, changed) {
+  const box = /** @type {HTMLInputElement | HTMLTextAreaElement} */ (
+    root.querySelector(".carts-q-typed")
+  );
+  box.addEventListener("input", changed);
+  return box;
+}

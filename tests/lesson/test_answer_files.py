@@ -1,0 +1,141 @@
+"""Files of answers: the damaged, the foreign and those from the future are refused, twice alike."""
+
+from __future__ import annotations
+
+import json
+import random
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sim.lesson.answer_file import AnswerFileError, read_answer_file
+from sim.lesson.csv_text import csv_cell
+from tests.web.widget_site import in_node
+
+CELLS = json.loads((Path(__file__).parent / "csv_cells.json").read_text(encoding="utf-8"))
+TIME = "2026-11-21T08:00:00.000Z"
+ITEM = {"id": "why", "hash": "0123456789ab", "type": "long", "value": "because", "first": TIME,
+        "last": TIME, "tries": 1}  # fmt: skip
+GOOD: dict[str, Any] = {
+    "format": 1, "kind": "newtons-carts-answers", "site": "tests", "lesson": "kinds",
+    "lessonHash": "0123456789ab", "student": "BLUE-FOX-27", "form": "worksheet", "created": TIME,
+    "saved": TIME, "page": "worksheets/kinds", "items": [ITEM],
+}  # fmt: skip
+
+
+def deep(levels: int) -> str:
+    return "[" * levels + "]" * levels
+
+
+def damaged() -> dict[str, str]:
+    """Texts that must be refused, by what is wrong with them."""
+
+    def file(**changes: Any) -> str:
+        return json.dumps({**GOOD, **changes})
+
+    def item(**changes: Any) -> str:
+        return file(items=[{**ITEM, **changes}])
+
+    cases = {
+        "empty": "", "spaces": "   ", "no json": "hello", "a list": "[]", "a number": "3",
+        "null": "null", "a text": '"text"', "html": "<html></html>", "xml": "<?xml version='1.0'?>",
+        "nan": file().replace('"tries": 1', '"tries": NaN'),
+        "deep": deep(100_000), "huge": " " * 10_000_000,
+        "other kind": file(kind="newtons-carts-key"), "no kind": json.dumps({"format": 1}),
+        "future": file(format=2), "far future": file(format=10**9), "format 0": file(format=0),
+        "format text": file(format="1"), "format true": file(format=True),
+        "format fraction": file(format=1.5), "no form": file(form="exam"),
+        "form list": file(form=[]), "items table": file(items={}), "items text": file(items="x"),
+        "item null": file(items=[None]),
+        "item text": file(items=["x"]), "too many items": file(items=[ITEM] * 2001),
+        "student number": file(student=5), "student newline": file(student="A\nB"),
+        "student long": file(student="A" * 201), "lesson null": file(lesson=None),
+        "no id": item(id=None), "id path": item(id="../x"), "id proto": item(id="__proto__"),
+        "id script": item(id="<script>"), "id long": item(id="a" * 65), "hash": item(hash="xyz"),
+        "hash number": item(hash=1), "type": item(type="<b>"), "time": item(first="yesterday"),
+        "time number": item(last=5), "tries": item(tries=-1), "tries text": item(tries="1"),
+        "tries true": item(tries=True), "value long": item(value="x" * 20_001),
+        "value deep": item(value=[[[[["x"]]]]]), "value wide": item(value=list(range(201))),
+        "value proto": file().replace('"because"', '{"__proto__": 1}'),
+        "value key": item(value={"a b": 1}), "value infinite": file().replace('"because"', "1e999"),
+    }  # fmt: skip
+    text = file()
+    cases |= {f"cut at {at}": text[:at] for at in range(0, len(text), 7)}
+    return cases
+
+
+DAMAGED = damaged()
+
+
+def test_a_good_file_is_read() -> None:
+    read = read_answer_file("\ufeff" + json.dumps(GOOD))
+    assert (read.student, read.form, read.latest()["why"].value) == (
+        "BLUE-FOX-27", "worksheet", "because",
+    )  # fmt: skip
+
+
+def test_damaged_files_are_refused_in_words() -> None:
+    for what, text in DAMAGED.items():
+        with pytest.raises(AnswerFileError) as refused:
+            read_answer_file(text)
+        assert len(str(refused.value)) > 20, what
+
+
+def test_the_page_refuses_the_same_files_and_reads_the_good_one() -> None:
+    script = """const { readFile } = await import(source + "/answers/file.js");
+    give(data.map((text) => readFile(text, "tests")));"""
+    many = {what: text for what, text in DAMAGED.items() if what not in ("huge", "deep")}
+    many |= {"page": json.dumps({**GOOD, "page": "a#b"}), "site": json.dumps({**GOOD, "site": "x"})}
+    many["deep"] = deep(5000)
+    read = in_node(script, [*many.values(), json.dumps(GOOD)])
+    for what, found in zip(many, read, strict=False):
+        assert "problem" in found, what
+    assert read[-1]["student"] == "BLUE-FOX-27"
+    assert read[-1]["entries"][0][0] == "worksheets/kinds#why"
+
+
+def test_a_byte_changed_anywhere_gives_answers_or_a_message_and_nothing_else() -> None:
+    dice = random.Random(7)
+    text = json.dumps(GOOD)
+    for _ in range(2000):
+        at = dice.randrange(len(text))
+        changed = text[:at] + chr(dice.randrange(1, 0x300)) + text[at + dice.randrange(2) :]
+        try:
+            read_answer_file(changed)
+        except AnswerFileError as refused:
+            assert str(refused)
+
+
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner),
+    max_leaves=5,
+)
+
+
+@given(st.sampled_from([*GOOD, *ITEM]), JSON)
+def test_any_value_in_any_place_gives_answers_or_a_message(key: str, value: Any) -> None:
+    changed = {**GOOD, key: value} if key in GOOD else {**GOOD, "items": [{**ITEM, key: value}]}
+    try:
+        read = read_answer_file(json.dumps(changed))
+    except AnswerFileError:
+        return
+    assert isinstance(read.student, str)
+
+
+def test_a_cell_is_never_a_formula_and_numbers_stay_numbers() -> None:
+    for case in CELLS:
+        assert csv_cell(case["value"]) == case["cell"], case
+    script = """const { csvCell } = await import(source + "/answers/csv.js");
+    give(data.map(({ value }) => csvCell(value)));"""
+    assert in_node(script, CELLS) == [case["cell"] for case in CELLS]
+
+
+@given(st.text(max_size=20))
+def test_no_text_makes_a_cell_that_begins_like_a_formula(text: str) -> None:
+    inside = csv_cell(text)[1:-1]
+    assert not inside.startswith(("=", "+", "-", "@", "\t", "\r", "\n", "|", "%"))
+    assert inside.replace('""', "").count('"') == 0

@@ -1,0 +1,255 @@
+"""Banks, forms drawn from them, when they open, and the code for paper."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sim.lesson import LessonError
+from sim.lesson.bank import Bank
+from sim.lesson.beliefs import BELIEFS
+from sim.lesson.form import read_form
+from sim.lesson.handin import ALPHABET, HandInError, decode, encode, fits
+from sim.lesson.key_file import key_file
+from sim.lesson.opening import word_sum
+from sim.pages.question.quiz import read_bank_text
+from sim.pages.question.render import render_quiz
+from tests.web.question_site import BANK
+from tests.web.widget_site import in_node
+
+ROOT = Path(__file__).parents[2]
+HASH = "pre:0123456789ab"
+FORM = {"id": "f", "form": "pre", "mode": "exam", "bank": "x.yml"}
+
+
+def bank(path: Path) -> Bank:
+    read, mistakes = read_bank_text(path.read_text(encoding="utf-8"), path.name)
+    assert mistakes == []
+    assert read is not None
+    return read
+
+
+OURS = bank(ROOT / "worksheets" / "banks" / "forces-and-motion.yml")
+SMALL = bank(BANK / "small.yml")
+
+
+def problems(changes: dict[str, object]) -> list[str]:
+    with pytest.raises(LessonError) as error:
+        read_form({**FORM, **changes}, OURS)
+    return [problem.code for problem in error.value.problems]
+
+
+def test_a_form_draws_by_topic_and_level_in_the_order_of_the_bank() -> None:
+    drawn = read_form({**FORM, "draw": [{"topics": ["second-law"], "count": 4}]}, OURS)
+    assert [item.id for item in drawn.items] == ["fan-cart", "trolley", "barge", "spring-carts"]
+    both = [
+        {"topics": "third-law", "count": 1},
+        {"topics": "first-law", "level": "core", "count": 2},
+    ]
+    assert [i.id for i in read_form({**FORM, "draw": both}, OURS).items] == ["lamp", "bed", "boats"]
+    assert problems({"draw": [{"topics": ["third-law"], "count": 9}]}) == ["too-few-items"]
+
+
+def test_mistakes_in_a_form_are_named() -> None:
+    assert problems({}) == ["not-a-choice"]
+    assert problems({"use": "test-15", "items": ["lamp"]}) == ["not-a-choice"]
+    assert problems({"items": ["lamb"]}) == ["unknown-item"]
+    assert problems({"items": ["lamp", "lamp"]}) == ["twice"]
+    assert problems({"use": "test-15", "open": {"word": "abc"}}) == ["bad-name"]
+    assert problems({"use": "test-15", "open": {"date": "1.3.2027"}}) == ["not-a-date"]
+    assert problems({"use": "test-15", "open": {"days": 3}}) == ["missing"]
+    assert problems({"use": "test-15", "close": {"word": "FALCON"}}) == ["unknown-key"]
+
+
+def test_before_and_after_are_the_same_form_and_know_each_other_by_ids() -> None:
+    pre, post = (
+        read_form({**FORM, "form": form, "use": "test-15"}, OURS) for form in ("pre", "post")
+    )
+    assert [i.id for i in pre.items] == [i.id for i in post.items]
+    assert pre.hash == post.hash
+
+
+def test_an_exam_page_holds_nothing_of_its_key() -> None:
+    form = read_form({**FORM, "bank": "small.yml", "use": "both", "mode": "exam"}, SMALL)
+    page = render_quiz(form)
+    secrets = re.findall(r"(?:FEEDBACK|HINT|EXPLANATION|NOTE|RUBRIC)[A-Z-]+", page)
+    assert secrets == []
+    for word in ("correct", "belief", 'answer":', "template", *BELIEFS):
+        assert word not in page.replace("answer’s", ""), word
+    practice = render_quiz(read_form({**FORM, "items": ["net-force"], "mode": "practice"}, SMALL))
+    assert "FEEDBACK-TO-ZERO" in practice
+
+
+def test_in_an_exam_right_and_wrong_answers_look_alike() -> None:
+    """Swapping which answer is right changes no byte of the page."""
+    text = (BANK / "small.yml").read_text(encoding="utf-8")
+    swapped = text.replace(
+        "{text: forwards, belief: motion-needs-force, feedback: FEEDBACK-TO-FORWARDS}",
+        "{text: forwards, correct: true}",
+    ).replace("{text: zero, correct: true, feedback: FEEDBACK-TO-ZERO}", "{text: zero}")
+    assert text != swapped
+    pages = []
+    for source in (text, swapped):
+        read = read_bank_text(source, "small.yml")[0]
+        assert read is not None
+        pages.append(render_quiz(read_form({**FORM, "use": "both"}, read)))
+    assert pages[0] == pages[1]
+
+
+def test_the_key_file_holds_what_the_page_does_not() -> None:
+    form = read_form({**FORM, "use": "both"}, SMALL)
+    key = key_file("site", "lesson", [], [form])
+    (part,) = key["forms"]
+    assert part["hash"] == form.hash
+    assert part["options"] == [["net-force", 3], ["light-boat", 4]]
+    first = part["items"][0]
+    assert first["key"]["correct"] == ["b"]
+    assert first["beliefs"].keys() == {"motion-needs-force", "negative-means-slowing"}
+    json.dumps(key, allow_nan=False)
+
+
+# ---------------------------------------------------------------- our own test
+
+
+def test_our_test_has_fifteen_items_seven_four_and_four() -> None:
+    items = [OURS.items[i] for i in OURS.forms["test-15"]]
+    topics = [item.common.topics[0] for item in items]
+    assert [topics.count(t) for t in ("first-law", "third-law", "second-law")] == [7, 4, 4]
+    later = [OURS.items[i] for i in OURS.forms["later-2"]]
+    assert [item.data(key=False)["marks"] for item in later] == [2, 2]
+
+
+def test_our_items_keep_the_rules_of_good_items() -> None:
+    letters = []
+    for name in OURS.forms["test-15"]:
+        item = OURS.items[name]
+        key = item.key()
+        letters += key["correct"]
+        texts = list(item.texts().values())
+        assert 4 <= len(texts) <= 5, name
+        wrong = len(texts) - 1
+        assert len(key["beliefs"]) == wrong, f"{name}: every wrong answer has its belief"
+        words = re.findall(r"[\w'.−-]+", re.sub(r"\|[^\n]*\|", "", item.common.ask))
+        assert len(words) <= 60, (name, len(words))
+        assert not re.search(r"\b(all|none) of the above\b", " ".join(texts).lower())
+        assert item.common.note, name
+        right = len(texts["abcde".index(key["correct"][0])])
+        longest = max(map(len, texts))
+        assert right <= 1.5 * sorted(map(len, texts))[-2] or right < longest, name
+    assert {letter: letters.count(letter) for letter in "abcd"} == {"a": 4, "b": 4, "c": 4, "d": 3}
+
+
+def test_every_main_belief_can_be_seen_twice() -> None:
+    counts = dict.fromkeys(BELIEFS, 0)
+    for name in OURS.forms["test-15"]:
+        for belief in set(OURS.items[name].key()["beliefs"].values()):
+            counts[belief] += 1
+    for main in ("motion-needs-force", "force-carried-along", "speed-follows-force",
+                 "rest-is-natural", "bigger-pushes-more", "mover-pushes-more",
+                 "passive-cannot-push", "winner-overcomes", "mass-has-no-say"):  # fmt: skip
+        assert counts[main] >= 2, main
+
+
+# ---------------------------------------------------------------- opening rules
+
+
+def test_the_page_opens_forms_by_their_rules() -> None:
+    state = {"words": [], "answered": False, "handed": {}}
+    word = word_sum("forces-post", "Falcon")
+    rules = [
+        ({}, state, 0),
+        ({"word": word}, state, 1),
+        ({"word": word}, {**state, "words": [word]}, 0),
+        ({"date": "2026-11-22"}, state, 1),
+        ({"date": "2026-11-21"}, state, 0),
+        ({"done": "worksheet"}, state, 1),
+        ({"done": "worksheet"}, {**state, "answered": True}, 0),
+        ({"done": "post"}, state, 1),
+        ({"done": "post"}, {**state, "handed": {"post": "2026-11-21T08:00:00Z"}}, 0),
+        ({"done": "post", "days": 14}, {**state, "handed": {"post": "2026-11-10T08:00:00Z"}}, 1),
+        ({"done": "post", "days": 14}, {**state, "handed": {"post": "2026-11-01T08:00:00Z"}}, 0),
+        ({"done": "post", "word": word}, state, 2),
+    ]
+    script = """const { reasons, isOver, wordSum } = await import(source + "/question/opening.js");
+    const now = new Date(2026, 10, 21, 12);
+    give({ why: data.map(([rule, state]) => reasons(rule, { ...state, now }).length),
+      over: ["2026-11-20", "2026-11-21"].map((date) => isOver({ date }, now)),
+      word: wordSum("forces-post", " fal con ") });"""
+    made = in_node(script, rules)
+    assert made["why"] == [count for _, _, count in rules]
+    assert made["over"] == [True, False]
+    assert made["word"] == word
+
+
+# ---------------------------------------------------------------- the code for paper
+
+SHEETS = st.lists(st.integers(2, 6), min_size=1, max_size=15).flatmap(
+    lambda options: st.tuples(st.just(options), st.tuples(*(st.integers(0, n) for n in options)))
+)
+
+
+@given(SHEETS)
+def test_a_code_gives_the_answers_back(sheet: tuple[list[int], tuple[int, ...]]) -> None:
+    options, chosen = sheet
+    code = encode(options, chosen, HASH)
+    assert re.fullmatch(r"(?:[0-9A-HJKMNP-TV-Z]{4}-){2}[0-9A-HJKMNP-TV-Z]{4}", code)
+    assert decode(options, code, HASH) == chosen
+    spoken = code.lower().replace("0", "o").replace("1", "l").replace("-", " ")
+    assert decode(options, spoken, HASH) == chosen
+
+
+@given(SHEETS, st.integers(0, 11), st.sampled_from(ALPHABET))
+def test_one_wrong_letter_is_found(
+    sheet: tuple[list[int], tuple[int, ...]], at: int, letter: str
+) -> None:
+    options, chosen = sheet
+    code = encode(options, chosen, HASH).replace("-", "")
+    if code[at] != letter:
+        with pytest.raises(HandInError):
+            decode(options, code[:at] + letter + code[at + 1 :], HASH)
+
+
+@given(SHEETS, st.integers(0, 10))
+def test_two_letters_that_changed_places_are_found(
+    sheet: tuple[list[int], tuple[int, ...]], at: int
+) -> None:
+    options, chosen = sheet
+    code = encode(options, chosen, HASH).replace("-", "")
+    swapped = code[:at] + code[at + 1] + code[at] + code[at + 2 :]
+    if swapped != code:
+        with pytest.raises(HandInError):
+            decode(options, swapped, HASH)
+
+
+def test_the_code_of_another_form_is_refused() -> None:
+    code = encode([4] * 15, [1] * 15, HASH)
+    for other in ("post:0123456789ab", "pre:ba9876543210"):
+        with pytest.raises(HandInError):
+            decode([4] * 15, code, other)
+
+
+def test_a_form_that_is_too_long_or_asks_for_words_has_no_code() -> None:
+    assert fits([5] * 15)
+    assert not fits([5] * 20)
+    assert not fits([4, 0])
+    assert not fits([])
+
+
+def test_the_page_writes_the_same_codes() -> None:
+    dice = random.Random(3)
+    sheets = []
+    for _ in range(200):
+        options = [dice.randint(2, 6) for _ in range(dice.randint(1, 15))]
+        sheets.append([options, [dice.randint(0, n) for n in options]])
+    made = in_node(
+        """const { encode, fits } = await import(source + "/question/handin.js");
+        give(data.sheets.map(([o, c]) => [fits(o), encode(o, c, data.hash)]));""",
+        {"sheets": sheets, "hash": HASH},
+    )
+    assert made == [[fits(o), encode(o, c, HASH)] for o, c in sheets]

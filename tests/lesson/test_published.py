@@ -1,0 +1,129 @@
+"""The reference page and the schemas are what the models say; schemas know good from bad."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.lesson import schema
+from sim.lesson.bank import BANK_KEYS
+from sim.lesson.beliefs import BELIEFS
+from sim.lesson.form import DRAW_KEYS, FORM_KEYS
+from sim.lesson.key_file import KIND
+from sim.lesson.opening import RULES
+from sim.lesson.question import COMMON_KEYS
+from sim.lesson.read import KINDS
+from sim.pages.fence_scan import scan
+from sim.pages.question.published import REFERENCE, published
+from sim.pages.yaml_source import load
+from tests.lesson.test_answer_files import GOOD
+from tests.lesson.test_marking import SETS
+
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / REFERENCE).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", published())
+def test_the_committed_file_is_what_the_models_say(name: str) -> None:
+    assert (ROOT / name).read_text(encoding="utf-8") == published()[name], (
+        "run: python -m sim.pages.question.published"
+    )
+
+
+def test_the_reference_names_every_key_kind_and_belief() -> None:
+    keys = [*COMMON_KEYS, *FORM_KEYS, *DRAW_KEYS, *BANK_KEYS]
+    keys += [key for kind in KINDS.values() for key in kind.KEYS]
+    for name in [*(key.name for key in keys), *KINDS, *BELIEFS, *RULES]:
+        assert re.search(rf"`{name}`|\{{{name}:|, {name}:", PAGE), name
+
+
+def faults(value: Any, rule: Mapping[str, Any], at: str = "") -> Iterator[str]:
+    """What JSON Schema says against `value`: the few words of it that ours use."""
+    kinds = {"string": str, "object": dict, "array": list, "boolean": bool, "null": type(None)}
+    wanted = rule.get("type", [])
+    names = [wanted] if isinstance(wanted, str) else wanted
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    fits = [number if n in ("number", "integer") else isinstance(value, kinds[n]) for n in names]
+    if names and not any(fits):
+        yield f"{at}: not {wanted}"
+        return
+    if "anyOf" in rule and all(list(faults(value, one, at)) for one in rule["anyOf"]):
+        yield f"{at}: fits none"
+    if "enum" in rule and value not in rule["enum"]:
+        yield f"{at}: {value}"
+    if "const" in rule and value != rule["const"]:
+        yield f"{at}: {value}"
+    if isinstance(value, str) and not re.search(rule.get("pattern", ""), value):
+        yield f"{at}: pattern"
+    if isinstance(value, str) and len(value) < rule.get("minLength", 0):
+        yield f"{at}: too short"
+    if isinstance(value, dict):
+        yield from (
+            f"{at}: {name} is missing" for name in rule.get("required", []) if name not in value
+        )
+        for name, part in value.items():
+            if name in rule.get("properties", {}):
+                yield from faults(part, rule["properties"][name], f"{at}.{name}")
+            elif any(re.search(p, name) for p in rule.get("patternProperties", {})):
+                continue
+            elif rule.get("additionalProperties") is False:
+                yield f"{at}: {name} is unknown"
+    if isinstance(value, list):
+        if not rule.get("minItems", 0) <= len(value) <= rule.get("maxItems", len(value)):
+            yield f"{at}: {len(value)} items"
+        for k, part in enumerate(value):
+            yield from faults(part, rule.get("items", {}), f"{at}[{k}]")
+
+
+def test_the_schemas_accept_what_the_validator_accepts() -> None:
+    for path in [*ROOT.glob("worksheets/banks/*.yml"), *ROOT.glob("tests/web/banks/*.yml")]:
+        plain = load(path.read_text(encoding="utf-8")).plain
+        assert list(faults(plain, schema.bank_schema())) == [], path.name
+    for name, vectors in SETS.items():
+        assert list(faults(vectors["question"], schema.question_schema())) == [], name
+    for path in ROOT.glob("worksheets/*.md"):
+        for block in scan(path.read_text(encoding="utf-8").splitlines()):
+            rules = {"question": schema.question_schema(), "quiz": schema.form_schema()}
+            if block.name in rules:
+                found = list(faults(load(block.body).plain, rules[block.name]))
+                assert found == [], (path.name, block.start, found)
+    assert list(faults(GOOD, schema.answers_schema())) == []
+
+
+def test_the_schemas_refuse_what_is_wrong() -> None:
+    good = SETS["single"]["question"]
+    for change in (
+        {"type": "singel"},
+        {"level": "hard"},
+        {"hint": "x"},
+        {"id": "A b"},
+        {"options": ["a"]},
+    ):
+        assert list(faults({**good, **change}, schema.question_schema())), change
+    assert list(faults({**GOOD, "format": 2}, schema.answers_schema()))
+    assert list(faults({**GOOD, "items": [{"id": "x"}]}, schema.answers_schema()))
+
+
+def test_carts_key_writes_the_key_for_the_teacher(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(ROOT)
+    result = CliRunner().invoke(
+        main, ["key", "worksheets/test-forces-and-motion.md", "--out", str(tmp_path)]
+    )
+    assert result.exit_code == 0, result.output
+    key = json.loads((tmp_path / "test-forces-and-motion.key.json").read_text(encoding="utf-8"))
+    assert list(faults(key, schema.key_schema())) == []
+    assert (key["kind"], key["site"]) == (KIND, "newtons-carts")
+    assert [part["form"] for part in key["forms"]] == ["pre", "post", "delayed"]
+    page = (tmp_path / "test-forces-and-motion.key.html").read_text(encoding="utf-8")
+    assert "✓ Weight and the pull by the cord act" in page
+    assert "push each other equally hard" in page  # a sample of the rubric
+    assert "<script" not in page
