@@ -132,7 +132,8 @@ def acted_on(
     plain["effects"] = [draw(effect(plain, kinds)) for _ in range(count)]
     gaps = len(plain["carts"]) - 1
     magnetic = {tuple(e["magnets"]["between"]) for e in plain["effects"] if "magnets" in e}
-    if overlaps and gaps and not magnetic and draw(st.integers(0, 4)) == 0:
+    soft = not {"instant", "velcro"} & set(str(plain["contact"]).split("'"))
+    if overlaps and soft and gaps and not magnetic and draw(st.integers(0, 4)) == 0:
         first = draw(st.integers(1, gaps))
         room = rooms_of(plain)[first - 1 + (plain["track"]["left"] == "wall")]
         closer = room + float(draw(decimals(0, 0.02)))

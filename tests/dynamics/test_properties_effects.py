@@ -14,9 +14,11 @@ from sim.dynamics.run import run
 from sim.dynamics.trajectory import trajectory
 from sim.scene import read_scene
 from tests.dynamics.random_effects import acted_on
-from tests.dynamics.test_properties import MOST
 from tests.reference.effects import integrate
 from tests.reference.row_of_carts import UnsupportedError
+
+MOST = 300
+"""Events. Impacts that crowd at one instant under forces are costly; the laws hold at any time."""
 
 SETTINGS = settings()
 FEWER = settings(
@@ -106,17 +108,18 @@ def test_the_acceleration_of_a_cart_is_the_sum_of_its_named_forces(plain: dict[s
     if result is None:
         return
     columns = trajectory(result, 4).columns
-    names = [cart.name for cart in result.scene.carts]
     for k, cart in enumerate(result.scene.carts):
         left = ("F", "-".join(result.scene.names_at(k)))
         right = ("F", "-".join(result.scene.names_at(k + 1)))
         outer = [column for name, column in columns.items() if name[0::2] == ("E", cart.name)]
+        pushed = [columns[left]] if left in columns else []
+        pulled = [columns[right]] if right in columns else []
+        named = [*outer, *pushed, *pulled]
+        scale = max((abs(force) for column in named for force in column), default=0.0) + 1e-6
         for row, a in enumerate(columns["a", cart.name]):
-            parts = [column[row] for column in outer]
-            parts += [columns[left][row]] if left in columns else []
-            parts += [-columns[right][row]] if right in columns else []
-            scale = math.fsum(map(abs, parts)) + abs(cart.mass * a) + 1e-6
-            assert abs(cart.mass * a - math.fsum(parts)) <= 1e-9 * scale, (names[k], row)
+            total = math.fsum(column[row] for column in [*outer, *pushed])
+            total -= math.fsum(column[row] for column in pulled)
+            assert abs(cart.mass * a - total) <= 1e-9 * scale, (cart.name, row)
 
 
 @given(acted_on())
@@ -128,7 +131,8 @@ def test_what_is_kept_does_not_change_a_run_with_effects(plain: dict[str, Any]) 
     bare = finished(plain, keep_events=False, keep_motion=False)
     assert (full.x, full.v, full.t) == (bare.x, bare.v, bare.t)
     assert full.effects == bare.effects
-    assert full.record.counts == bare.record.counts
+    told = {kind: count for kind, count in full.record.counts.items() if kind != "peak"}
+    assert told == {kind: count for kind, count in bare.record.counts.items() if kind != "peak"}
 
 
 @given(acted_on(most=3), st.randoms(use_true_random=False))
