@@ -25,6 +25,9 @@ from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
 from sim.scene.model import Scene
 
+MISSED = 1e-9
+"""m. A touch is found to 1e-16 m; where that much room is left, the search ran out of steps."""
+
 
 class Happenings:
     """The state of a run in progress, and what may happen to it."""
@@ -44,7 +47,12 @@ class Happenings:
     def at_gap(self, gap: Gap, now: Time) -> None:
         """What was predicted for a gap happens."""
         if gap.solver is None:
+            moving = gap.left.motion is not None or gap.right.motion is not None
             self.chain.advance(gap, now)
+            if moving and gap.room + resting(gap) > MISSED and not ending.is_push(gap):
+                gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
+                self.predict(gap, now)  # the search came this far, and they do not touch yet
+                return
             self.begin(gap, now)
         elif isinstance(gap.solver, PairContact):
             self.separate(gap, now)
