@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 
 from sim.cli import COMMANDS
+from sim.dynamics.report import report
+from sim.dynamics.run import run
 from sim.pages.yaml_source import load
 from sim.scene import fields, read_fence
+from sim.scene.effects import KINDS, EffectKind
 from sim.scene.map import MAP_KEYS
 from sim.scene.predict import KINDS as PREDICTIONS
 from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS, VIEWS
@@ -43,6 +46,36 @@ def test_the_reference_names_every_unit_of_a_cart(field: fields.Field) -> None:
         assert unit in line, (field.key, unit)
     if field.default is not None:
         assert field.default in line
+
+
+EFFECT_FIELDS = [(kind, field) for kind in KINDS.values() for field in kind.fields]
+
+
+@pytest.mark.parametrize(("kind", "field"), EFFECT_FIELDS, ids=lambda one: getattr(one, "key", ""))
+def test_the_reference_names_every_key_of_an_effect(kind: EffectKind, field: fields.Field) -> None:
+    (line,) = re.findall(rf"^\| `{kind.name}\.{field.key}` .*$", REFERENCE, re.M)
+    for unit in field.dimension.units if field.dimension.si else ():
+        assert unit in line, (kind.name, field.key, unit)
+    if field.default is None and not field.optional:
+        assert "| required |" in line
+    elif field.default is not None:
+        assert f"| {field.default} |" in line
+    page = (ROOT / "docs/physics/effects" / f"{kind.name}.md").read_text(encoding="utf-8")
+    assert re.search(rf"^\| `{field.key}` \|", page, re.M), (kind.name, field.key)
+
+
+@pytest.mark.parametrize("kind", KINDS.values(), ids=lambda kind: kind.name)
+def test_the_reference_names_the_bodies_of_an_effect(kind: EffectKind) -> None:
+    for key in (kind.needs or "carts", *(["by"] if kind.by else [])):
+        assert re.search(rf"^\| `{kind.name}\.{key}` \|", REFERENCE, re.M), (kind.name, key)
+
+
+def test_the_reference_names_every_key_of_a_report() -> None:
+    document = report(run(registry.scene("incline-bounce")))
+    for key, value in document.items():
+        (line,) = re.findall(rf"^\| `{key}` \|.*$", REFERENCE, re.M)
+        for inner in value if isinstance(value, dict) else ():
+            assert f"`{inner}`" in line, (key, inner)
 
 
 @pytest.mark.parametrize("command", sorted(COMMANDS))

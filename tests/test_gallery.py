@@ -14,8 +14,10 @@ from tests import registry
 
 FOLDER = Path(__file__).parents[1] / "docs" / "gallery"
 PAGES = sorted(FOLDER.glob("*.md"))
+MOST_SCENES = 10
 VELOCITY = re.compile(r"([A-Za-z][\w-]*): ([+−]?)(\d+(?:\.\d+)?) m/s")
 WARMED = re.compile(r"Warmed the bumpers: (\d+(?:\.\d+)?) J")
+WORK = re.compile(r"Work of (\w+): ([+−])(\d+(?:\.\d+)?) J")
 
 
 def sections() -> dict[str, str]:
@@ -82,6 +84,11 @@ def test_the_expected_result_is_what_comes_out(name: str) -> None:
         assert abs(v - value) <= tolerance(figures), (cart.name, v, draft(name))
     (warmed,) = WARMED.findall(text)
     assert abs(done.ledger.warmed - float(warmed)) <= tolerance(warmed), draft(name)
+    works = done.ledger.works
+    assert {kind for kind, _, _ in WORK.findall(text)} == set(works), works
+    for kind, sign, figures in WORK.findall(text):
+        value = float(figures) * (-1 if sign == "−" else 1)
+        assert abs(works[kind] - value) <= tolerance(figures), (kind, works)
 
 
 @pytest.mark.parametrize("name", sorted(SECTIONS))
@@ -95,3 +102,9 @@ def tolerance(figures: str) -> float:
     """Half of the last digit told, but no more than a thousandth of the number; 0 is nought."""
     half_a_figure = 0.5 * 10.0 ** -len(figures.partition(".")[2])
     return min(half_a_figure, 1e-3 * float(figures)) + 1e-12
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_a_page_of_the_gallery_is_light_enough_for_an_old_laptop(page: Path) -> None:
+    """Every scene is half a page of SVG and comes to life by itself: ten at most."""
+    assert page.read_text(encoding="utf-8").count("```scene") <= MOST_SCENES, "begin another page"

@@ -41,7 +41,7 @@ def map_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
         "runs": len(grid.left),
         "done": done,
         "coarser": grid.coarser,
-        "why": _why(grid),
+        "why": _why(grid, bool(described.scene.effects)),
     }
     if start:
         return header, array("d", [*map(float, grid.left[start:done]), *found])
@@ -56,7 +56,7 @@ def changed(plain: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, A
     return {**plain, **apply_changes(scene, changes)}
 
 
-def _why(grid: Grid) -> str:
+def _why(grid: Grid, effects: bool) -> str:
     """How the values were found, in words."""
     points = _many(math.prod(len(values) for _, values in grid.axes))
     if not grid.left:
@@ -71,9 +71,10 @@ def _why(grid: Grid) -> str:
             "the end cuts off. Each of these is a run of its own, exact as that of a scene; the "
             f"others come from the closed form.{fewer}"
         )
+    reason = "Effects act in this scene" if effects else "This scene is more than one contact"
     return (
-        f"This scene is more than one contact: each of the {points} points is a run of its own, "
-        f"exact as that of a scene.{fewer}"
+        f"{reason}: each of the {points} points is a run of its own, exact as that of a "
+        f"scene.{fewer}"
     )
 
 

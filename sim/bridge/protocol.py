@@ -22,6 +22,7 @@ from sim.dynamics.report import report
 from sim.dynamics.run import run
 from sim.dynamics.trajectory import PER_STRETCH, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
+from sim.scene.read_effects import listed_effects
 
 PROTOCOL = 1
 MOST_STEPS_DRAWN = 5_000
@@ -50,6 +51,7 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return refusal(identity, [Problem((), "unsolved", error.message, error.hint)])
     samples = request.get("samples")
     header, numbers = describe(finished, samples if isinstance(samples, int) else PER_STRETCH)
+    header["effects"] = _effects(plain, finished.scene)
     return {"id": identity, "ok": True, **header}, numbers
 
 
@@ -109,6 +111,23 @@ def _bodies(scene: Scene) -> list[dict[str, Any]]:
             "bumper_length": cart.bumper_length,
         }
         for cart in scene.carts
+    ]
+
+
+def _effects(plain: Mapping[str, Any], scene: Scene) -> list[dict[str, Any]]:
+    """Everything that the scene lists, with what is switched off: SI numbers, carts, agents."""
+    names = [cart.name for cart in scene.carts]
+    return [
+        {
+            "kind": effect.kind,
+            "index": effect.index,
+            "active": effect.active,
+            "numbers": dict(effect.numbers),
+            "carts": list(effect.carts),
+            "between": None if effect.between is None else list(effect.between),
+            "by": effect.by,
+        }
+        for effect in listed_effects(plain.get("effects", []), names, scene.track, [])
     ]
 
 

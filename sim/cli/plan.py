@@ -7,11 +7,10 @@ import json
 import click
 
 from sim.cli import scene_file
+from sim.cli.progress import run_on_terminal
 from sim.cli.tables import table
-from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.plan import not_simulated, plan
 from sim.dynamics.report import finite, phase_object
-from sim.dynamics.run import run
 
 
 @click.command("plan")
@@ -23,10 +22,7 @@ def command(scene: str, as_json: bool) -> None:
     SCENE.yml is a scene file; - reads standard input.
     """
     description = scene_file.read(scene)
-    try:
-        phases = plan(run(description))
-    except UnsolvedError as error:
-        scene_file.fail(f"{scene}: error: {error.message}\n  hint: {error.hint}")
+    phases = plan(run_on_terminal(scene, description))
     if as_json:
         click.echo(json.dumps(finite([phase_object(p) for p in phases]), ensure_ascii=False))
         return

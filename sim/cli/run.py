@@ -7,10 +7,10 @@ import json
 import click
 
 from sim.cli import scene_file
+from sim.cli.progress import run_on_terminal
 from sim.cli.tables import columns_as_csv, run_as_text
-from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.report import report
-from sim.dynamics.run import MOST_EVENTS, run
+from sim.dynamics.run import MOST_EVENTS
 
 
 @click.command("run")
@@ -38,15 +38,13 @@ def command(
     if as_json and as_csv:
         raise click.UsageError("--json and --csv exclude each other.")
     description = scene_file.read(scene)
-    try:
-        finished = run(
-            description,
-            max_events=max_events,
-            keep_events=not no_events,
-            keep_motion=as_csv or not no_events,
-        )
-    except UnsolvedError as error:
-        scene_file.fail(f"{scene}: error: {error.message}\n  hint: {error.hint}")
+    finished = run_on_terminal(
+        scene,
+        description,
+        max_events=max_events,
+        keep_events=not no_events,
+        keep_motion=as_csv or not no_events,
+    )
     if as_json:
         click.echo(json.dumps(report(finished), allow_nan=False, ensure_ascii=False))
     elif as_csv:

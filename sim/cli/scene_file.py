@@ -3,58 +3,71 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NoReturn
 
 import click
 
-from sim.pages.yaml_source import Source, YamlError, load
-from sim.scene import Problem, Scene, SceneError, read_scene
-from sim.scene.presentation import FENCE_KEYS
+from sim.pages.findings import AuthorError, Finding
+from sim.pages.scene_block import read_scene_text
+from sim.pages.yaml_source import MAX_CHARACTERS
+from sim.scene import Scene, SceneError, read_fence
+
+MOST_BYTES = 4 * MAX_CHARACTERS
+"""Never read more: a path may lead to a film, or to a device without an end."""
 
 
 def read(name: str) -> Scene:
     """The scene in the file `name`. Problems go to standard error, and the command ends with 1.
 
-    Keys that say how a lesson shows the scene (id, show, controls …) are allowed and left aside.
+    Keys that say how a lesson shows the scene (id, show, controls …) may stand there as well, and
+    are looked at as `carts check` does.
     """
-    text = _text(name)
-    shown = "stdin" if name == "-" else name
+    shown = shown_name(name)
     try:
-        source = load(text)
-    except YamlError as error:
-        fail(_line(shown, error.line, error.col, error.message, error.hint))
-    plain = {key: value for key, value in source.plain.items() if key not in FENCE_KEYS}
-    try:
-        return read_scene(plain)
+        plain, places = read_scene_text(_text(name, shown), shown)
+        return read_fence(plain, named=False).scene
+    except AuthorError as error:
+        fail(error.findings)
     except SceneError as error:
-        fail("\n".join(_placed(shown, source, problem) for problem in error.problems))
+        fail(map(places.finding, error.problems))
 
 
-def fail(message: str) -> NoReturn:
-    """Print to standard error and end with exit code 1: standard output stays empty."""
-    click.echo(message, err=True)
+def shown_name(name: str) -> str:
+    """What messages call the file."""
+    return "stdin" if name == "-" else name
+
+
+def fail(findings: Iterable[Finding]) -> NoReturn:
+    """Print to standard error in the order of the file's lines, and end with exit code 1."""
+    for finding in sorted(findings):
+        click.echo(str(finding), err=True)
     sys.exit(1)
 
 
-def _text(name: str) -> str:
-    if name == "-":
-        return sys.stdin.read()
-    path = Path(name)
-    if not path.is_file():
-        raise click.UsageError(f"There is no file “{name}”.")
+def _text(name: str, shown: str) -> str:
+    data = sys.stdin.buffer.read(MOST_BYTES) if name == "-" else _bytes(name)
+    if len(data) == MOST_BYTES:
+        what, hint = "this is more than a scene can be", "a scene is short: is this the right file?"
+        fail([Finding(shown, 1, 1, "too-long", what, hint)])
     try:
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        fail(_line(name, 1, 1, "this file is not text in UTF-8", "save it as UTF-8"))
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        what, hint = "this is not UTF-8 text", "save the file as UTF-8"
+        fail([Finding(shown, line, 1, "not-text", what, hint)])
 
 
-def _placed(name: str, source: Source, problem: Problem) -> str:
-    at_key = problem.code.startswith("unknown-") or problem.code == "bad-name"
-    line, col = (source.key_place if at_key else source.place)(problem.path)
-    return _line(name, line, col, f"{problem.where}: {problem.message}", problem.hint)
-
-
-def _line(name: str, line: int, col: int, message: str, hint: str) -> str:
-    text = f"{name}:{line}:{col}: error: {message}"
-    return f"{text}\n  hint: {hint}" if hint else text
+def _bytes(name: str) -> bytes:
+    """Raises click's usage error: a wrong path is a wrong call."""
+    try:
+        with Path(name).open("rb") as file:
+            return file.read(MOST_BYTES)
+    except FileNotFoundError:
+        raise click.UsageError(f"There is no file “{name}”.") from None
+    except IsADirectoryError:
+        raise click.UsageError(f"“{name}” is a folder, not a scene file.") from None
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or error
+        raise click.UsageError(f"“{name}” cannot be read: {why}.") from None

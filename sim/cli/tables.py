@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sim.dynamics.finished import Run
+from sim.dynamics.report import energy_parts
 from sim.dynamics.trajectory import trajectory
 from sim.dynamics.warnings import warnings
 
 UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N"}
+NAMES = {"kinetic": "in motion", "bumpers": "in bumpers", "incline": "height on the incline"}
 MOST_LINES = 200
 """Events listed for people; the rest is counted. `--json` lists them all."""
 
@@ -28,7 +30,8 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 def _is_number(rows: Sequence[Sequence[str]], k: int) -> bool:
     return all(
-        row[k].lstrip("-−").replace(".", "").replace("e-", "").isdigit() or row[k] in ("", "–")
+        row[k].lstrip("−").replace(".", "").replace("e−", "").replace("e+", "").isdigit()
+        or row[k] in ("", "–")
         for row in rows
     )
 
@@ -37,12 +40,12 @@ def number(value: float | None) -> str:
     """Six figures; what rounding leaves of nought is nought."""
     if value is None:
         return "–"
-    return f"{0.0 if abs(value) < 1e-15 else value:.6g}"
+    return f"{0.0 if abs(value) < 1e-15 else value:.6g}".replace("-", "−")
 
 
 def run_as_text(run: Run) -> str:
     """What `carts run` prints for people."""
-    scene, ledger = run.scene, run.ledger
+    scene = run.scene
     parts = [scene.title] if scene.title else []
     parts += [f"Warning: {warning.message}" for warning in warnings(run)]
     if run.record.keep_events:
@@ -62,14 +65,26 @@ def run_as_text(run: Run) -> str:
         for cart, x, v in zip(scene.carts, run.x, run.v, strict=True)
     ]
     parts.append(table(("cart", "m kg", "x0 m", "v0 m/s", "x m", "v m/s"), rows))
-    parts.append(
-        f"momentum  {number(ledger.momentum_initial)} → {number(ledger.momentum_final)} N s"
-        f"   (walls gave {number(ledger.external)} N s)\n"
-        f"energy    {number(ledger.energy_initial)} → {number(ledger.energy_final)} J"
-        f"   ({number(ledger.warmed)} J warmed the bumpers)"
-    )
+    parts.append(_account(run))
     parts.append(run.outcome.sentence)
     return "\n\n".join(parts)
+
+
+def _account(run: Run) -> str:
+    """Momentum and energy at both ends, and what every change is due to."""
+    ledger = run.ledger
+    rows = [("momentum N s", ledger.momentum_initial, ledger.momentum_final)]
+    rows += [("energy J", ledger.energy_initial, ledger.energy_final)]
+    parts = energy_parts(run)
+    if len(parts) > 2 or any(value for value in parts["bumpers"].values()):
+        rows += [(f"  {NAMES.get(n, n)}", p["initial"], p["final"]) for n, p in parts.items()]
+    lines = [table(("", "start", "end"), [(n, number(a), number(b)) for n, a, b in rows])]
+    given = [f"{by} gave {number(j)} N s" for by, j in ledger.impulses.items()]
+    lines.append(f"From outside: {', '.join(given)}." if given else "No impulse from outside.")
+    works = [f"{by} {number(work)} J" for by, work in ledger.works.items()]
+    lines += [f"Work: {', '.join(works)}."] if works else []
+    lines.append(f"{number(ledger.warmed)} J warmed the bumpers.")
+    return "\n".join(lines)
 
 
 def _events(run: Run) -> str:

@@ -160,7 +160,10 @@ class Happenings:
         self, gap: Gap, bodies: list[Body], gaps: list[Gap], now: Time, *, in_contact: bool
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
-        self.at_once(gap, now, stays=resolve.rests(gap, self.fastest, in_contact=in_contact))
+        stays = resolve.rests(gap, self.fastest, in_contact=in_contact)
+        self.at_once(gap, now, stays=stays)
+        if stays and not gap.joined:
+            resolve.rest_together(self.chain, gap, self.ledger)
         for other in gaps:
             if other is not gap and not other.joined:
                 other.rate = other.right.v - other.left.v

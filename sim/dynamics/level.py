@@ -37,8 +37,10 @@ def first_fall_to(rate: Rate, z0: float, v0: float, level: float) -> float:
         begin = first_turn(rate, z0, v0)
         if begin == math.inf:
             return math.inf  # it creeps up to nought
-    top, speed = solve(rate, z0, v0, begin)
-    lowest = begin + first_turn(rate, top, min(speed, 0.0) if begin else speed)
+    if begin == 0.0:
+        lowest = first_turn(rate, z0, v0)
+    else:  # from one turning point to the next
+        lowest = begin + math.pi / rate.w if rate.regime == "under" else math.inf
     if lowest == math.inf:
         if level <= 0.0:
             return math.inf  # it creeps down to nought
@@ -55,8 +57,7 @@ def _undamped(w: float, z0: float, v0: float, level: float) -> float:
     if abs(level) > reach:
         return math.inf
     angle = math.acos(level / reach) + math.atan2(v0 / w, z0)
-    turn = 2.0 * math.pi
-    return (angle + turn if angle <= 0.0 else angle) / w
+    return max(angle, 0.0) / w  # it is at or above the level: below nought is rounding
 
 
 def _falling_root(rate: Rate, z0: float, v0: float, level: float, low: float, high: float) -> float:

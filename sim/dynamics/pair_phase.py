@@ -120,8 +120,10 @@ class PairPhase:
         law, c = gap.law, self.centre
         if gap.room < 0.0 and isinstance(law, PushOnly):
             k, damper = law.stiffness, law.damper(gap.mu)
-            push = k * self.start[0] + damper * self.start[1]
-            level = k * c if abs(push) > PUSH_ROUNDING * k * self.start[0] else k * c - push
+            y0, v0 = self.start[0] - c, self.start[1]
+            push = k * self.start[0] + damper * v0
+            none = abs(push) <= PUSH_ROUNDING * k * self.start[0]
+            level = -k * y0 + -damper * v0 if none else k * c
             found = [("touch", self._falls(-k, -damper, level))]
             return [*found, ("clear", self._falls(1.0, 0.0, -c))]  # type: ignore[list-item]
         rest = 0.0

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.chain import Body, Chain, Gap
+from sim.dynamics.chain import Body, Chain, Gap, component
 from sim.dynamics.clock import ZERO, Time, later
 from sim.dynamics.contact import PairContact
 from sim.dynamics.impact import outgoing
@@ -96,6 +96,34 @@ def instant(
             record.piece(body)
 
 
+def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
+    """Bodies that rest against each other by `instant` contacts get one velocity, next to a wall 0.
+
+    What one impact among them leaves of velocity is too little to part them (`AT_REST`).
+    """
+    bodies, gaps = component(chain, gap.left if gap.left.carts else gap.right)
+    resting = [other for other in gaps if other.law is None and other.touching is not None]
+    here = resting.index(gap)
+    first = last = here
+    while first > 0 and resting[first - 1].right is resting[first].left:
+        first -= 1
+    while last + 1 < len(resting) and resting[last + 1].left is resting[last].right:
+        last += 1
+    group = [resting[first].left, *(other.right for other in resting[first : last + 1])]
+    fixed = next((body for body in group if body.mass == math.inf), None)
+    movers = [body for body in bodies if any(body is one for one in group)]
+    mass = math.fsum(body.mass for body in movers)
+    momentum = math.fsum(body.mass * body.v for body in movers)
+    together = 0.0 if fixed is not None else momentum / mass
+    for body in movers:
+        ledger.warm(0.5 * body.mass * (body.v - together) * (body.v + together))
+        body.v = together
+    if fixed is not None:
+        ledger.push_from_outside(-momentum)
+    for other in resting[first : last + 1]:
+        other.rate = 0.0
+
+
 def join(chain: Chain, gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     """The two stay together: from now on they are one body."""
     left, right = gap.left, gap.right
@@ -115,7 +143,7 @@ def merge(chain: Chain, gap: Gap, now: Time, record: Record) -> Body:
     left, right = gap.left, gap.right
     record.join(gap, now)
     gap.turn += 1
-    gap.joined = True
+    gap.joined, gap.rate = True, 0.0
     one = left if left.carts else right
     if left.carts and right.carts:
         one.carts, one.mass, one.right = (

@@ -19,7 +19,7 @@ import math
 from dataclasses import dataclass
 
 from sim.dynamics.effects.base import Link
-from sim.dynamics.polynomial import Poly, size
+from sim.dynamics.polynomial import Poly
 
 ORDER = 26
 REACH = 2.0
@@ -122,12 +122,12 @@ def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: floa
     """s. For a nonlinear row: a part of the radius of convergence that the last terms show."""
     step = longest
     watched = [over for over, links in zip(found.over, row.links, strict=True) if links]
-    largest = max((abs(v[0]) for v in speeds), default=0.0)
-    for series, first in [*((p, abs(p[0])) for p in watched), *((v, largest) for v in speeds)]:
-        scale = first or size(series, step)
-        for n in (len(series) - 2, len(series) - 1):
-            if series[n] != 0.0 and scale > 0.0:
-                step = min(step, CONVERGED * (scale / abs(series[n])) ** (1.0 / n))
+    for terms in (*watched, *speeds):
+        first = next((n for n, c in enumerate(terms) if c != 0.0), len(terms))
+        for n in (len(terms) - 2, len(terms) - 1):
+            if n > first and terms[n] != 0.0:
+                radius = (abs(terms[first]) / abs(terms[n])) ** (1.0 / (n - first))
+                step = min(step, CONVERGED * radius)
     return step
 
 

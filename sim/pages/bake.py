@@ -14,6 +14,15 @@ SAMPLES_OF_MANY = 7
 """Per quarter swing, baked for more carts than a few: each sample costs every cart a row. Drawn as
 cubics they are still right to 1e-5 of the amplitude; the live run that takes over has more."""
 
+MOST_NUMBERS = 2500
+"""Baked. A motion solved in many short steps is sampled in each of them, so that it needs fewer
+samples per step, 2 at least, for the same picture."""
+
+
+FORMLESS = ("hertz",)
+INTEGRATED = {"numpy", "scipy"}
+"""Contact laws without a closed form or a power series, and what integrates them."""
+
 
 @dataclass(frozen=True, slots=True)
 class Run:
@@ -24,19 +33,33 @@ class Run:
 
     @property
     def packages(self) -> frozenset[str]:
-        """The Python packages that the run's plan needs in the page."""
-        return frozenset(name for phase in self.header["plan"] for name in phase["packages"])
+        """The Python packages that the scene may need in the page."""
+        return packages_of(self.header)
+
+
+def packages_of(header: Mapping[str, Any]) -> frozenset[str]:
+    """What the page of this run has to carry beside the standard library.
+
+    A contact without a formula counts even where the default run never comes to it: a slider may.
+    """
+    planned = {name for phase in header["plan"] for name in phase["packages"]}
+    formless = any(contact["law"] in FORMLESS for contact in header["contacts"])
+    return frozenset(planned | (INTEGRATED if formless else set()))
 
 
 def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     """Run the scene (plain YAML values) with its defaults, or say why it cannot run."""
     from sim.bridge.protocol import answer  # pulls the numerics: only when something is computed
+    from sim.dynamics.trajectory import PER_STRETCH
 
     request = {"id": 0, "kind": "run", "scene": scene}
     carts = scene.get("carts")
     if isinstance(carts, Mapping) and len(carts) > FEW_CARTS:
         request["samples"] = SAMPLES_OF_MANY
     header, numbers = answer(request)
+    if header["ok"] and len(numbers) > MOST_NUMBERS:
+        fewer = PER_STRETCH * MOST_NUMBERS // len(numbers)
+        header, numbers = answer(request | {"samples": max(2, fewer)})
     if header["ok"]:
         return Run(header, numbers)
     return [

@@ -15,7 +15,7 @@ from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
-from sim.scene import SceneError, read_scene
+from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)
 SCENE_SUFFIXES = (".yml", ".yaml")
@@ -69,12 +69,12 @@ def check_scene(text: str, file: str) -> list[Finding]:
     """Everything that is wrong with one scene file."""
     try:
         plain, places = read_scene_text(text, file)
-        read_scene(plain)
+        fence = read_fence(plain, named=False)
     except AuthorError as error:
         return sorted(error.findings)
     except SceneError as error:
         return sorted(places.finding(problem) for problem in error.problems)
-    run = bake(plain)
+    run = bake(fence.plain)
     return sorted(map(places.finding, run)) if isinstance(run, list) else []
 
 

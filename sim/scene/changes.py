@@ -1,7 +1,8 @@
 """Changes to plain scene values by path: what a slider, a link or `el.set` asks for.
 
 A path is dotted: ``A.mass`` (a cart's key), ``contact.restitution``, ``contact.pairs.A-B.law``,
-``track.length``, ``until``, ``effects.0.coefficient`` (a number of the first effect).
+``track.length``, ``until``, ``effects.0.coefficient`` (a number of the first effect),
+``friction.coefficient`` (where there is one friction), ``friction.active`` (whether it acts).
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from sim.scene.effects import KINDS
 from sim.scene.fields import CART
 from sim.scene.problem import Path, Problem, SceneError, nearest
 
@@ -66,6 +68,8 @@ def resolve(plain: Mapping[str, Any], target: str) -> Path | None:
         return ("track", rest)
     if head == "effects":
         return _effect_path(plain.get("effects"), rest)
+    if head in KINDS:
+        return _effect_by_kind(plain.get("effects"), head, rest)
     return None
 
 
@@ -75,8 +79,23 @@ def _effect_path(effects: object, rest: str) -> Path | None:
         return None
     if int(index) >= len(effects) or not isinstance(effects[int(index)], Mapping):
         return None
-    kind = next(iter(effects[int(index)]), None)
-    return None if kind is None else ("effects", int(index), str(kind), key)
+    kind = str(next(iter(effects[int(index)]), ""))
+    key = key.removeprefix(f"{kind}.")
+    return ("effects", int(index), kind, key) if key in _effect_keys(kind) else None
+
+
+def _effect_by_kind(effects: object, kind: str, key: str) -> Path | None:
+    """The path for a kind that is listed once."""
+    if not isinstance(effects, (list, tuple)) or key not in _effect_keys(kind):
+        return None
+    listed = [k for k, entry in enumerate(effects) if isinstance(entry, Mapping) and kind in entry]
+    return ("effects", listed[0], kind, key) if len(listed) == 1 else None
+
+
+def _effect_keys(kind: str) -> tuple[str, ...]:
+    """What can be changed of an effect: its numbers, and whether it acts."""
+    row = KINDS.get(kind)
+    return () if row is None else (*(field.key for field in row.fields), "active")
 
 
 def targets(plain: Mapping[str, Any]) -> list[str]:
@@ -84,6 +103,15 @@ def targets(plain: Mapping[str, Any]) -> list[str]:
     carts = plain.get("carts")
     names = list(carts)[:12] if isinstance(carts, Mapping) else []
     own = [f"{name}.{field.key}" for name in names for field in CART]
+    effects = plain.get("effects")
+    listed = effects[:12] if isinstance(effects, (list, tuple)) else []
+    own += [
+        f"{kind}.{key}"
+        for entry in listed
+        if isinstance(entry, Mapping)
+        for kind in entry
+        for key in _effect_keys(str(kind))
+    ]
     return [
         *own,
         "contact.restitution",

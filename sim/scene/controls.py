@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sim.scene.effect_controls import effect_number, is_switch
+from sim.scene.effects import KINDS, Effect
 from sim.scene.fields import CART, GRAVITY, RESTITUTION, STIFFNESS, TRACK_LENGTH, UNTIL, Field
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
@@ -35,8 +37,13 @@ class Control:
         return float(f"{number / self.per:.12g}")
 
 
-def read_controls(value: object, scene: Scene, problems: list[Problem]) -> tuple[Control, ...]:
-    """The controls in the order listed, each with the scene's own value as its start."""
+def read_controls(
+    value: object, scene: Scene, problems: list[Problem], effects: Sequence[Effect] | None = None
+) -> tuple[Control, ...]:
+    """The sliders in the order listed, each with the scene's own value as its start.
+
+    `effects`: all that the scene lists, where those that are switched off count too.
+    """
     hint = "controls:\n  - {set: A.mass, from: 0.5 kg, to: 5 kg, step: 0.1 kg}"
     if not isinstance(value, (list, tuple)):
         problems.append(Problem(("controls",), "not-a-list", "controls is a list", hint))
@@ -44,31 +51,38 @@ def read_controls(value: object, scene: Scene, problems: list[Problem]) -> tuple
     controls = []
     for k, entry in enumerate(value):
         path = ("controls", k)
+        if effects is not None and is_switch(entry):
+            continue  # `read_switches` reads it
         table = mapping(entry, path, problems, hint)
         if table is None:
             continue
         unknown_keys(table, ("set", "from", "to", "step"), path, problems)
-        control = _control(table, path, scene, problems)
+        control = _control(table, path, scene, effects or scene.effects, problems)
         if control is not None:
             controls.append(control)
     return tuple(controls)
 
 
 def _control(
-    table: Mapping[str, Any], path: Path, scene: Scene, problems: list[Problem]
+    table: Mapping[str, Any],
+    path: Path,
+    scene: Scene,
+    effects: Sequence[Effect],
+    problems: list[Problem],
 ) -> Control | None:
     target = table.get("set")
-    found = _target(str(target), scene)
+    found = _target(str(target), scene) or effect_number(str(target), effects)
     if found is None:
         names = [cart.name for cart in scene.carts]
         owner = str(target).partition(".")[0]
-        unknown = owner not in (*names, "contact", "track", "until", "gravity")
+        known = (*names, "contact", "track", "until", "gravity", "effects", *KINDS)
+        unknown = owner not in known
         problems.append(
             Problem(
                 (*path, "set"),
                 "unknown-path",
                 f"there is no cart {owner}" if unknown else f"no control can set “{target}”",
-                "for example A.mass, B.velocity, contact.restitution, contact.stiffness",
+                _hint(owner, effects),
             )
         )
         return None
@@ -125,6 +139,19 @@ def _control(
         per=per,
         label=label,
         value=value,
+    )
+
+
+def _hint(owner: str, effects: Sequence[Effect]) -> str:
+    """What a control could set instead."""
+    own = [
+        f"effects.{effect.index}.{key}"
+        for effect in effects
+        if owner in ("effects", effect.kind)
+        for key in effect.numbers
+    ]
+    return ", ".join(
+        own or ("for example A.mass, B.velocity, contact.restitution, contact.stiffness",)
     )
 
 

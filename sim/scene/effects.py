@@ -33,13 +33,19 @@ class EffectKind:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
-    """One listed effect. `numbers` are SI floats; `carts` the carts it acts on."""
+    """One listed effect. `numbers` are SI floats; `carts` the carts it acts on.
+
+    `index` is its place in the list of the scene. One that is not `active` is described, so that a
+    switch can turn it on, and is no part of a run.
+    """
 
     kind: str
     numbers: Mapping[str, float]
     carts: tuple[str, ...]
     between: tuple[str, str] | None = None
     by: str | None = None
+    index: int = 0
+    active: bool = True
 
 
 _FROM = Field("from", quantity.TIME, "0", "the force begins", least="0")

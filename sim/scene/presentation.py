@@ -8,14 +8,20 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.scene.controls import Control, read_controls
+from sim.scene.effect_controls import Switch, read_switches
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, read_predict
+from sim.scene.presets import read_presets
 from sim.scene.problem import Path, Problem, SceneError
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
+from sim.scene.read_effects import listed_effects
 from sim.scene.tables import mapping, unknown_keys
 
-FENCE_KEYS = ("id", "show", "with", "controls", "predict", "forces", "slow", "view", "packages")
+FENCE_KEYS = (
+    *("id", "show", "with", "controls", "presets", "predict"),
+    *("forces", "slow", "view", "packages"),
+)
 SHOWS = ("x", "v", "a", "F", "p", "energy")
 VIEWS = ("free-body", "lens", "bars")
 PACKAGES = ("numpy", "scipy")
@@ -32,15 +38,20 @@ class Fence:
     show: tuple[str, ...]
     opened: tuple[str, ...]  # views beside the graphs, in the fence “with”
     controls: tuple[Control, ...]
+    switches: tuple[Switch, ...]  # among the controls: which effects a reader may turn on and off
+    presets: Mapping[str, Mapping[str, Any]]  # changes to the scene, by the name on the button
     predict: Predict | None
     forces: str  # shown | hidden
-    slow: str  # auto | never
+    slow: str  # auto | never | stops
     view_speed: float  # m/s, of the camera; 0: at rest on the track
     packages: tuple[str, ...]
 
 
-def read_fence(plain: object) -> Fence:
-    """The fence that `plain` describes; raises SceneError with every problem."""
+def read_fence(plain: object, *, named: bool = True) -> Fence:
+    """The fence that `plain` describes; raises SceneError with every problem.
+
+    A scene file is a fence that need not be `named`: it may have an id, or go without.
+    """
     problems: list[Problem] = []
     table = mapping(plain, (), problems, "a scene is a table of keys, for example “carts:”")
     if table is None:
@@ -48,7 +59,7 @@ def read_fence(plain: object) -> Fence:
     unknown_keys(table, (*FENCE_KEYS, *SCENE_KEYS), (), problems)
     scene_part = {key: value for key, value in table.items() if key in SCENE_KEYS}
     scene = collect_scene(scene_part, problems)
-    identity = table.get("id")
+    identity = table.get("id", None if named else "file")
     if not isinstance(identity, str) or not ID.fullmatch(identity):
         path: Path = ("id",) if "id" in table else ()
         code = "bad-name" if "id" in table else "missing"
@@ -66,9 +77,17 @@ def read_fence(plain: object) -> Fence:
     opened = _choices("with", table, (), VIEWS, problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
     forces = _choice("forces", table, ("shown", "hidden"), problems)
-    slow = _choice("slow", table, ("auto", "never"), problems)
+    slow = _choice("slow", table, ("auto", "never", "stops"), problems)
     speed = _view(table.get("view"), problems)
-    controls = () if scene is None else read_controls(table.get("controls", []), scene, problems)
+    controls: tuple[Control, ...] = ()
+    switches: tuple[Switch, ...] = ()
+    presets: dict[str, dict[str, Any]] = {}
+    if scene is not None:
+        names = [cart.name for cart in scene.carts]
+        effects = listed_effects(table.get("effects", []), names, scene.track, [])
+        controls = read_controls(table.get("controls", []), scene, problems, effects)
+        switches = read_switches(table.get("controls", []), effects, problems)
+        presets = read_presets(table.get("presets", {}), scene_part, problems)
     predict = None
     if "predict" in table and scene is not None:
         predict = read_predict(table["predict"], scene, problems)
@@ -81,6 +100,8 @@ def read_fence(plain: object) -> Fence:
         show=show,
         opened=opened,
         controls=controls,
+        switches=switches,
+        presets=presets,
         predict=predict,
         forces=forces,
         slow=slow,

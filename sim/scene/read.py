@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from sim.scene.effect_rules import check_effects
 from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
@@ -17,6 +18,9 @@ from sim.scene.tables import mapping, number, unknown_keys
 
 SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,15}", re.ASCII)
+NO_NAMES = ("left", "right", "null", "Null", "NULL")
+"""The walls, and what YAML reads as nothing."""
+
 MOST_CARTS = 100_000
 """More carts than this are refused before work starts: a run of them would not fit a laptop."""
 
@@ -46,13 +50,12 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     gravity = number(GRAVITY, table, (), problems)
     overlap_allowed = _start(table.get("start", {}), problems)
     if len(problems) > before or exact is None or track is None or until is None or gravity is None:
-        read_contacts(
-            table.get("contact", {}), sorted_names(exact or {}), track or Track(), problems
-        )
+        read_contacts(table.get("contact", {}), sorted_names(exact or {}), track, problems)
         return None
     names = sorted_names(exact)
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
+    check_effects(effects, table.get("effects", []), problems)
     released = {frozenset(e.between) for e in effects if e.kind == "release" and e.between}
     gaps = _gaps(exact, names, track, length)
     for k, gap in enumerate(gaps):
@@ -97,14 +100,14 @@ def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fracti
     carts: dict[str, dict[str, Fraction]] = {}
     for name, body in table.items():
         path = ("carts", name)
-        if not isinstance(name, str) or not NAME.fullmatch(name) or name in ("left", "right"):
+        if not isinstance(name, str) or not NAME.fullmatch(name) or name in NO_NAMES:
             problems.append(
                 Problem(
                     path,
                     "bad-name",
                     f"“{str(name)[:40]}” cannot name a cart",
                     "use a letter, then up to 15 letters, digits, - or _; "
-                    "“left” and “right” are the walls",
+                    "“left” and “right” are the walls, “null” means nothing",
                 )
             )
             continue

@@ -18,9 +18,12 @@ HINT = "contact: {restitution: 0.8, stiffness: 400 N/m, law: bumper}"
 
 
 def read_contacts(
-    value: object, names: list[str], track: Track, problems: list[Problem]
+    value: object, names: list[str], track: Track | None, problems: list[Problem]
 ) -> tuple[Contact | None, ...]:
-    """The contact of each gap from left to right, None on an open side."""
+    """The contact of each gap from left to right, None on an open side.
+
+    `track` None: it could not be read, and nobody knows where there are walls.
+    """
     table = mapping(value, ("contact",), problems, HINT)
     if table is None:
         return ()
@@ -31,20 +34,32 @@ def read_contacts(
     pairs = mapping(
         table.get("pairs", {}), ("contact", "pairs"), problems, "pairs: {A-B: {restitution: 0.5}}"
     )
+    named: dict[int, str] = {}
     for key, changes in (pairs or {}).items():
         path = ("contact", "pairs", key)
         gap = _gap_named(str(key), bodies)
         if gap is None:
             _unknown_pair(str(key), bodies, path, problems)
-        else:
-            own = mapping(changes, path, problems, "{restitution: 0.5}")
-            if own is not None:
-                unknown_keys(own, KEYS, path, problems)
-                contacts[gap] = _contact(own, table, path, problems)
-    if track.left == "open":
-        contacts[0] = None
-    if track.right == "open":
-        contacts[-1] = None
+            continue
+        own = mapping(changes, path, problems, "{restitution: 0.5}")
+        if own is not None:
+            unknown_keys(own, KEYS, path, problems)
+            contacts[gap] = _contact(own, table, path, problems)
+        if (first := named.setdefault(gap, str(key))) != key:
+            message = f"“{key}” is the same pair as “{first}”"
+            problems.append(Problem(path, "twice", message, "keep one of them"))
+    for gap, side in ((0, "left"), (len(names), "right")) if track is not None else ():
+        if getattr(track, side) == "open":
+            contacts[gap] = None
+            if gap in named:
+                problems.append(
+                    Problem(
+                        ("contact", "pairs", named[gap]),
+                        "no-wall",
+                        f"“{named[gap]}” needs a wall, but the track is open on the {side}",
+                        f"track: {{length: 2.4 m, {side}: wall}}, or remove this pair",
+                    )
+                )
     return tuple(contacts)
 
 

@@ -15,7 +15,15 @@ from sim.scene.tables import mapping, number, unknown_keys
 def read_effects(
     value: object, names: list[str], track: Track, problems: list[Problem]
 ) -> tuple[Effect, ...]:
-    """The effects in the order listed. Carts and walls they name must exist."""
+    """The effects that act, in the order listed. Carts and walls they name must exist."""
+    listed = listed_effects(value, names, track, problems)
+    return tuple(effect for effect in listed if effect.active)
+
+
+def listed_effects(
+    value: object, names: list[str], track: Track, problems: list[Problem]
+) -> tuple[Effect, ...]:
+    """Every effect that makes sense, those that are switched off too."""
     if not isinstance(value, (list, tuple)):
         problems.append(
             Problem(
@@ -28,15 +36,16 @@ def read_effects(
         return ()
     effects = []
     for k, entry in enumerate(value):
-        effect = _entry(entry, ("effects", k), names, track, problems)
+        effect = _entry(entry, k, names, track, problems)
         if effect is not None:
             effects.append(effect)
     return tuple(effects)
 
 
 def _entry(
-    entry: object, path: Path, names: list[str], track: Track, problems: list[Problem]
+    entry: object, index: int, names: list[str], track: Track, problems: list[Problem]
 ) -> Effect | None:
+    path: Path = ("effects", index)
     if not isinstance(entry, Mapping) or len(entry) != 1:
         problems.append(
             Problem(
@@ -60,15 +69,31 @@ def _entry(
         return None
     before = len(problems)
     keys = tuple(f.key for f in kind.fields) + ((kind.needs,) if kind.needs else ("carts",))
-    unknown_keys(table, (*keys, "by") if kind.by else keys, path, problems)
+    keys = (*keys, "by", "active") if kind.by else (*keys, "active")
+    unknown_keys(table, keys, path, problems)
     numbers = _numbers(kind, table, path, problems)
     carts, between = _bodies(kind, table, path, names, track, problems)
     by = table.get("by", kind.by)
     if by is not None and not isinstance(by, str):
         problems.append(Problem((*path, "by"), "not-text", "by names who pushes", "by: hand"))
+    active = table.get("active", True)
+    if not isinstance(active, bool):
+        problems.append(
+            Problem(
+                (*path, "active"), "not-a-choice", "active must be true or false", "active: false"
+            )
+        )
     if len(problems) > before:
         return None
-    return Effect(kind=kind.name, numbers=numbers, carts=carts, between=between, by=by)
+    return Effect(
+        kind=kind.name,
+        numbers=numbers,
+        carts=carts,
+        between=between,
+        by=by,
+        index=index,
+        active=active,
+    )
 
 
 def _numbers(
@@ -170,7 +195,7 @@ def magnets_apart(
 ) -> None:
     """Magnets need room between them: at no distance their force has no limit."""
     row = ["left", *names, "right"]
-    for k, effect in enumerate(effects):
+    for effect in effects:
         if effect.kind != "magnets" or effect.between is None:
             continue
         gap = gaps[row.index(effect.between[0])]
@@ -178,7 +203,7 @@ def magnets_apart(
             a, b = effect.between
             problems.append(
                 Problem(
-                    ("effects", k, "magnets", "between"),
+                    ("effects", effect.index, "magnets", "between"),
                     "overlap",
                     f"magnets need room between them, but {a} and {b} touch at the start",
                     "move them apart",

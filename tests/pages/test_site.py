@@ -17,7 +17,7 @@ USUAL_FORMULA_FONTS = ("Main-Regular", "Math-Italic", "Size1-Regular", "Size2-Re
 MOST_HTML_PER_SCENE = 60_000  # bytes
 MOST_HTML_PER_MAP = 40_000
 MOST_RUNTIME = 14_000_000  # bytes on disk, once per site, without packages
-MOST_NUMPY = 5_000_000  # more, because a page has a map
+MOST_PACKAGES = 22_000_000  # more: numpy because a page has a map, scipy because one has balls
 
 
 class Links(HTMLParser):
@@ -183,11 +183,20 @@ def test_a_map_costs_little_html(site: Path) -> None:
 
 def test_the_runtime_fits(site: Path) -> None:
     files = list((site / "assets" / "carts" / "runtime").iterdir())
-    packages = [p for p in files if p.name.startswith(("numpy", "python-more"))]
+    packages = [p for p in files if p.name.startswith(("numpy", "scipy", "python-more"))]
     size = sum(p.stat().st_size for p in files)
-    numpy = sum(p.stat().st_size for p in packages)
-    assert 0 < numpy <= MOST_NUMPY
-    assert size - numpy <= MOST_RUNTIME
+    extra = sum(p.stat().st_size for p in packages)
+    assert 0 < extra <= MOST_PACKAGES
+    assert size - extra <= MOST_RUNTIME
+
+
+def test_only_pages_with_balls_load_scipy(site: Path) -> None:
+    loading = {
+        page.relative_to(site).as_posix()
+        for page in pages(site)
+        if re.search(r'data-packages="[^"]*scipy', page.read_text(encoding="utf-8"))
+    }
+    assert loading == {"gallery/balls.html"}
 
 
 def test_nothing_for_developers_only_is_shipped(site: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -56,12 +56,13 @@ def opened(driver: Playwright, name: str, profile: Path, file: Path) -> tuple[Br
     return context, ready(page)
 
 
-def test_no_answer_is_lost_when_the_browser_is_killed(
-    driver: Playwright, browser_name: str, question_site: Path, tmp_path: Path
-) -> None:
+def lost_answers(
+    driver: Playwright, name: str, profile: Path, file: Path, delays: Sequence[float]
+) -> list[str]:
+    """Type, kill the browser so many seconds later, look again, and so on; what was not kept."""
     written, lost = "", []
-    for delay in (*DELAYS, None):
-        context, page = opened(driver, browser_name, tmp_path, question_site / "kinds.html")
+    for delay in (*delays, None):
+        context, page = opened(driver, name, profile, file)
         box = page.locator("#why textarea")
         try:
             expect(box).to_have_value(written, timeout=3000)
@@ -74,7 +75,14 @@ def test_no_answer_is_lost_when_the_browser_is_killed(
         box.fill("")
         box.press_sequentially(written)
         time.sleep(delay)
-        kill(tmp_path)
+        kill(profile)
         with suppress(Exception):  # it is dead, which is what is wanted
             context.close()
-    assert lost == []
+    return lost
+
+
+def test_no_answer_is_lost_when_the_browser_is_killed(
+    driver: Playwright, browser_name: str, question_site: Path, tmp_path: Path
+) -> None:
+    file = question_site / "kinds.html"
+    assert lost_answers(driver, browser_name, tmp_path, file, DELAYS) == []

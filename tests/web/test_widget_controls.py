@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
+from typing import Any
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import live, on_scene, widget_site
+from tests.web.widget_site import MEETING, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -161,3 +163,105 @@ def test_a_table_is_filled_when_it_is_opened(open_page: OpenPage, widget_site: P
     table = page.locator('#meeting [data-quantity="v"] details')
     table.locator("summary").click()
     expect(table.locator("tbody tr").first.locator("td").nth(1)).to_have_text("1.00")
+
+
+PLAY: dict[str, Any] = {
+    **MEETING,
+    "id": "play",
+    "presets": {"elastic": {"contact.restitution": 1}, "heavy hits light": {"A.mass": "4 kg"}},
+    "controls": [
+        *MEETING["controls"],
+        {"set": "A.position", "from": "0.2 m", "to": "1 m", "step": "0.1 m"},
+    ],
+}
+
+
+@pytest.fixture
+def play(open_page: OpenPage, widget_site: Path) -> Page:
+    return live(open_page(write_page(widget_site, "play", PLAY)), "play")
+
+
+SAVED = """() => {
+  window.saved = {};
+  HTMLAnchorElement.prototype.click = function () {
+    const name = this.download;
+    const blob = window.blobs.at(-1);
+    blob.slice(0, 7).text().then((text) => { window.saved[name] = text; });
+  };
+  window.blobs = [];
+  const make = URL.createObjectURL;
+  URL.createObjectURL = (blob) => { window.blobs.push(blob); return make.call(URL, blob); };
+}"""
+
+
+def value(page: Page, target: str) -> str:
+    return page.locator(f'#play [data-set="{target}"] .carts-number-box').input_value()
+
+
+def test_presets_are_undone_and_reset(play: Page) -> None:
+    scene = play.locator("#play")
+    undo = scene.locator(".carts-undo")
+    expect(undo).to_be_disabled()
+    scene.locator(".carts-preset", has_text="heavy hits light").click()
+    mass = scene.locator('[data-set="A.mass"] .carts-number-box')
+    expect(mass).to_have_value("4.0")
+    scene.locator(".carts-preset", has_text="elastic").click()
+    expect(mass).to_have_value("0.5")  # a preset starts from the lesson's values
+    undo.click()
+    expect(mass).to_have_value("4.0")
+    scene.locator(".carts-reset").click()
+    expect(mass).to_have_value("0.5")
+    undo.click()
+    expect(mass).to_have_value("4.0")
+
+
+def test_carts_and_arrows_are_pulled_at_the_start(play: Page) -> None:
+    def pull(selector: str, by: float) -> None:
+        box = play.locator(f"#play .carts-stage-wide {selector}").bounding_box()
+        assert box
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        play.mouse.move(x, y)
+        play.mouse.down()
+        play.mouse.move(x + by / 2, y, steps=3)
+        play.mouse.move(x + by, y)
+        play.mouse.up()
+
+    metre = on_scene(
+        play,
+        """const box = el.querySelector('.carts-stage-wide [data-part="box"]');
+        return box.getBBox().width * box.getScreenCTM().a / 0.12;""",
+        name="play",
+    )
+    cart = '.carts-cart[data-body="A"] [data-part="box"]'
+    pull(cart, 0.31 * metre)
+    expect(play.locator('#play [data-set="A.position"] .carts-number-box')).to_have_value("0.7")
+    pull('.carts-velocity[data-body="A"] [data-part="text"]', -100)
+    expect(play.locator('#play [data-set="A.velocity"] .carts-number-box')).to_have_value("0.20")
+    expect(play.locator("#play .carts-reset")).to_be_enabled()
+    on_scene(play, "el.time = 0.5;", name="play")
+    pull(cart, -0.3 * metre)
+    assert value(play, "A.position") == "0.7"  # only at the start
+
+
+def test_a_link_restores_the_state_and_files_are_saved(
+    open_page: OpenPage, widget_site: Path, play: Page
+) -> None:
+    on_scene(play, "await el.set({ 'A.mass': 3 }); el.time = 1;", name="play")
+    play.locator("#play .carts-take summary").click()
+    play.locator("#play [data-take=link]").click()
+    address = play.locator("#play .carts-take textarea")
+    expect(address).to_have_value(re.compile(r"#carts:play\?A\.mass=3&t=1$"))
+    play.evaluate(SAVED)  # Firefox's driver tells of no downloads
+    for kind, start in (("csv", "t in s,"), ("svg", "<svg xm"), ("png", "\ufffdPNG\r\n\x1a")):
+        play.locator(f"#play [data-take={kind}]").click()
+        play.wait_for_function("name => window.saved[name]", arg=f"play.{kind}")
+        assert play.evaluate(f"window.saved['play.{kind}']") == start
+    other = open_page(widget_site / "play.html")
+    other.goto("about:blank")
+    other.goto(address.input_value())
+    live(other, "play")
+    expect(other.locator('#play [data-set="A.mass"] .carts-number-box')).to_have_value("3.0")
+    other.goto("about:blank")
+    other.goto((widget_site / "play.html").as_uri() + "#carts:play?A.mass=-1")
+    live(other, "play")
+    expect(other.locator("#play .carts-note")).to_contain_text("does not fit this scene")

@@ -20,9 +20,11 @@ STILL = """el => {
   const copy = el.querySelector(".carts-frame").cloneNode(true);
   for (const part of copy.querySelectorAll("*")) {
     for (const name of ["disabled", "data-curves", "value"]) part.removeAttribute(name);
+    part.classList.remove("carts-draggable");
   }
   copy.querySelector(".carts-mark").removeAttribute("aria-label");
-  const filled = ".carts-transport, .carts-scrub, .carts-views, .carts-choices, .carts-area-note";
+  const filled = `.carts-transport, .carts-scrub, .carts-views, .carts-choices, .carts-area-note,
+    .carts-take`;
   for (const part of copy.querySelectorAll(filled)) part.remove();
   return copy.outerHTML.split(/(?=<[a-z])/).map((part) => part.trim());
 }"""

@@ -207,10 +207,10 @@ def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Pat
     expect(page.get_by_label("It turns back")).to_be_checked()
     expect(page.get_by_label("It turns back")).to_be_disabled()
     page = live(open_page(widget_site / "words.html"), "words")
-    page.locator("#words textarea").fill("It turns back, <b>I think</b>.")
+    page.locator("#words .carts-words").fill("It turns back, <b>I think</b>.")
     expect(page.locator("#words .carts-saved")).to_have_text("Saved.")
     page.reload()
-    expect(page.locator("#words textarea")).to_have_value("It turns back, <b>I think</b>.")
+    expect(page.locator("#words .carts-words")).to_have_value("It turns back, <b>I think</b>.")
 
 
 def test_without_python_a_prediction_is_kept_and_the_reader_told(

@@ -106,3 +106,18 @@ def test_before_and_now_of_momentum_add_up(third: Page) -> None:
     ]
     assert sum(now[:3]) == pytest.approx(now[3], abs=0.011)
     assert now[3] == pytest.approx(0.30, abs=0.001)
+
+
+def test_playing_stops_at_touch_greatest_force_and_parting(third: Page) -> None:
+    scene = third.locator("#third")
+    scene.locator(".carts-choose summary").click()
+    scene.locator('[data-choice="stops"]').check()
+    scene.locator(".carts-speed").select_option("10")
+    scene.locator(".carts-slow").uncheck()
+    on_scene(third, "el.time = 0;", name="third")
+    events = on_scene(third, "return el.trajectory.events.slice(0, 3).map((e) => e.t)",
+                      name="third")  # fmt: skip
+    for t in events:
+        scene.locator(".carts-play").click()
+        expect(scene.locator(".carts-play")).to_have_text("Play")  # it has stopped by itself
+        assert on_scene(third, "return el.time", name="third") == t

@@ -70,7 +70,7 @@ def lay_out(
     left = wall if track["left"] == "wall" else margin
     right = wall if track["right"] == "wall" else margin
     scale = (width - left - right) / (high - low)
-    lanes = min(count, 3)
+    lanes = min(count, 4)
     closest = min(b["length"] for b in header["bodies"]) * scale
     ranks = min(count, MOST_RANKS, math.ceil(SIGN / closest))
     top = 14.0 + (lanes - 1) * LANE + ABOVE + STAGGER * (ranks - 1) + scales.tallest

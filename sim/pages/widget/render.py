@@ -17,7 +17,7 @@ from sim.pages.widget.view import scene_view
 
 # Significant digits of the baked numbers: far below what can be seen, and few enough for 60 kB
 # of HTML per scene. Long runs get fewer.
-DIGITS, FEWER_DIGITS, LONG = 12, 7, 1500
+DIGITS, FEWER_DIGITS, LONG = 11, 7, 1500
 # Parts of a header that tell of the run; a page without a prediction may know them at once.
 TELLING = ("final", "energy", "momentum", "work", "evaluations", "outcome")
 UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
@@ -97,6 +97,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
             }
             for c in fence.controls
         ],
+        "presets": {name: dict(changes) for name, changes in fence.presets.items()},
         "predict": None
         if predict is None
         else {

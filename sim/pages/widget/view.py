@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.pages.bake import packages_of
 from sim.pages.widget import graph as g
 from sim.pages.widget.contacts import touches
 from sim.pages.widget.exits import exits
@@ -56,7 +57,7 @@ def scene_view(
     return {
         "id": fence.id,
         "title": header.get("title") or "Carts on an air track",
-        "packages": " ".join(sorted(fence.packages)),
+        "packages": " ".join(sorted({*fence.packages, *packages_of(header)})),
         "warnings": header["warnings"],
         "stages": stages,
         "torn": stages[0]["torn"],
@@ -65,12 +66,13 @@ def scene_view(
         "description": _description(header, scales, camera),
         "time": _timeline(header, contacts, until),
         "speed": _opening_speed(until),
-        "slow": fence.slow == "auto" and any(c["stiffness"] for c in header["contacts"]),
+        "slow": fence.slow != "never" and any(c["stiffness"] for c in header["contacts"]),
         "predict_view": _predict_view(fence, header, scales),
         "cards": cards(
             header, fence.controls, scales, run, camera=camera, forces=forces, told=told
         ),
         "has_controls": bool(fence.controls),
+        "presets": list(fence.presets),
         "windows": [
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
         ],

@@ -71,13 +71,13 @@
       row.append(this.who, this.meter, this.count, button2);
       this.root.append(this.warning, row);
       if (!outline()) this.root.classList.add("carts-bar-small");
-      document.body.append(this.root);
       this.onPaper = html("p", "carts-print-head");
       if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
       book2.addEventListener("change", () => this.show());
       void book2.ready.then(() => {
         this.show();
         this.root.dataset.ready = "";
+        document.body.append(this.root);
       });
     }
     show() {
@@ -1041,10 +1041,9 @@
       #ask(on) {
         const left = this.#questions().filter((question2) => !question2.answered).length;
         const missing = left ? `${left} ${left === 1 ? "question is" : "questions are"} not answered. ` : "";
-        say(
-          need(this, ".carts-quiz-sure-text"),
-          `${missing}After handing in you cannot change anything.`
-        );
+        const nameless = book2.student ? "" : "You have typed no code word yet: My answers. ";
+        const words2 = `${missing}${nameless}After handing in you cannot change anything.`;
+        say(need(this, ".carts-quiz-sure-text"), words2);
         need(this, ".carts-quiz-sure").hidden = !on;
         need(this, ".carts-quiz-hand-in").hidden = on;
         need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();
@@ -1589,6 +1588,23 @@
     return at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
   }
 
+  // src/question/marking/own-run.js
+  function reading(run, mass, quantity, at) {
+    const [what, ...rest] = quantity.split(".");
+    const whose = rest.join(".");
+    const column = (what === "p" ? run.v : run[String(what)])?.[whose];
+    if (!column?.length) return null;
+    const factor = what === "p" ? mass[whose] ?? Number.NaN : 1;
+    const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
+    if (at === "largest") {
+      let most = 0;
+      for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
+      return most * factor;
+    }
+    const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
+    return valueAt(run.t, column, slopes, t) * factor;
+  }
+
   // src/question/marking/typed-number.js
   var LONGEST2 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
@@ -1630,21 +1646,6 @@
     if (!run) return { own: null, set };
     const value = reading(run, masses(scene), facts.quantity, facts.at);
     return { own: value === null ? null : value / facts.per, set };
-  }
-  function reading(run, mass, quantity, at) {
-    const [what, ...rest] = quantity.split(".");
-    const whose = rest.join(".");
-    const column = (what === "p" ? run.v : run[String(what)])?.[whose];
-    if (!column?.length) return null;
-    const factor = what === "p" ? mass[whose] ?? Number.NaN : 1;
-    const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
-    if (at === "largest") {
-      let most = 0;
-      for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
-      return most * factor;
-    }
-    const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
-    return valueAt(run.t, column, slopes, t) * factor;
   }
   var changes = /* @__PURE__ */ new WeakMap();
   document.addEventListener("carts-update", (event) => {
@@ -1938,4 +1939,5 @@
   customElements.define("carts-quiz", quizElement(book));
   var panel = new Panel(book);
   new Bar(book, () => void panel.open());
+  void book.ready.then(() => performance.mark("carts:answers"));
 })();

@@ -327,13 +327,13 @@
     /** @type {Map<string, ControlView>} */
     #views = /* @__PURE__ */ new Map();
     /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change */
-    constructor(root, controls, change) {
+    constructor(root, controls, change2) {
       for (const control of controls) {
         const element = (
           /** @type {HTMLElement | null} */
           root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
         );
-        if (element) this.#views.set(control.set, new ControlView(element, control, change));
+        if (element) this.#views.set(control.set, new ControlView(element, control, change2));
       }
     }
     /** @param {boolean} on */
@@ -348,6 +348,10 @@
         view.show(Number.isFinite(number) ? view.shown(number) : view.control.value);
       }
     }
+    /** A value from elsewhere than its slider. @param {string} target @param {number} value in the control's unit @param {number} at */
+    take(target, value, at) {
+      this.#views.get(target)?.take(value, at);
+    }
     /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
     complain(target, message) {
       this.#views.get(target)?.complain(message);
@@ -358,7 +362,7 @@
     #sent = "";
     // the text in the box that a run was asked for with
     /** @param {HTMLElement} root @param {Control} control @param {Change} change */
-    constructor(root, control, change) {
+    constructor(root, control, change2) {
       this.root = root;
       this.control = control;
       this.slider = /** @type {HTMLInputElement} */
@@ -369,20 +373,24 @@
       this.decimals = Math.max(
         ...[control.step, control.low, control.value].map((v) => decimalsOf(v))
       );
+      this.change = change2;
       this.slider.addEventListener("input", (event) => {
-        const value = this.slider.valueAsNumber;
-        this.#accept(value);
-        change(control.set, this.#asked(value), event.timeStamp);
+        this.take(this.slider.valueAsNumber, event.timeStamp);
       });
-      this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
+      this.box.addEventListener("change", (event) => this.#typed(change2, event.timeStamp));
       this.box.addEventListener("keydown", (event) => {
-        if (event.key === "Enter") this.#typed(change, event.timeStamp);
+        if (event.key === "Enter") this.#typed(change2, event.timeStamp);
       });
     }
     /** @param {boolean} on */
     enable(on) {
       this.slider.disabled = !on;
       this.box.disabled = !on;
+    }
+    /** @param {number} value in the control's unit @param {number} at */
+    take(value, at) {
+      this.#accept(value);
+      this.change(this.control.set, this.#asked(value), at);
     }
     /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
     shown(value) {
@@ -414,20 +422,20 @@
       this.box.removeAttribute("aria-invalid");
     }
     /** @param {Change} change @param {number} at */
-    #typed(change, at) {
+    #typed(change2, at) {
       const read = readTyped(this.box.value);
       const { low, high, unit, label } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
-        return change(this.control.set, read.text, at);
+        return change2(this.control.set, read.text, at);
       }
       if (read.value < low || read.value > high) {
         const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
         return this.complain(`${label}: ${range}, please.`);
       }
       this.#accept(read.value);
-      return change(this.control.set, this.#asked(read.value), at);
+      return change2(this.control.set, this.#asked(read.value), at);
     }
     /** @param {number} value */
     #accept(value) {
@@ -942,7 +950,7 @@
   function arrow(size, full, className, side) {
     const length = arrowLength(size, full, LONG);
     const width = Math.max(length, 6) + 4;
-    const picture = svg("svg", {
+    const picture2 = svg("svg", {
       viewBox: `0 0 ${width} 20`,
       width,
       height: 20,
@@ -950,8 +958,8 @@
     });
     const draw = isCut(size, full) ? cutArrow : blockArrow;
     const d = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
-    picture.append(svg("path", { class: className, d }));
-    return picture;
+    picture2.append(svg("path", { class: className, d }));
+    return picture2;
   }
 
   // src/windows.js
@@ -1379,9 +1387,9 @@
     }
     /** Shows the prediction beside the run. @param {Run} run */
     compare(run) {
-      const place2 = need(this.root, ".carts-compared");
-      place2.replaceChildren(...this.form.compare(run));
-      place2.hidden = false;
+      const place3 = need(this.root, ".carts-compared");
+      place3.replaceChildren(...this.form.compare(run));
+      place3.hidden = false;
       this.again.offer();
       say(need(this.root, ".carts-heading"), "Your prediction");
       this.root.classList.add("carts-locked");
@@ -1459,22 +1467,29 @@
   };
 
   // src/choose.js
+  var STOPS = "stops at touch, greatest force and parting";
   var FORCES = ["F", "a"];
   var Choose = class {
     /**
      * @param {HTMLElement} root @param {import("./types.js").Baked} baked
      * @param {Choice[]} views
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void}} acts
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
      */
     constructor(root, baked, views, acts) {
-      const place2 = need(root, ".carts-choices");
-      const { show, forces: forces2 } = baked.fence;
+      const place3 = need(root, ".carts-choices");
+      const { show, forces: forces2, slow } = baked.fence;
       const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
         key: quantity,
         label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
         seen: show.includes(quantity)
       }));
-      place2.replaceChildren(group("Graphs", graphs, acts.graph), group("Views", views, acts.view));
+      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
+      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
+      place3.replaceChildren(
+        group("Graphs", graphs, acts.graph),
+        group("Views", views, acts.view),
+        group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
+      );
     }
   };
   function group(title, choices, act) {
@@ -1526,6 +1541,70 @@
       ) button.remove();
     }
     return graph;
+  }
+
+  // src/drag.js
+  var Drag = class {
+    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
+    #held = null;
+    /**
+     * @param {SVGElement} stage @param {Layout} layout @param {import("./types.js").Baked} baked
+     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
+     *   value: of the run that is shown, in SI
+     */
+    constructor(stage, layout, baked, acts) {
+      const { controls } = baked.fence;
+      for (const { name: name2 } of baked.run.header.bodies) {
+        for (
+          const [key, part, metres] of
+          /** @type {const} */
+          [
+            ["position", "carts-cart", 1 / layout.scale],
+            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
+          ]
+        ) {
+          const control = controls.find(({ set }) => set === `${name2}.${key}`);
+          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
+          if (!control || !group2) continue;
+          group2.classList.add("carts-draggable");
+          group2.addEventListener("pointerdown", (event) => {
+            const value = acts.value(control.set);
+            if (!acts.ready() || value === null) return;
+            const down = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const unit = layout.width / stage.getBoundingClientRect().width;
+            const from = value / control.per;
+            const perUnit = metres * unit / control.per;
+            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
+            group2.setPointerCapture(down.pointerId);
+            event.preventDefault();
+          });
+          group2.addEventListener("pointermove", (event) => {
+            const held = this.#held;
+            if (held?.control !== control) return;
+            const move = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
+            if (value === held.sent) return;
+            held.sent = value;
+            acts.change(control, value, event.timeStamp);
+          });
+          for (const end of ["pointerup", "pointercancel"]) {
+            group2.addEventListener(end, () => {
+              this.#held = null;
+            });
+          }
+        }
+      }
+    }
+  };
+  function onStep(value, { low, high, step }) {
+    const near = low + Math.round((value - low) / step) * step;
+    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
   }
 
   // src/scales.js
@@ -1767,7 +1846,7 @@
       );
       const impulse = area(run, touch.pair, touch.start, end);
       const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
-      const parts = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(({ name: name2, change }) => `m Δv of ${name2}: ${fixed(change ?? 0, this.decimals)}`);
+      const parts = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(({ name: name2, change: change2 }) => `m Δv of ${name2}: ${fixed(change2 ?? 0, this.decimals)}`);
       const whole = t >= touch.end ? "" : " so far";
       const all = [`${names}, shaded area${whole}: ${amount}`, ...parts].join("; ");
       say(this.note, `${all}, all in N s.`);
@@ -1785,7 +1864,7 @@
       const curve = { label: name2, style: styleOf(i), over: false };
       switch (quantity) {
         case "x": {
-          const values = Float64Array.from(x, (place2, k) => place2 - camera * Number(times[k]));
+          const values = Float64Array.from(x, (place3, k) => place3 - camera * Number(times[k]));
           return { ...curve, values, slopes: seen };
         }
         case "v":
@@ -2347,6 +2426,9 @@
     until = 1;
     /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
     /** @type {number[]} */
     stops = [];
     #frame = 0;
@@ -2410,10 +2492,12 @@
       this.#last = now;
       const before = this.time;
       this.own += seconds;
-      this.#move(advance(before, seconds, this.speed, this.#parts, this.until));
-      if (this.time >= this.until) this.playing = false;
+      const next = advance(before, seconds, this.speed, this.#parts, this.until);
+      const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
       this.changed(before, true);
-      if (this.playing) this.#frame = requestAnimationFrame((next) => this.#tick(next));
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
     /** @param {number} t */
     #move(t) {
@@ -2472,9 +2556,10 @@
   };
 
   // src/pushes.js
-  var PER_CHARACTER = 6.6;
+  var PER_CHARACTER = 7.8;
   var ROW = 19;
   var GAP = 8;
+  var EDGE2 = 6;
   var Pushes = class {
     /** @type {Push[]} */
     #pushes = [];
@@ -2513,6 +2598,7 @@
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
+      const told = [];
       for (const push of this.#pushes) {
         const { t: times, F, dF } = run.trajectory;
         const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
@@ -2521,70 +2607,93 @@
         const y = layout.track - PUSH;
         const [left, right] = push.bodies;
         const ends = [face(left, "right"), face(right, "left")];
-        const touching = this.#windows.some(
-          (w) => w.pair === push.pair && t >= w.start && t <= w.end
-        );
         const draw = isCut(size, view.force) ? cutArrow : blockArrow;
         push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
         });
-        this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
+        if (this.#windows.some((w) => w.pair === push.pair && t >= w.start && t <= w.end)) {
+          told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2 });
+        }
+      }
+      this.#names(told);
+    }
+    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
+    #names(told) {
+      const [only] = told;
+      for (const { pair, groups } of this.#pushes) {
+        const on = told.some(({ push }) => push.pair === pair);
+        for (const group2 of groups) {
+          put(need(group2, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
+        }
+      }
+      if (told.length === 1 && only && this.#inFull(only)) return;
+      const taken = [];
+      const [low, high] = this.#between();
+      for (const { push, size, x } of told) {
+        const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
+        if (!text || !other) continue;
+        const label = `${this.#value(size)} on each`;
+        const half = label.length * PER_CHARACTER / 2;
+        const at = Math.min(Math.max(x, low + half), high - half);
+        const free = [...new Set(this.layout.rows)].find(
+          (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
+        );
+        put(other, "visibility", "hidden");
+        if (free === void 0) put(text, "visibility", "hidden");
+        else {
+          taken.push([free, at - half, at + half]);
+          write2(text, label, at, free, "middle");
+        }
       }
     }
-    /** Both names on the beam, left and right of the contact, clear of each other and of the edges. */
-    /** @param {Push} push @param {number} size @param {number} x @param {boolean} visible */
-    #names(push, size, x, visible) {
-      const texts = push.groups.map((group2) => need(group2, '[data-part="text"]'));
-      for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
-      if (!visible) return;
-      const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
-      const value = `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
+    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
+    #inFull({ push, size, x }) {
+      const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief(on)} by ${brief(by)}: ${value}`;
+        return `on ${brief(on)} by ${brief(by)}: ${this.#value(size)}`;
       });
-      const wall = push.bodies.findIndex(isWall);
-      if (wall >= 0) return this.#beside(texts, labels, push.row, x, wall === 0 ? 1 : -1);
-      const widths = labels.map((label) => label.length * PER_CHARACTER);
-      const [first, second] = [Number(widths[0]), Number(widths[1])];
-      const [low, high] = this.#between(first + second + 2 * GAP);
-      const right = Math.min(Math.max(x + GAP, low + first + 2 * GAP), high - second);
-      const left = Math.min(x - GAP, right - 2 * GAP);
-      texts.forEach((text, side) => {
-        put(text, "x", px(side === 0 ? left : right));
-        put(text, "y", px(push.row));
-        put(text, "text-anchor", side === 0 ? "end" : "start");
-        say(text, labels[side] ?? "");
-      });
+      const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
+      if (!first || !second || !left || !right) return false;
+      const [low, high] = this.#between();
+      if (high - low >= left + right + 2 * GAP && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP, low + left + 2 * GAP), high - right);
+        write2(first, labels[0] ?? "", Math.min(x - GAP, begin - 2 * GAP), push.row, "end");
+        write2(second, labels[1] ?? "", begin, push.row, "start");
+        return true;
+      }
+      const longest = Math.max(left, right);
+      if (this.layout.beam < 2 * ROW || high - low < longest) return false;
+      const top = Math.min(...this.layout.rows);
+      const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
+      const start = Math.min(Math.max(x - way * longest, low), high - longest);
+      write2(first, labels[0] ?? "", start, top, "start");
+      write2(second, labels[1] ?? "", start, top + ROW, "start");
+      return true;
     }
-    /**
-     * Where names may stand: between the walls where there is room, else in the picture.
-     * @param {number} needed in units @returns {[number, number]}
-     */
-    #between(needed) {
+    /** Where names may stand: between the walls. @returns {[number, number]} */
+    #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
-      const low = track?.left === "wall" ? Math.max(6, origin + 4) : 6;
-      const end = origin + (track?.length ?? 0) * scale - 4;
-      const high = track?.right === "wall" ? Math.min(width - 6, end) : width - 6;
-      return high - low >= needed ? [low, high] : [6, width - 6];
+      const end = origin + (track?.length ?? 0) * scale;
+      return [
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP) : width - EDGE2
+      ];
     }
-    /**
-     * The names of a contact with a wall stand one above the other on the track, clear of the wall.
-     * @param {Element[]} texts @param {string[]} labels @param {number} row @param {number} x @param {1 | -1} way
-     */
-    #beside(texts, labels, row, x, way) {
-      const longest = Math.max(...labels.map((label) => label.length)) * PER_CHARACTER;
-      const at = Math.min(Math.max(x + way * GAP, way < 0 ? longest : 6), this.layout.width - 6);
-      texts.forEach((text, side) => {
-        put(text, "x", px(at));
-        put(text, "y", px(row + side * ROW));
-        put(text, "text-anchor", way > 0 ? "start" : "end");
-        say(text, labels[side] ?? "");
-      });
+    /** @param {number} size in N */
+    #value(size) {
+      const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
+      return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
+  function write2(text, label, x, y, anchor) {
+    put(text, "x", px(x));
+    put(text, "y", px(y));
+    put(text, "text-anchor", anchor);
+    say(text, label);
+  }
 
   // src/stage.js
   var Stage = class {
@@ -2787,8 +2896,8 @@
     const found2 = [];
     for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
-      const place2 = (t) => valueAt(times, places[name2] ?? [], v[name2] ?? [], t) - camera * t;
-      const isOut = (t) => Math.max(place2(t) - half - high, low - place2(t) - half) > 0;
+      const place3 = (t) => valueAt(times, places[name2] ?? [], v[name2] ?? [], t) - camera * t;
+      const isOut = (t) => Math.max(place3(t) - half - high, low - place3(t) - half) > 0;
       const row = Array.prototype.findIndex.call(times, isOut);
       if (row < 1) continue;
       let before = Number(times[row - 1]);
@@ -2799,7 +2908,7 @@
         else before = middle;
       }
       const velocity = valueAt(times, v[name2] ?? [], a[name2] ?? [], after) - camera;
-      found2.push({ t: after, name: name2, side: place2(after) > high ? "right" : "left", velocity });
+      found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity });
     }
     return found2;
   }
@@ -3122,9 +3231,9 @@
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times, v, a } = run.trajectory;
         const speed = (at) => valueAt(times, v[name2] ?? [], a[name2] ?? [], at);
-        const change = speed(t) - speed(touch?.start ?? 0);
+        const change2 = speed(t) - speed(touch?.start ?? 0);
         const { decimals, velocity } = this.view;
-        const seen = Math.abs(change) < 1e-9 * velocity ? 0 : change / this.per;
+        const seen = Math.abs(change2) < 1e-9 * velocity ? 0 : change2 / this.per;
         this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
         this.#say(name2, "mass", short(mass));
         this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
@@ -3168,9 +3277,9 @@
           this.#sentence(force, cut)
         );
       });
-      const picture = need(card, "svg");
-      put(picture, "viewBox", `0 ${-room} ${WIDTH2} ${HEIGHT + 2 * room}`);
-      put(picture, "height", String(HEIGHT + 2 * room));
+      const picture2 = need(card, "svg");
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH2} ${HEIGHT + 2 * room}`);
+      put(picture2, "height", String(HEIGHT + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name: name2, way, value }, cut) {
@@ -3364,6 +3473,7 @@
   };
 
   // src/scene-view.js
+  var HALTS = /* @__PURE__ */ new Set(["contact", "peak", "separate", "stick", "release"]);
   var SceneView = class {
     /** @type {Run} */
     run;
@@ -3384,6 +3494,7 @@
         root.querySelectorAll(".carts-stage")
       );
       this.stages = [...stages].map((stage) => new Stage(stage, baked));
+      this.player.halting = baked.fence.slow === "stops";
       this.seek = seek;
       const graphs = (
         /** @type {NodeListOf<HTMLElement>} */
@@ -3393,7 +3504,10 @@
       this.views = new Views(root, baked);
       new Choose(root, baked, this.views.choices, {
         graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
-        view: (key, seen) => this.views.choose(key, seen)
+        view: (key, seen) => this.views.choose(key, seen),
+        halting: (on) => {
+          this.player.halting = on;
+        }
       });
       this.readouts = new Readouts(root, baked);
       this.timeline = new Timeline(root, seek);
@@ -3417,6 +3531,7 @@
       this.player.until = header.until;
       this.player.parts = slowParts(this.#windows);
       this.player.stops = header.events.map((event) => event.t);
+      this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
       this.#offerWindows();
       for (const stage of this.stages) stage.show(run, this.#windows);
       this.#tellTorn();
@@ -3428,9 +3543,13 @@
       this.#warn();
       this.player.seek(this.player.time);
     }
+    /** Lets the reader pull carts and velocity arrows. @param {ConstructorParameters<typeof Drag>[3]} acts */
+    draggable(acts) {
+      for (const stage of this.stages) new Drag(stage.root, stage.layout, this.baked, acts);
+    }
     /** Lets the reader move the time. @param {boolean} on */
     enable(on) {
-      const parts = ".carts-reset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+      const parts = ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
       for (const part of this.root.querySelectorAll(parts)) {
         part.disabled = !on;
       }
@@ -3456,7 +3575,7 @@
     }
     /** @param {string} quantity @param {boolean} seen */
     #chooseGraph(quantity, seen) {
-      const place2 = need(this.root, ".carts-graphs");
+      const place3 = need(this.root, ".carts-graphs");
       const there = this.graphs.find((graph2) => graph2.quantity === quantity);
       if (!seen && there) {
         this.graphs = this.graphs.filter((graph2) => graph2 !== there);
@@ -3464,7 +3583,7 @@
       }
       if (!seen || there) return;
       const graph = new GraphView(emptyGraph(this.root, this.baked, quantity), this.baked, this.seek);
-      place2.insertBefore(graph.root, need(place2, ".carts-story"));
+      place3.insertBefore(graph.root, need(place3, ".carts-story"));
       this.graphs.push(graph);
       graph.enable();
       graph.show(this.run, this.player.time);
@@ -3504,6 +3623,413 @@
     }
   };
 
+  // src/share.js
+  var MARK = "carts:";
+  var MOST_KEYS = 60;
+  var LONGEST3 = 4e3;
+  var LONGEST_VALUE = 40;
+  var TARGET = /^[A-Za-z][\w-]*(\.[\w-]+){0,3}$/;
+  function linkTo(id, settings, t) {
+    const parts = Object.entries({ ...settings, t: Number(t.toPrecision(6)) });
+    return `${MARK}${id}?${parts.map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join("&")}`;
+  }
+  function readLink(hash, id) {
+    const text = hash.replace(/^#/, "");
+    if (!text.startsWith(`${MARK}${id}?`)) return null;
+    if (text.length > LONGEST3) return { problem: "This link is too long: it was not used." };
+    const settings = {};
+    let t = 0;
+    const parts = text.slice(MARK.length + id.length + 1).split("&");
+    for (const part of parts.filter(Boolean).slice(0, MOST_KEYS)) {
+      const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
+      if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
+        return { problem: "This link is damaged: it was not used." };
+      }
+      if (key === "t") t = Number(value);
+      else settings[key] = Number.isFinite(Number(value)) ? Number(value) : value;
+    }
+    return { settings, t: Number.isFinite(t) ? Math.max(0, t) : 0 };
+  }
+  async function followLink(scene, id, say2) {
+    const asked = readLink(location.hash, id);
+    if (!asked) return;
+    if ("problem" in asked) return say2(asked.problem);
+    try {
+      await scene.set(asked.settings);
+      scene.time = asked.t;
+      scene.scrollIntoView();
+    } catch (error) {
+      say2(`This link does not fit this scene: ${/** @type {Error} */
+      error.message}`);
+    }
+  }
+  function decoded(text) {
+    try {
+      return decodeURIComponent(text);
+    } catch {
+      return "";
+    }
+  }
+  function sceneBlock(fence, settings) {
+    const scene = structuredClone(fence.scene);
+    for (const [target, value] of Object.entries(settings)) change(scene, target, value);
+    const lines2 = [`id: ${fence.id}-copy`];
+    for (const [key, value] of Object.entries(scene)) {
+      if (key === "carts") {
+        lines2.push("carts:");
+        for (const [name2, cart] of Object.entries(
+          /** @type {object} */
+          value
+        )) {
+          lines2.push(`  ${name2}: ${flow(cart)}`);
+        }
+      } else lines2.push(`${key}: ${flow(value)}`);
+    }
+    lines2.push(`show: ${flow(fence.show)}`);
+    if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
+    if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
+    if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
+    if (fence.controls.length) lines2.push("controls:");
+    for (const { set, low, high, step, unit } of fence.controls) {
+      const part = (value) => `${value} ${unit}`.trim();
+      lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
+    }
+    return `\`\`\`scene
+${lines2.join("\n")}
+\`\`\`
+`;
+  }
+  function change(scene, target, value) {
+    const keys = target.split(".");
+    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : keys;
+    let place3 = scene;
+    for (const key of path2.slice(0, -1)) {
+      place3[key] ??= {};
+      place3 = place3[key];
+    }
+    place3[String(path2.at(-1))] = value;
+  }
+  function flow(value) {
+    if (Array.isArray(value)) return `[${value.map(flow).join(", ")}]`;
+    if (value && typeof value === "object") {
+      return `{${Object.entries(value).map(([key, item]) => `${key}: ${flow(item)}`).join(", ")}}`;
+    }
+    if (typeof value !== "string") return String(value);
+    return /^[A-Za-z0-9.+−-][\w .+/·²³^-]*$/.test(value) && !/^(no|yes|on|off|true|false|null)$/i.test(value) ? value : JSON.stringify(value);
+  }
+
+  // src/csv.js
+  function csv(run, quantities, camera) {
+    if (!isTold(run)) return "";
+    const { header, trajectory } = run;
+    const columns = [["t in s", trajectory.t]];
+    for (const quantity of quantities) {
+      const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
+      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+        columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
+      }
+    }
+    const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
+    for (let k = 0; k < trajectory.t.length; k += 1) {
+      lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
+    }
+    return `${lines2.join("\r\n")}\r
+`;
+  }
+  function quoted(text) {
+    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  }
+
+  // src/picture.js
+  var PROPERTIES = [
+    "fill",
+    "fill-opacity",
+    "stroke",
+    "stroke-width",
+    "stroke-dasharray",
+    "stroke-linecap",
+    "stroke-linejoin",
+    "opacity",
+    "visibility",
+    "font-family",
+    "font-size",
+    "font-weight",
+    "font-style",
+    "text-anchor",
+    "paint-order",
+    "x",
+    "y",
+    "height"
+  ];
+  var WIDTH4 = 720;
+  var GAP2 = 12;
+  var LINE2 = 20;
+  var PIXELS = 2;
+  function picture(scene) {
+    const paper = getComputedStyle(scene).getPropertyValue("--carts-paper") || "#fff";
+    const ink = getComputedStyle(scene).color;
+    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH4 });
+    const sheet = svg("rect", { width: WIDTH4, fill: paper });
+    whole.append(sheet);
+    let y = GAP2;
+    const write4 = (text, x, at, weight) => {
+      const line = svg("text", {
+        x,
+        y: at,
+        fill: ink,
+        "font-family": "sans-serif",
+        "font-size": 13,
+        "font-weight": weight
+      });
+      line.textContent = text;
+      whole.append(line);
+    };
+    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP2, y + 12, "700");
+    y += LINE2 + 4;
+    const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
+    if (stage) {
+      const drawn = alone2(stage);
+      const height = place2(drawn, 0, y, WIDTH4);
+      const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
+      whole.append(svg("rect", { y, width: WIDTH4, height, fill: sky }), drawn);
+      y += height + GAP2;
+    }
+    const graphs = [...scene.querySelectorAll(".carts-graph")];
+    const half = WIDTH4 / 2;
+    for (let k = 0; k < graphs.length; k += 2) {
+      let tallest = 0;
+      graphs.slice(k, k + 2).forEach((graph, column) => {
+        const plot = graph.querySelector(".carts-plot");
+        if (!plot) return;
+        const x = column * half;
+        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP2, y + 12, "700");
+        const drawn = alone2(plot);
+        const height = place2(drawn, x, y + LINE2, half - GAP2);
+        whole.append(drawn);
+        const entries = [...graph.querySelectorAll(".carts-key > span")];
+        entries.forEach((entry, i) => {
+          const at = y + LINE2 + height + 14 + LINE2 * i;
+          const sample = entry.querySelector("svg");
+          if (sample) {
+            const swatch = alone2(sample);
+            place2(swatch, x + GAP2, at - 10, 26);
+            whole.append(swatch);
+          }
+          write4(entry.textContent ?? "", x + GAP2 + 34, at, "400");
+        });
+        tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
+      });
+      y += tallest + GAP2;
+    }
+    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y)));
+    whole.setAttribute("viewBox", `0 0 ${WIDTH4} ${Math.ceil(y)}`);
+    return new XMLSerializer().serializeToString(whole);
+  }
+  function alone2(original) {
+    const copy = (
+      /** @type {Element} */
+      original.cloneNode(true)
+    );
+    const [from, to] = [
+      [original, ...original.querySelectorAll("*")],
+      [copy, ...copy.querySelectorAll("*")]
+    ];
+    from.forEach((part, i) => {
+      const style = getComputedStyle(part);
+      const made = (
+        /** @type {Element} */
+        to[i]
+      );
+      if (style.display === "none" && part.closest("defs") === null)
+        made.setAttribute("display", "none");
+      for (const property of PROPERTIES) {
+        const value = style.getPropertyValue(property);
+        const geometry = ["x", "y", "height"].includes(property);
+        if (geometry && (part.tagName !== "rect" || made.hasAttribute(property))) continue;
+        if (value && value !== "auto") made.setAttribute(property, value.replaceAll('"', "'"));
+      }
+      made.removeAttribute("class");
+    });
+    return copy;
+  }
+  function place2(drawn, x, y, width) {
+    const [, , w = 1, h = 1] = (drawn.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
+    const height = width * h / w;
+    for (const [name2, value] of Object.entries({ x, y, width, height })) {
+      drawn.setAttribute(name2, String(value));
+    }
+    return height;
+  }
+  async function asPng(text) {
+    const image = new Image();
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    canvas.width = image.naturalWidth * PIXELS;
+    canvas.height = image.naturalHeight * PIXELS;
+    canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return new Promise((resolve, reject) => {
+      canvas.toBlob(
+        (blob) => blob ? resolve(blob) : reject(new Error("no picture was made")),
+        "image/png"
+      );
+    });
+  }
+
+  // src/take-along.js
+  var KINDS2 = [
+    ["csv", "values (CSV)"],
+    ["svg", "picture (SVG)"],
+    ["png", "picture (PNG)"],
+    ["link", "link to this state"],
+    ["block", "scene block"]
+  ];
+  var TakeAlong = class {
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => State} state of the scene now */
+    constructor(root, baked, state) {
+      const place3 = need(root, ".carts-take");
+      const { fence } = baked;
+      const text = document.createElement("textarea");
+      text.readOnly = true;
+      text.hidden = true;
+      text.rows = 4;
+      text.setAttribute("aria-label", "Text to copy");
+      const note = html("p", "carts-take-note");
+      note.setAttribute("role", "status");
+      const row = html("p", "carts-take-row");
+      for (const [key, name2] of KINDS2) {
+        const button = html("button", "carts-button", name2);
+        button.setAttribute("type", "button");
+        button.dataset.take = key;
+        row.append(button);
+      }
+      place3.append(row, note, text);
+      const offer = async (made, what) => {
+        text.hidden = false;
+        text.value = made;
+        text.select();
+        const copied = await navigator.clipboard?.writeText(made).then(
+          () => true,
+          () => false
+        );
+        say(note, copied ? `${what} is copied.` : `${what}: copy it from the box.`);
+      };
+      const acts = {
+        csv: () => {
+          const { run, quantities } = state();
+          save(
+            new Blob([csv(run, quantities, fence.camera)], { type: "text/csv" }),
+            `${fence.id}.csv`
+          );
+        },
+        svg: () => save(new Blob([picture(root)], { type: "image/svg+xml" }), `${fence.id}.svg`),
+        png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
+        link: () => {
+          const { settings, t } = state();
+          return offer(`${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`, "The link");
+        },
+        block: () => offer(sceneBlock(fence, state().settings), "The scene block")
+      };
+      place3.addEventListener("click", async (event) => {
+        const button = (
+          /** @type {Element} */
+          event.target.closest("button")
+        );
+        const act = acts[button?.dataset.take ?? ""];
+        if (!act) return;
+        try {
+          say(note, "");
+          await act();
+        } catch (error) {
+          say(note, `This browser could not do it: ${/** @type {Error} */
+          error.message}`);
+        }
+      });
+    }
+  };
+  function save(blob, name2) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = name2;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(link.href), 6e4);
+  }
+
+  // src/values.js
+  var ONE_CHANGE = 1e3;
+  var MOST3 = 50;
+  var Values = class {
+    /** @type {Settings} accepted: those of the run that is shown */
+    good = {};
+    /** @type {Settings} asked for, newest */
+    wanted = {};
+    /** @type {Settings[]} */
+    #before = [];
+    #last = { target: "", at: 0 };
+    /** @param {Settings} changes */
+    ask(changes2) {
+      const target = Object.keys(changes2).join();
+      const now = performance.now();
+      if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
+        this.#before.push({ ...this.wanted });
+        if (this.#before.length > MOST3) this.#before.shift();
+      }
+      this.#last = { target, at: now };
+      Object.assign(this.wanted, changes2);
+    }
+    /** A refused value goes back to the last good one. @param {Settings} changes */
+    giveUp(changes2) {
+      for (const [key, value] of Object.entries(changes2)) {
+        if (this.wanted[key] !== value) continue;
+        const good = this.good[key];
+        if (good === void 0) delete this.wanted[key];
+        else this.wanted[key] = good;
+      }
+    }
+    /** Other values in the place of all, as one change. @param {Settings} changes */
+    replace(changes2) {
+      this.#before.push({ ...this.wanted });
+      this.wanted = { ...changes2 };
+      this.#last.target = "";
+    }
+    get canUndo() {
+      return this.#before.length > 0;
+    }
+    /** Goes back by one change; the caller then asks for a run. */
+    undo() {
+      this.wanted = this.#before.pop() ?? {};
+      this.#last.target = "";
+    }
+    reset() {
+      if (Object.keys(this.wanted).length) this.#before.push({ ...this.wanted });
+      this.wanted = {};
+      this.good = {};
+      this.#last.target = "";
+    }
+    forget() {
+      this.reset();
+      this.#before = [];
+    }
+  };
+
+  // src/waiting.js
+  function frame() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  function deferred() {
+    const made = {};
+    made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
+    return made;
+  }
+  function refusal(problems) {
+    const [first] = problems;
+    if (!first) return new Error("This value does not work.");
+    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+  }
+
   // src/element.js
   var ASK_FIRST = "Make your prediction and lock it first.";
   function sceneElement(client) {
@@ -3518,10 +4044,7 @@
       #predict = null;
       /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
-      /** @type {Settings} */
-      #settings = {};
-      /** @type {Settings} */
-      #wanted = {};
+      #values = new Values();
       #generation = 0;
       #asBaked = "";
       // the inside of the element as the generator wrote it, for “Start again”
@@ -3551,7 +4074,25 @@
         this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
           this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
         });
+        new TakeAlong(this, baked, () => ({
+          run: view.run,
+          settings: this.#values.good,
+          t: view.player.time,
+          quantities: view.graphs.map((graph) => graph.quantity)
+        }));
         this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
+        this.querySelector(".carts-undo")?.addEventListener("click", () => this.#undo());
+        for (const button of this.querySelectorAll(".carts-preset")) {
+          button.addEventListener("click", () => this.#preset(
+            /** @type {HTMLElement} */
+            button
+          ));
+        }
+        view.draggable({
+          ready: () => this.#told && view.player.time === 0 && !view.player.playing,
+          value: (target) => valueIn(view.run.header, target),
+          change: (control, value, at) => this.#controls?.take(control.set, value, at)
+        });
         const ask = this.querySelector(".carts-predict");
         if (ask instanceof HTMLElement) {
           const draw = (guesses) => {
@@ -3574,6 +4115,7 @@
       /** The start state and an empty prediction, as on the first visit. */
       async #startAgain() {
         this.#reset();
+        this.#values.forget();
         this.#lesson = null;
         this.innerHTML = this.#asBaked;
         this.classList.add("carts-asks");
@@ -3606,20 +4148,24 @@
        */
       async set(changes2, at = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
-        Object.assign(this.#wanted, changes2);
+        this.#values.ask(changes2);
+        await this.#compute(changes2, at);
+      }
+      /** @param {Settings} changes to be given up if they are refused @param {number} at */
+      async #compute(changes2, at) {
         const generation = this.#generation;
         const reply = await this.#ask();
         if (!reply.header.ok) {
-          for (const key of Object.keys(changes2)) this.#giveUp(key, changes2[key]);
+          this.#values.giveUp(changes2);
           throw refusal(reply.header.problems ?? []);
         }
         if (generation !== this.#generation) return;
-        this.#settings = reply.sent.set;
+        this.#values.good = reply.sent.set;
         this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
         await frame();
         performance.measure("carts:update", { start: at, end: performance.now() });
         this.dispatchEvent(
-          new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#settings } })
+          new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#values.good } })
         );
       }
       get #told() {
@@ -3627,24 +4173,37 @@
       }
       #ask() {
         const scene = this.#baked?.fence.scene;
-        return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#wanted } }));
+        return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#values.wanted } }));
       }
-      /** A refused value goes back to the last good one. @param {string} key @param {unknown} value */
-      #giveUp(key, value) {
-        if (this.#wanted[key] !== value) return;
-        const good = this.#settings[key];
-        if (good === void 0) delete this.#wanted[key];
-        else this.#wanted[key] = good;
+      #undo() {
+        this.#values.undo();
+        this.#compute({}, performance.now()).catch((error) => this.#say(error.message));
+      }
+      /** Several values at once, from the scene as the lesson has it. @param {HTMLElement} button */
+      #preset(button) {
+        const name2 = button.dataset.preset ?? "";
+        this.#view?.player.pause();
+        this.#view?.player.seek(0);
+        const changes2 = this.#baked?.fence.presets[name2] ?? {};
+        this.#values.replace(changes2);
+        this.#compute(changes2, performance.now()).catch((error) => this.#say(error.message));
+      }
+      /** @param {string} message for the reader; empty: none */
+      #say(message) {
+        const note = need(this, ".carts-note");
+        note.hidden = !message;
+        say(note, message);
       }
       /** @param {Run} run */
       #draw(run) {
         this.#view?.show(run);
-        this.#controls?.show(this.#settings, run.header);
+        this.#controls?.show(this.#values.good, run.header);
+        const undo = this.querySelector(".carts-undo");
+        if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
       }
       #reset() {
         this.#generation += 1;
-        this.#wanted = {};
-        this.#settings = {};
+        this.#values.reset();
         this.#view?.player.pause();
         if (this.#lesson) this.#draw(this.#lesson);
         this.#view?.player.seek(0);
@@ -3674,6 +4233,8 @@
           this.#mark();
           performance.mark("carts:live");
           this.#waiting.resolve(void 0);
+          if (this.#told)
+            void followLink(this, this.#baked?.fence.id ?? "", (text) => this.#say(text));
         } catch (error) {
           if (client.state !== "failed") this.#fail(
             /** @type {Error} */
@@ -3729,19 +4290,6 @@
       }
     };
   }
-  function refusal(problems) {
-    const [first] = problems;
-    if (!first) return new Error("This value does not work.");
-    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
-  }
-  function frame() {
-    return new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  function deferred() {
-    const made = {};
-    made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
-    return made;
-  }
 
   // src/features.js
   function missingFeatures() {
@@ -3787,20 +4335,20 @@
       this.box.disabled = !on;
     }
     /** @param {number[]} values of the grid, SI @param {number} place */
-    show(values, place2) {
+    show(values, place3) {
       this.values = values;
       put(this.slider, "max", String(values.length - 1));
-      this.slider.valueAsNumber = place2;
-      this.box.value = this.text(place2).replace("−", "-");
+      this.slider.valueAsNumber = place3;
+      this.box.value = this.text(place3).replace("−", "-");
       this.#complain("");
     }
     /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
-    speak(place2, value) {
-      put(this.slider, "aria-valuetext", `${this.text(place2)} ${this.axis.unit}: ${value}`);
+    speak(place3, value) {
+      put(this.slider, "aria-valuetext", `${this.text(place3)} ${this.axis.unit}: ${value}`);
     }
     /** @param {number} place @returns {string} in the axis's unit */
-    text(place2) {
-      return fixed(this.#shown(Number(this.values[place2])), this.axis.decimals);
+    text(place3) {
+      return fixed(this.#shown(Number(this.values[place3])), this.axis.decimals);
     }
     /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
     nearest(value, per = 1) {
@@ -3839,11 +4387,11 @@
   // src/map-paint.js
   var STEP_SLACK2 = 1e-9;
   var FINE2 = 400;
-  var EDGE2 = 0.72;
+  var EDGE3 = 0.72;
   function band2(value, { low, step, count }) {
     if (Number.isNaN(value)) return count;
-    const place2 = Math.floor((value - low) / step + STEP_SLACK2);
-    return Math.min(count - 1, Math.max(0, place2));
+    const place3 = Math.floor((value - low) / step + STEP_SLACK2);
+    return Math.min(count - 1, Math.max(0, place3));
   }
   function mixed(a, b, part) {
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
@@ -3852,11 +4400,11 @@
   function between(values, lines2, count, factor, next, line) {
     const fine = (count - 1) * factor + 1;
     const found2 = new Float64Array(lines2 * fine);
-    for (let k = 0; k < fine; k += 1) {
-      const left = Math.min(Math.floor(k / factor), count - 2);
-      const part = (k - left * factor) / factor;
-      for (let i = 0; i < lines2; i += 1) {
+    for (let i = 0; i < lines2; i += 1) {
+      for (let k = 0; k < fine; k += 1) {
+        const left = Math.min(Math.floor(k / factor), count - 2);
         const at = i * line + left * next;
+        const part = (k - left * factor) / factor;
         found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
     }
@@ -3880,19 +4428,18 @@
   function lines(bands, width, { count, zero }) {
     const places = bands.slice();
     const line = 2 * count + 1;
-    for (let at = 0; at < bands.length; at += 1) {
+    const compare = (at, other) => {
       const own2 = Number(bands[at]);
-      const others = [];
-      if ((at + 1) % width) others.push(at + 1);
-      if (at + width < bands.length) others.push(at + width);
-      for (const other of others) {
-        const next = Number(bands[other]);
-        if (next === own2 || own2 === count) continue;
-        if (next !== count && own2 >= zero !== next >= zero) {
-          places[at] = line;
-          places[other] = line;
-        } else if (places[at] !== line) places[at] = count + 1 + own2;
-      }
+      const next = Number(bands[other]);
+      if (next === own2 || own2 === count) return;
+      if (next !== count && own2 >= zero !== next >= zero) {
+        places[at] = line;
+        places[other] = line;
+      } else if (places[at] !== line) places[at] = count + 1 + own2;
+    };
+    for (let at = 0; at < bands.length; at += 1) {
+      if ((at + 1) % width) compare(at, at + 1);
+      if (at + width < bands.length) compare(at, at + width);
     }
     return places;
   }
@@ -3909,7 +4456,7 @@
     context.putImageData(image, 0, 0);
   }
   function palette({ colours, none, line }) {
-    const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE2 * part)));
+    const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE3 * part)));
     const all = [...colours, none, ...edges, line];
     return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => 255 << 24 | b << 16 | g << 8 | r);
   }
@@ -3984,13 +4531,13 @@
       put(need(this.over, '[data-part="curve"]'), "d", path2);
     }
     /** @param {number} k axis @param {number} place @returns {number} 0 to 1 along the axis */
-    #fraction(k, place2, values = this.axes[k] ?? [0]) {
+    #fraction(k, place3, values = this.axes[k] ?? [0]) {
       const { per, low, high } = (
         /** @type {import("./map-types.js").Axis} */
         this.facts.axes[k]
       );
       const axis2 = span(low, high, 1);
-      const shown = Number((Number(values[place2]) / per).toPrecision(12));
+      const shown = Number((Number(values[place3]) / per).toPrecision(12));
       return (shown - axis2.low) / (axis2.high - axis2.low);
     }
     /** @param {number} fraction */
@@ -4013,8 +4560,8 @@
       const y = (event.clientY - box2.top) / box2.height * height;
       const fractions = [(x - left) / (right - left), (bottom - y) / (bottom - top)];
       return this.axes.map(({ length }, k) => {
-        const place2 = Math.round(Number(fractions[k]) * (length - 1));
-        return Math.min(length - 1, Math.max(0, place2));
+        const place3 = Math.round(Number(fractions[k]) * (length - 1));
+        return Math.min(length - 1, Math.max(0, place3));
       });
     }
   };
@@ -4114,7 +4661,7 @@
             /** @type {import("./map-types.js").Axis} */
             facts.axes[k]
           );
-          return new AxisControl(root, axis2, (place2) => this.#chooseOn(k, place2));
+          return new AxisControl(root, axis2, (place3) => this.#chooseOn(k, place3));
         });
         this.#controls = new Controls(this, facts.controls, (target, value, at) => {
           this.set({ [target]: value }, at).catch((error) => {
@@ -4275,8 +4822,8 @@
         return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
       }
       /** @param {number} k @param {number} place */
-      #chooseOn(k, place2) {
-        this.#choose(this.#places.map((old, axis2) => axis2 === k ? place2 : old));
+      #chooseOn(k, place3) {
+        this.#choose(this.#places.map((old, axis2) => axis2 === k ? place3 : old));
       }
       /** @param {number[]} places */
       #choose(places) {
@@ -4303,7 +4850,7 @@
       }
       #fillTable() {
         if (!this.#grid) return;
-        const axisText = (k, place2) => this.#axes[k]?.text(place2) ?? "";
+        const axisText = (k, place3) => this.#axes[k]?.text(place3) ?? "";
         fillTable(
           need(this, ".carts-map-table table"),
           this.#grid,
@@ -4501,11 +5048,11 @@
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write2(zip.writable.getWriter(), parts);
+    const written = write3(zip.writable.getWriter(), parts);
     const [module] = await Promise.all([compiled, written]);
     return module;
   }
-  async function write2(writer, parts) {
+  async function write3(writer, parts) {
     for (const part of parts) await writer.write(await part);
     await writer.close();
   }

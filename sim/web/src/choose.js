@@ -6,17 +6,18 @@ import { QUANTITIES } from "./words.js";
 
 /** @typedef {{key: string, label: string, seen: boolean}} Choice */
 
+const STOPS = "stops at touch, greatest force and parting";
 const FORCES = ["F", "a"]; // not offered where the forces are hidden
 
 export class Choose {
   /**
    * @param {HTMLElement} root @param {import("./types.js").Baked} baked
    * @param {Choice[]} views
-   * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void}} acts
+   * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
    */
   constructor(root, baked, views, acts) {
     const place = need(root, ".carts-choices");
-    const { show, forces } = baked.fence;
+    const { show, forces, slow } = baked.fence;
     const graphs = Object.keys(QUANTITIES)
       .filter((quantity) => forces === "shown" || !FORCES.includes(quantity))
       .map((quantity) => ({
@@ -24,7 +25,13 @@ export class Choose {
         label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
         seen: show.includes(quantity),
       }));
-    place.replaceChildren(group("Graphs", graphs, acts.graph), group("Views", views, acts.view));
+    const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
+    const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
+    place.replaceChildren(
+      group("Graphs", graphs, acts.graph),
+      group("Views", views, acts.view),
+      group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on)),
+    );
   }
 }
 

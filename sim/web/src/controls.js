@@ -35,6 +35,11 @@ export class Controls {
     }
   }
 
+  /** A value from elsewhere than its slider. @param {string} target @param {number} value in the control's unit @param {number} at */
+  take(target, value, at) {
+    this.#views.get(target)?.take(value, at);
+  }
+
   /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
   complain(target, message) {
     this.#views.get(target)?.complain(message);
@@ -55,10 +60,9 @@ class ControlView {
     this.decimals = Math.max(
       ...[control.step, control.low, control.value].map((v) => decimalsOf(v)),
     );
+    this.change = change;
     this.slider.addEventListener("input", (event) => {
-      const value = this.slider.valueAsNumber;
-      this.#accept(value);
-      change(control.set, this.#asked(value), event.timeStamp);
+      this.take(this.slider.valueAsNumber, event.timeStamp);
     });
     this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
     this.box.addEventListener("keydown", (event) => {
@@ -70,6 +74,12 @@ class ControlView {
   enable(on) {
     this.slider.disabled = !on;
     this.box.disabled = !on;
+  }
+
+  /** @param {number} value in the control's unit @param {number} at */
+  take(value, at) {
+    this.#accept(value);
+    this.change(this.control.set, this.#asked(value), at);
   }
 
   /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
@@ -146,7 +156,7 @@ class ControlView {
 
 /** What a run says about a control's target; null where the header has no such number. */
 /** @param {import("./types.js").Header} header @param {string} target @returns {number | null} */
-function valueIn(header, target) {
+export function valueIn(header, target) {
   const [owner, key] = target.split(".");
   const body = header.bodies.find(({ name }) => name === owner);
   if (body) return Number(/** @type {any} */ (body)[String(key)]);

@@ -1,14 +1,18 @@
 /** `<carts-scene>`: adopts the baked page, then lets Python compute what the reader asks for. */
 
 import { readBaked } from "./baked.js";
-import { Controls } from "./controls.js";
+import { Controls, valueIn } from "./controls.js";
 import { need, say } from "./dom.js";
 import { Predict } from "./predict.js";
 import { SceneView } from "./scene-view.js";
+import { followLink } from "./share.js";
+import { TakeAlong } from "./take-along.js";
 import { fromWire } from "./trajectory.js";
+import { Values } from "./values.js";
+import { deferred, frame, refusal } from "./waiting.js";
 
 /** @typedef {import("./types.js").Run} Run */
-/** @typedef {Record<string, number | string>} Settings paths such as A.mass to SI numbers or text with a unit */
+/** @typedef {import("./values.js").Settings} Settings */
 
 const ASK_FIRST = "Make your prediction and lock it first.";
 
@@ -25,10 +29,7 @@ export function sceneElement(client) {
     #predict = null;
     /** @type {Run | null} the run that “reset” goes back to */
     #lesson = null;
-    /** @type {Settings} */
-    #settings = {};
-    /** @type {Settings} */
-    #wanted = {};
+    #values = new Values();
     #generation = 0;
     #asBaked = ""; // the inside of the element as the generator wrote it, for “Start again”
     #waiting = deferred();
@@ -58,7 +59,22 @@ export function sceneElement(client) {
       this.#controls = new Controls(this, baked.fence.controls, (target, value, at) => {
         this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
       });
+      new TakeAlong(this, baked, () => ({
+        run: view.run,
+        settings: this.#values.good,
+        t: view.player.time,
+        quantities: view.graphs.map((graph) => graph.quantity),
+      }));
       this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
+      this.querySelector(".carts-undo")?.addEventListener("click", () => this.#undo());
+      for (const button of this.querySelectorAll(".carts-preset")) {
+        button.addEventListener("click", () => this.#preset(/** @type {HTMLElement} */ (button)));
+      }
+      view.draggable({
+        ready: () => this.#told && view.player.time === 0 && !view.player.playing,
+        value: (target) => valueIn(view.run.header, target),
+        change: (control, value, at) => this.#controls?.take(control.set, value, at),
+      });
       const ask = this.querySelector(".carts-predict");
       if (ask instanceof HTMLElement) {
         const draw = (/** @type {any} */ guesses) => {
@@ -82,6 +98,7 @@ export function sceneElement(client) {
     /** The start state and an empty prediction, as on the first visit. */
     async #startAgain() {
       this.#reset();
+      this.#values.forget();
       this.#lesson = null;
       this.innerHTML = this.#asBaked;
       this.classList.add("carts-asks");
@@ -122,20 +139,25 @@ export function sceneElement(client) {
      */
     async set(changes, at = performance.now()) {
       if (!this.#told) throw new Error(ASK_FIRST);
-      Object.assign(this.#wanted, changes);
+      this.#values.ask(changes);
+      await this.#compute(changes, at);
+    }
+
+    /** @param {Settings} changes to be given up if they are refused @param {number} at */
+    async #compute(changes, at) {
       const generation = this.#generation;
       const reply = await this.#ask();
       if (!reply.header.ok) {
-        for (const key of Object.keys(changes)) this.#giveUp(key, changes[key]);
+        this.#values.giveUp(changes);
         throw refusal(reply.header.problems ?? []);
       }
       if (generation !== this.#generation) return;
-      this.#settings = reply.sent.set;
+      this.#values.good = reply.sent.set;
       this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
       await frame();
       performance.measure("carts:update", { start: at, end: performance.now() });
       this.dispatchEvent(
-        new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#settings } }),
+        new CustomEvent("carts-update", { bubbles: true, detail: { ...this.#values.good } }),
       );
     }
 
@@ -145,27 +167,42 @@ export function sceneElement(client) {
 
     #ask() {
       const scene = this.#baked?.fence.scene;
-      return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#wanted } }));
+      return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#values.wanted } }));
     }
 
-    /** A refused value goes back to the last good one. @param {string} key @param {unknown} value */
-    #giveUp(key, value) {
-      if (this.#wanted[key] !== value) return;
-      const good = this.#settings[key];
-      if (good === undefined) delete this.#wanted[key];
-      else this.#wanted[key] = good;
+    #undo() {
+      this.#values.undo();
+      this.#compute({}, performance.now()).catch((error) => this.#say(error.message));
+    }
+
+    /** Several values at once, from the scene as the lesson has it. @param {HTMLElement} button */
+    #preset(button) {
+      const name = button.dataset.preset ?? "";
+      this.#view?.player.pause();
+      this.#view?.player.seek(0);
+      const changes = this.#baked?.fence.presets[name] ?? {};
+      this.#values.replace(changes);
+      this.#compute(changes, performance.now()).catch((error) => this.#say(error.message));
+    }
+
+    /** @param {string} message for the reader; empty: none */
+    #say(message) {
+      const note = need(this, ".carts-note");
+      note.hidden = !message;
+      say(note, message);
     }
 
     /** @param {Run} run */
     #draw(run) {
       this.#view?.show(run);
-      this.#controls?.show(this.#settings, run.header);
+      this.#controls?.show(this.#values.good, run.header);
+      const undo = this.querySelector(".carts-undo");
+      if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
     }
 
     #reset() {
       this.#generation += 1;
-      this.#wanted = {};
-      this.#settings = {};
+      this.#values.reset();
       this.#view?.player.pause();
       if (this.#lesson) this.#draw(this.#lesson);
       this.#view?.player.seek(0);
@@ -198,6 +235,8 @@ export function sceneElement(client) {
         this.#mark();
         performance.mark("carts:live");
         this.#waiting.resolve(undefined);
+        if (this.#told)
+          void followLink(this, this.#baked?.fence.id ?? "", (text) => this.#say(text));
       } catch (error) {
         if (client.state !== "failed") this.#fail(/** @type {Error} */ (error));
       }
@@ -254,24 +293,4 @@ export function sceneElement(client) {
       this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
   };
-}
-
-/** @param {import("./types.js").Problem[]} problems @returns {Error} what a reader can do about it */
-function refusal(problems) {
-  const [first] = problems;
-  if (!first) return new Error("This value does not work.");
-  return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
-}
-
-/** Resolves in the next animation frame, when what was drawn is on the screen. @returns {Promise<unknown>} */
-function frame() {
-  return new Promise((resolve) => requestAnimationFrame(resolve));
-}
-
-/** @returns {{promise: Promise<unknown>, resolve: (value: unknown) => void, reject: (error: unknown) => void}} */
-function deferred() {
-  /** @type {any} */
-  const made = {};
-  made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
-  return made;
 }

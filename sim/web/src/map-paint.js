@@ -28,11 +28,11 @@ function mixed(a, b, part) {
 function between(values, lines, count, factor, next, line) {
   const fine = (count - 1) * factor + 1;
   const found = new Float64Array(lines * fine);
-  for (let k = 0; k < fine; k += 1) {
-    const left = Math.min(Math.floor(k / factor), count - 2);
-    const part = (k - left * factor) / factor;
-    for (let i = 0; i < lines; i += 1) {
+  for (let i = 0; i < lines; i += 1) {
+    for (let k = 0; k < fine; k += 1) {
+      const left = Math.min(Math.floor(k / factor), count - 2);
       const at = i * line + left * next;
+      const part = (k - left * factor) / factor;
       found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
     }
   }
@@ -68,19 +68,18 @@ export function pixels(values, columns, scale) {
 function lines(bands, width, { count, zero }) {
   const places = bands.slice();
   const line = 2 * count + 1;
-  for (let at = 0; at < bands.length; at += 1) {
+  const compare = (/** @type {number} */ at, /** @type {number} */ other) => {
     const own = Number(bands[at]);
-    const others = [];
-    if ((at + 1) % width) others.push(at + 1);
-    if (at + width < bands.length) others.push(at + width);
-    for (const other of others) {
-      const next = Number(bands[other]);
-      if (next === own || own === count) continue;
-      if (next !== count && own >= zero !== next >= zero) {
-        places[at] = line;
-        places[other] = line;
-      } else if (places[at] !== line) places[at] = count + 1 + own;
-    }
+    const next = Number(bands[other]);
+    if (next === own || own === count) return;
+    if (next !== count && own >= zero !== next >= zero) {
+      places[at] = line;
+      places[other] = line;
+    } else if (places[at] !== line) places[at] = count + 1 + own;
+  };
+  for (let at = 0; at < bands.length; at += 1) {
+    if ((at + 1) % width) compare(at, at + 1);
+    if (at + width < bands.length) compare(at, at + width);
   }
   return places;
 }

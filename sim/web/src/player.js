@@ -14,6 +14,9 @@ export class Player {
   until = 1;
   /** @type {import("./slow.js").SlowPart[]} */
   parts = [];
+  /** @type {number[]} s, where playing stops by itself */
+  halts = [];
+  halting = false;
   /** @type {number[]} */
   stops = [];
   #frame = 0;
@@ -90,8 +93,10 @@ export class Player {
     this.#last = now;
     const before = this.time;
     this.own += seconds;
-    this.#move(advance(before, seconds, this.speed, this.#parts, this.until));
-    if (this.time >= this.until) this.playing = false;
+    const next = advance(before, seconds, this.speed, this.#parts, this.until);
+    const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : undefined;
+    this.#move(halt ?? next);
+    if (halt !== undefined || this.time >= this.until) this.playing = false;
     this.changed(before, true);
     if (this.playing) this.#frame = requestAnimationFrame((next) => this.#tick(next));
   }

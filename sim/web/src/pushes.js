@@ -13,10 +13,12 @@ import { brief, isWall } from "./words.js";
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {(name: string, side: "left" | "right") => number} Face drawing coordinate of a bumper face */
 /** @typedef {{pair: string, bodies: [string, string], row: number, groups: [Element, Element]}} Push */
+/** @typedef {{push: Push, size: number, x: number}} Told a touch that is on: size in N, x where it is */
 
-const PER_CHARACTER = 6.6; // units, of the bold names on the beam
+const PER_CHARACTER = 7.8; // units, of the bold names on the beam in a wide font
 const ROW = 19; // units between two rows of names
-const GAP = 8; // units between a name and the place of contact
+const GAP = 8; // units between a name and the place of contact or a wall
+const EDGE = 6; // units that names keep from the edges of the picture
 
 export class Pushes {
   /** @type {Push[]} */
@@ -59,6 +61,8 @@ export class Pushes {
     const run = this.#run;
     if (!run) return;
     const { layout, view } = this;
+    /** @type {Told[]} */
+    const told = [];
     for (const push of this.#pushes) {
       const { t: times, F, dF } = run.trajectory;
       const force = valueAt(times, F[push.pair] ?? [0], dF[push.pair] ?? [0], t);
@@ -67,70 +71,97 @@ export class Pushes {
       const y = layout.track - PUSH;
       const [left, right] = push.bodies;
       const ends = [face(left, "right"), face(right, "left")];
-      const touching = this.#windows.some(
-        (w) => w.pair === push.pair && t >= w.start && t <= w.end,
-      );
       const draw = isCut(size, view.force) ? cutArrow : blockArrow;
       push.groups.forEach((group, side) => {
         const way = side === 0 ? -1 : 1;
         put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
       });
-      this.#names(push, size, (Number(ends[0]) + Number(ends[1])) / 2, touching);
+      if (this.#windows.some((w) => w.pair === push.pair && t >= w.start && t <= w.end)) {
+        told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2 });
+      }
+    }
+    this.#names(told);
+  }
+
+  /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
+  #names(told) {
+    const [only] = told;
+    for (const { pair, groups } of this.#pushes) {
+      const on = told.some(({ push }) => push.pair === pair);
+      for (const group of groups) {
+        put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
+      }
+    }
+    if (told.length === 1 && only && this.#inFull(only)) return;
+    /** @type {[number, number, number][]} y, from, to */
+    const taken = [];
+    const [low, high] = this.#between();
+    for (const { push, size, x } of told) {
+      const [text, other] = push.groups.map((group) => need(group, '[data-part="text"]'));
+      if (!text || !other) continue;
+      const label = `${this.#value(size)} on each`;
+      const half = (label.length * PER_CHARACTER) / 2;
+      const at = Math.min(Math.max(x, low + half), high - half);
+      const free = [...new Set(this.layout.rows)].find((y) =>
+        taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to),
+      );
+      put(other, "visibility", "hidden");
+      if (free === undefined) put(text, "visibility", "hidden");
+      else {
+        taken.push([free, at - half, at + half]);
+        write(text, label, at, free, "middle");
+      }
     }
   }
 
-  /** Both names on the beam, left and right of the contact, clear of each other and of the edges. */
-  /** @param {Push} push @param {number} size @param {number} x @param {boolean} visible */
-  #names(push, size, x, visible) {
-    const texts = push.groups.map((group) => need(group, '[data-part="text"]'));
-    for (const text of texts) put(text, "visibility", visible ? "visible" : "hidden");
-    if (!visible) return;
-    const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
-    const value = `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
+  /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
+  #inFull({ push, size, x }) {
+    const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
-      return `on ${brief(on)} by ${brief(by)}: ${value}`;
+      return `on ${brief(on)} by ${brief(by)}: ${this.#value(size)}`;
     });
-    const wall = push.bodies.findIndex(isWall);
-    if (wall >= 0) return this.#beside(texts, labels, push.row, x, wall === 0 ? 1 : -1);
-    const widths = labels.map((label) => label.length * PER_CHARACTER);
-    const [first, second] = [Number(widths[0]), Number(widths[1])];
-    const [low, high] = this.#between(first + second + 2 * GAP);
-    const right = Math.min(Math.max(x + GAP, low + first + 2 * GAP), high - second);
-    const left = Math.min(x - GAP, right - 2 * GAP);
-    texts.forEach((text, side) => {
-      put(text, "x", px(side === 0 ? left : right));
-      put(text, "y", px(push.row));
-      put(text, "text-anchor", side === 0 ? "end" : "start");
-      say(text, labels[side] ?? "");
-    });
+    const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
+    if (!first || !second || !left || !right) return false;
+    const [low, high] = this.#between();
+    if (high - low >= left + right + 2 * GAP && !push.bodies.some(isWall)) {
+      const begin = Math.min(Math.max(x + GAP, low + left + 2 * GAP), high - right);
+      write(first, labels[0] ?? "", Math.min(x - GAP, begin - 2 * GAP), push.row, "end");
+      write(second, labels[1] ?? "", begin, push.row, "start");
+      return true;
+    }
+    const longest = Math.max(left, right);
+    if (this.layout.beam < 2 * ROW || high - low < longest) return false;
+    const top = Math.min(...this.layout.rows);
+    const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
+    const start = Math.min(Math.max(x - way * longest, low), high - longest);
+    write(first, labels[0] ?? "", start, top, "start");
+    write(second, labels[1] ?? "", start, top + ROW, "start");
+    return true;
   }
 
-  /**
-   * Where names may stand: between the walls where there is room, else in the picture.
-   * @param {number} needed in units @returns {[number, number]}
-   */
-  #between(needed) {
+  /** Where names may stand: between the walls. @returns {[number, number]} */
+  #between() {
     const { origin, scale, width } = this.layout;
     const track = this.#run?.header.track;
-    const low = track?.left === "wall" ? Math.max(6, origin + 4) : 6;
-    const end = origin + (track?.length ?? 0) * scale - 4;
-    const high = track?.right === "wall" ? Math.min(width - 6, end) : width - 6;
-    return high - low >= needed ? [low, high] : [6, width - 6];
+    const end = origin + (track?.length ?? 0) * scale;
+    return [
+      track?.left === "wall" ? Math.max(EDGE, origin + GAP) : EDGE,
+      track?.right === "wall" ? Math.min(width - EDGE, end - GAP) : width - EDGE,
+    ];
   }
 
-  /**
-   * The names of a contact with a wall stand one above the other on the track, clear of the wall.
-   * @param {Element[]} texts @param {string[]} labels @param {number} row @param {number} x @param {1 | -1} way
-   */
-  #beside(texts, labels, row, x, way) {
-    const longest = Math.max(...labels.map((label) => label.length)) * PER_CHARACTER;
-    const at = Math.min(Math.max(x + way * GAP, way < 0 ? longest : 6), this.layout.width - 6);
-    texts.forEach((text, side) => {
-      put(text, "x", px(at));
-      put(text, "y", px(row + side * ROW));
-      put(text, "text-anchor", way > 0 ? "start" : "end");
-      say(text, labels[side] ?? "");
-    });
+  /** @param {number} size in N */
+  #value(size) {
+    const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
+    return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
   }
+}
+
+/** @param {Element} text @param {string} label @param {number} x @param {number} y @param {string} anchor */
+function write(text, label, x, y, anchor) {
+  put(text, "x", px(x));
+  put(text, "y", px(y));
+  put(text, "text-anchor", anchor);
+  say(text, label);
 }

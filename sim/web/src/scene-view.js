@@ -3,6 +3,7 @@
 import { Announcer } from "./announcer.js";
 import { Choose, emptyGraph } from "./choose.js";
 import { html, need, put } from "./dom.js";
+import { Drag } from "./drag.js";
 import { GraphView } from "./graph-view.js";
 import { fixed } from "./numbers.js";
 import { Player } from "./player.js";
@@ -18,6 +19,8 @@ import { brief } from "./words.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./windows.js").Touch} Touch */
+
+const HALTS = new Set(["contact", "peak", "separate", "stick", "release"]);
 
 export class SceneView {
   /** @type {Run} */
@@ -37,6 +40,7 @@ export class SceneView {
     };
     const stages = /** @type {NodeListOf<SVGElement>} */ (root.querySelectorAll(".carts-stage"));
     this.stages = [...stages].map((stage) => new Stage(stage, baked));
+    this.player.halting = baked.fence.slow === "stops";
     this.seek = seek;
     const graphs = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-graph"));
     this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
@@ -44,6 +48,9 @@ export class SceneView {
     new Choose(root, baked, this.views.choices, {
       graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
       view: (key, seen) => this.views.choose(key, seen),
+      halting: (on) => {
+        this.player.halting = on;
+      },
     });
     this.readouts = new Readouts(root, baked);
     this.timeline = new Timeline(root, seek);
@@ -67,6 +74,7 @@ export class SceneView {
     this.player.until = header.until;
     this.player.parts = slowParts(this.#windows);
     this.player.stops = header.events.map((event) => event.t);
+    this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
     this.#offerWindows();
     for (const stage of this.stages) stage.show(run, this.#windows);
     this.#tellTorn();
@@ -79,10 +87,15 @@ export class SceneView {
     this.player.seek(this.player.time);
   }
 
+  /** Lets the reader pull carts and velocity arrows. @param {ConstructorParameters<typeof Drag>[3]} acts */
+  draggable(acts) {
+    for (const stage of this.stages) new Drag(stage.root, stage.layout, this.baked, acts);
+  }
+
   /** Lets the reader move the time. @param {boolean} on */
   enable(on) {
     const parts =
-      ".carts-reset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+      ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
     for (const part of this.root.querySelectorAll(parts)) {
       /** @type {HTMLButtonElement} */ (part).disabled = !on;
     }

@@ -23,8 +23,9 @@
  * The lesson's wishes:
  * @typedef {{set: string, label: string, unit: string, per: number, low: number, high: number, step: number, value: number}} Control
  * @typedef {{kind: "arrows" | "curve" | "choice" | "text", ask: string, pairs: [string, string][], cart: string | null, options: string[]}} PredictSpec
- * @typedef {{id: string, scene: Record<string, unknown>, show: string[], forces: "shown" | "hidden", slow: "auto" | "never",
- *   camera: number, packages: string[], controls: Control[], predict: PredictSpec | null}} Fence
+ * @typedef {{id: string, scene: Record<string, unknown>, show: string[], forces: "shown" | "hidden", slow: "auto" | "never" | "stops",
+ *   camera: number, packages: string[], controls: Control[], predict: PredictSpec | null,
+ *   presets: Record<string, Record<string, number | string>>}} Fence
  *
  * The scales and layouts that the generator fixed:
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,

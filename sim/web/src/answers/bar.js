@@ -27,13 +27,13 @@ export class Bar {
     row.append(this.who, this.meter, this.count, button);
     this.root.append(this.warning, row);
     if (!outline()) this.root.classList.add("carts-bar-small");
-    document.body.append(this.root);
     this.onPaper = html("p", "carts-print-head");
     if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
     book.addEventListener("change", () => this.show());
     void book.ready.then(() => {
       this.show();
       this.root.dataset.ready = ""; // what was kept is back
+      document.body.append(this.root); // whole: nothing in it moves any more
     });
   }
 

@@ -118,10 +118,9 @@ export function quizElement(book) {
       const missing = left
         ? `${left} ${left === 1 ? "question is" : "questions are"} not answered. `
         : "";
-      say(
-        need(this, ".carts-quiz-sure-text"),
-        `${missing}After handing in you cannot change anything.`,
-      );
+      const nameless = book.student ? "" : "You have typed no code word yet: My answers. ";
+      const words = `${missing}${nameless}After handing in you cannot change anything.`;
+      say(need(this, ".carts-quiz-sure-text"), words);
       need(this, ".carts-quiz-sure").hidden = !on;
       need(this, ".carts-quiz-hand-in").hidden = on;
       need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();

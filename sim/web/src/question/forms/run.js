@@ -1,7 +1,7 @@
 /** Questions on a scene of the page: a reading off the student's own run, and a drawn prediction. */
 
 import { isEmpty } from "../../answers/entry.js";
-import { valueAt } from "../../trajectory.js";
+import { reading } from "../marking/own-run.js";
 import { readNumber } from "../marking/typed-number.js";
 
 const KILOGRAMS = { kg: 1, g: 0.001, mg: 1e-6, t: 1000 };
@@ -15,23 +15,6 @@ export function ownReading(facts) {
   if (!run) return { own: null, set };
   const value = reading(run, masses(scene), facts.quantity, facts.at);
   return { own: value === null ? null : value / facts.per, set };
-}
-
-/** @param {any} run @param {Record<string, number>} mass @param {string} quantity @param {number | string} at */
-export function reading(run, mass, quantity, at) {
-  const [what, ...rest] = quantity.split(".");
-  const whose = rest.join(".");
-  const column = (what === "p" ? run.v : run[String(what)])?.[whose];
-  if (!column?.length) return null;
-  const factor = what === "p" ? (mass[whose] ?? Number.NaN) : 1;
-  const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
-  if (at === "largest") {
-    let most = 0;
-    for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
-    return most * factor;
-  }
-  const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
-  return valueAt(run.t, column, slopes, t) * factor;
 }
 
 /** @type {WeakMap<Element, Record<string, unknown>>} what the student set in each scene */

@@ -1,0 +1,1 @@
+"""What accuracy costs: every method on one scene, its error against its time."""

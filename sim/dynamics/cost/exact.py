@@ -1,0 +1,104 @@
+"""The exact outcome of a scene, as cheaply as it can be had, and as truly as it can be known.
+
+Where a scene is one contact of two carts and nothing else, the outcome is the bare formula
+(`sim.dynamics.impact`), and its truth is rational arithmetic. Anything else is a run of the exact
+solver, which is then the truth itself.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from sim.dynamics.impact import outgoing
+from sim.dynamics.laws import Hertz, finite_law
+from sim.dynamics.ledger import kinetic
+from sim.dynamics.run import run
+from sim.scene.model import Scene
+
+ONE_CONTACT = {"contact": 1, "peak": 1, "separate": 1, "end": 1}
+
+Outcome = tuple[tuple[float, ...], tuple[float, ...]]
+"""x [m] and v [m/s] of every cart at the end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Exact:
+    """`outcome` computes the end of the scene; `x`, `v` and `energy` [J] are what is true there."""
+
+    outcome: Callable[[], Outcome]
+    x: tuple[float, ...]
+    v: tuple[float, ...]
+    energy: float
+    initial: float  # J
+    closing: float  # m/s, the greatest approach speed at the start; 0 where nothing closes
+    formula: bool  # one contact of two carts: `outcome` is the bare formula
+
+
+def exact(scene: Scene) -> Exact:
+    """Solve it once, and choose the cheapest way to do it again."""
+    solved = run(scene)
+    closing = max(0.0, *(-w for w in scene.approaches if math.isfinite(w)))
+    books = solved.ledger
+    if _one_contact(scene, dict(solved.record.counts)):
+        v = _rational(scene)
+        return Exact(
+            _formula(scene), solved.x, v, kinetic(scene, v), books.energy_initial, closing, True
+        )
+
+    def again() -> Outcome:
+        done = run(scene, keep_events=False, keep_motion=False)
+        return done.x, done.v
+
+    return Exact(
+        again, solved.x, solved.v, books.energy_final, books.energy_initial, closing, False
+    )
+
+
+def _one_contact(scene: Scene, counts: dict[str, int]) -> bool:
+    if len(scene.carts) != 2 or scene.effects or scene.contacts[1] is None:
+        return False
+    law = finite_law(scene.contacts[1])
+    linear = law is not None and not isinstance(law, Hertz)
+    return linear and counts == ONE_CONTACT and scene.gaps[1] >= 0.0
+
+
+def _formula(scene: Scene) -> Callable[[], Outcome]:
+    """Everything from masses, velocities, gap and law: nothing is prepared but their names."""
+    a, b = scene.carts
+    m1, m2, v1, v2, x1, x2 = a.mass, b.mass, a.velocity, b.velocity, a.position, b.position
+    room, until, contact = scene.gaps[1], scene.until, scene.contacts[1]
+    assert contact is not None
+    law = finite_law(contact)
+    assert law is not None
+
+    def outcome() -> Outcome:
+        mu = m1 * m2 / (m1 + m2)
+        u = v1 - v2
+        figures = law.figures(mu)
+        w1, w2 = outgoing(m1, m2, v1, v2, figures.e)
+        centre = v1 - mu / m1 * u
+        touch = room / u
+        rest = until - touch - figures.duration
+        shift, out = centre * figures.duration, figures.out_overlap * u
+        return (
+            x1 + v1 * touch + shift + mu / m1 * out + w1 * rest,
+            x2 + v2 * touch + shift - mu / m2 * out + w2 * rest,
+        ), (w1, w2)
+
+    return outcome
+
+
+def _rational(scene: Scene) -> tuple[float, ...]:
+    """v' = V + e (V − v) without rounding, then rounded once."""
+    a, b = scene.carts
+    contact = scene.contacts[1]
+    assert contact is not None
+    law = finite_law(contact)
+    assert law is not None
+    m1, m2, v1, v2 = (Fraction(c) for c in (a.mass, b.mass, a.velocity, b.velocity))
+    e = Fraction(law.figures(1.0).e)
+    centre = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return tuple(float(centre + e * (centre - v)) for v in (v1, v2))

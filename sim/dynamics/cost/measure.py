@@ -1,0 +1,222 @@
+"""Error and time of every method on one scene, row by row.
+
+Errors are the worst of PHASES runs whose first step is only a part of a step, so that touches fall
+at PHASES different places within one: a touch on a round number would flatter. Times are those of
+single runs in plain Python that keep nothing but the outcome, as a ratio to the exact outcome,
+measured in the same process just before and after. Steps are the run's length over a prime.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sim.dynamics.cost.exact import Exact, exact
+from sim.dynamics.finished import Run
+from sim.dynamics.laws import finite_law
+from sim.dynamics.ledger import kinetic
+from sim.dynamics.run import run
+from sim.dynamics.stepping.methods import FIXED, Way, batch, batchable, outcome
+from sim.dynamics.stepping.stepper import Stepper
+from sim.scene.model import Scene
+
+PHASES, FEW_PHASES = 64, 8
+"""Runs for the worst error: as one numpy batch; and one by one, where events are located."""
+
+LADDER: tuple[tuple[str, tuple[int, ...]], ...] = (
+    ("euler", (103, 997, 9973)),
+    ("semi-implicit", (61, 103, 211, 997, 9973)),
+    ("verlet", (61, 103, 211, 997, 9973)),
+    ("rk4", (19, 61, 103, 211, 997, 9973)),
+    ("rk4-events", (19, 61, 103, 211, 997)),
+)
+"""Methods, and the primes that the run's length is divided by."""
+
+TOLERANCES = (1e-6, 1e-9, 1e-12)
+
+SHORT, TRIES = 0.05, 3
+"""s, and runs: a method is timed until it has had both."""
+
+MANY = 200
+"""Exact outcomes that are timed together: a single one is too short for a clock."""
+
+clock = (
+    time.process_time
+    if time.get_clock_info("process_time").resolution < 1e-6
+    else time.perf_counter
+)
+"""s. That of this process alone, where it is fine enough: others may use the machine too."""
+
+
+@dataclass(frozen=True, slots=True)
+class CostRow:
+    """One method at one step [s] or tolerance; errors in SI, `energy_error` of the initial energy.
+
+    `energy_error` has the sign of the worst run: above nought the method made energy. `delivered`:
+    least and greatest restitution, where the scene is one contact of two carts.
+    """
+
+    method: str
+    step: float | None
+    rtol: float | None
+    order: int | None
+    evaluations: int
+    time_ratio: float
+    error_v: float | None
+    error_x: float | None
+    energy_error: float | None
+    delivered: tuple[float, float] | None = None
+    delivered_e: float | None = None
+
+
+def ways(scene: Scene, *, scipy: bool = True) -> list[Way]:
+    """The rows to measure, from the cheapest of each method on."""
+    listed = [Way(name, step=scene.until / prime) for name, primes in LADDER for prime in primes]
+    return listed + ([Way("adaptive", rtol=rtol) for rtol in TOLERANCES] if scipy else [])
+
+
+def cost(scene: Scene, *, scipy: bool = True) -> Iterator[CostRow]:
+    """All rows: the exact ones first, then method by method."""
+    truth = exact(scene)
+    yield from exact_rows(scene, truth)
+    for way in ways(scene, scipy=scipy):
+        yield row(scene, truth, way)
+
+
+def exact_rows(scene: Scene, truth: Exact) -> list[CostRow]:
+    """The exact outcome, which is the unit of time; and the solver for any scene, if another."""
+    x, v = truth.outcome()
+    first = CostRow("exact", None, None, None, 0, 1.0, None, None, None)
+    if not truth.formula:
+        return [first]
+    energy = (kinetic(scene, v) - truth.energy) / (truth.initial or 1.0)
+    e = _delivered(scene, v)
+    first = replace(
+        first,
+        error_v=_far(v, truth.v),
+        error_x=_far(x, truth.x),
+        energy_error=energy,
+        delivered=(e, e),
+        delivered_e=e,
+    )
+    solved = run(scene, keep_events=False, keep_motion=False)
+
+    def general() -> Run:
+        return run(scene, keep_events=False, keep_motion=False)
+
+    second = replace(
+        first,
+        method="exact-run",
+        time_ratio=ratio(general, truth.outcome),
+        error_v=_far(solved.v, truth.v),
+        error_x=_far(solved.x, truth.x),
+        energy_error=(kinetic(scene, solved.v) - truth.energy) / (truth.initial or 1.0),
+    )
+    return [first, second]
+
+
+def row(scene: Scene, truth: Exact, way: Way) -> CostRow:
+    """Measure one method at one step or tolerance."""
+    single = outcome(scene, way)
+    found = _Worst(scene, truth)
+    if way.method in FIXED and batchable(scene):
+        import numpy as np
+
+        phases = (np.arange(PHASES) + 0.5) / PHASES
+        s, v, lanes = batch(scene, way, phases)
+        last = [
+            (float(a[k]), float(b[k])) for a, b in zip(s, v, strict=True) for k in range(PHASES)
+        ]
+        for k in range(PHASES):
+            ends = last[k::PHASES]
+            memory = [float(m[k]) for m in lanes.field.memory]
+            found.see(lanes, [s for s, _ in ends], [v for _, v in ends], memory)
+    else:
+        count = 1 if way.rtol else FEW_PHASES
+        for k in range(count):
+            done = outcome(scene, way, (k + 0.5) / FEW_PHASES) if way.step else single
+            found.see(done, done.s, done.v, done.field.memory)
+    return found.row(
+        way, single.field.evaluations, ratio(lambda: outcome(scene, way), truth.outcome)
+    )
+
+
+class _Worst:
+    """The largest errors so far."""
+
+    def __init__(self, scene: Scene, truth: Exact) -> None:
+        self.scene, self.truth = scene, truth
+        self.v = self.x = self.energy = 0.0
+        self.e: list[float] = []
+
+    def see(self, run: Stepper, s: list[float], v: list[float], memory: list[float]) -> None:
+        scene, truth = self.scene, self.truth
+        x = [cart.position + way for cart, way in zip(scene.carts, s, strict=True)]
+        self.v, self.x = max(self.v, _far(v, truth.v)), max(self.x, _far(x, truth.x))
+        energy = kinetic(scene, v) + _stored(run, s, v, memory) - truth.energy
+        error = energy / (truth.initial or 1.0)
+        self.energy = error if abs(error) > abs(self.energy) else self.energy
+        if truth.formula:
+            self.e.append(_delivered(scene, v))
+
+    def row(self, way: Way, evaluations: int, dearer: float) -> CostRow:
+        contact = self.scene.contacts[1] if self.truth.formula else None
+        wanted = (contact.restitution or 0.0) if contact is not None else 0.0
+        return CostRow(
+            way.method,
+            way.step,
+            way.rtol,
+            way.order,
+            evaluations,
+            dearer,
+            self.v,
+            self.x,
+            self.energy,
+            (min(self.e), max(self.e)) if self.e else None,
+            max(self.e, key=lambda e: abs(e - wanted)) if self.e else None,
+        )
+
+
+def ratio(call: Callable[[], object], unit: Callable[[], object]) -> float:
+    """Time of `call` over time of `unit`, each the best of several, taken in turn."""
+    best, base, spent, tries = math.inf, math.inf, 0.0, 0
+    while tries < TRIES or (spent < SHORT and tries < MANY):
+        base = min(base, _time_of_many(unit))
+        start = clock()
+        call()
+        taken = clock() - start
+        best, spent, tries = min(best, taken), spent + taken, tries + 1
+    return best / base
+
+
+def _time_of_many(call: Callable[[], object]) -> float:
+    start = clock()
+    for _ in range(MANY):
+        call()
+    return (clock() - start) / MANY
+
+
+def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -> float:
+    """J in contacts that still push, in springs and magnets, and height on an incline."""
+    field, total = run.field, 0.0
+    for pair in field.pairs:
+        d, rate = field.overlap(pair, s, v)
+        law = finite_law(pair.contact)
+        if d > 0.0 and law is not None and pair.force is not None:
+            pushes = pair.force.push(d, rate, memory[pair.gap])
+            total += law.stored(d, rate, memory[pair.gap]) if pushes else 0.0
+        total += math.fsum(link.energy(-d) for link in pair.links)
+    for pulls, way in zip(field.pulls(0.0), s, strict=True):
+        total -= math.fsum(pull.steady * way for pull in pulls if pull.kind == "incline")
+    return total
+
+
+def _delivered(scene: Scene, v: Any) -> float:
+    return float((v[1] - v[0]) / (scene.carts[0].velocity - scene.carts[1].velocity))
+
+
+def _far(got: Any, true: tuple[float, ...]) -> float:
+    return max(float(abs(a - b)) for a, b in zip(got, true, strict=True))

@@ -1,0 +1,164 @@
+"""adaptive: Dormand & Prince's embedded method of order 8 (scipy's DOP853), events located.
+
+It chooses its own steps so that the error of each stays below a tolerance, 12 evaluations each;
+there is no limit of stability to mind, only of patience. Events are looked for in its dense output
+(degree 7), and the step is taken again up to there. numpy and scipy are imported when used.
+Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.5 and II.6.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.stepping.field import Row
+from sim.dynamics.stepping.located import CLOSE, Key, crossed, first_zero
+from sim.dynamics.stepping.stepper import LocatedStepper
+from sim.scene.model import Scene
+
+RTOL = 1e-9
+"""Relative error per step where nobody says otherwise."""
+
+QUICK = 0.01
+"""s. A way counts as small beside the greatest speed times this."""
+
+LOOKS = 10
+"""Steps that a run has at least, so that an event has a chance to be seen."""
+
+
+class AdaptiveStepper(LocatedStepper):
+    """A run whose steps follow a tolerance; `advance` goes over any time."""
+
+    most_changes = 2_000
+
+    def __init__(self, scene: Scene, rtol: float = RTOL) -> None:
+        super().__init__(scene)
+        self.rtol, self.longest = rtol, scene.until / LOOKS
+        speeds = [abs(cart.velocity) for cart in scene.carts]
+        self.speed = max(*speeds, *(abs(w) for w in scene.approaches if math.isfinite(w)), 1e-3)
+
+    def give_up(self, t: float, h: float) -> None:
+        """Nothing is taken without looking here."""
+        raise UnsolvedError(
+            f"more than {self.most_changes} events, ever closer to each other",
+            "the exact method, or one of fixed step",
+            t,
+            (),
+        )
+
+    def part(self, t: float, h: float) -> tuple[float, list[Key]]:
+        """Step after step until h, or up to the first event."""
+        solver = self._solver(t, h)
+        before = self.located.guards(t, self.s, self.v)
+        first = self._detail(t)
+        while solver.status == "running":
+            begin, y = solver.t, solver.y
+            self._one(solver)
+            s, v = self._split(solver.y)
+            after = self.located.guards(t + solver.t, s, v)
+            roots: dict[Key, float] = {}
+            dense = solver.dense_output() if (fallen := crossed(before, after)) else None
+            for key in fallen:
+                roots[key] = begin
+                if before[key] > 0.0:
+                    value = self._along(dense, t, begin, key)
+                    span = solver.t - begin
+                    roots[key] += first_zero(value, span, before[key], after[key])
+            if roots:
+                end = min(roots.values())
+                self.s, self.v = self._split(y)
+                self._over(t + begin, end - begin)
+                return end, [key for key, root in roots.items() if root - end <= CLOSE * h]
+            ways, (self.s, self.v), before = self.s, (s, v), after
+            first = self._told(t + solver.t, solver.t - begin, ways, solver, first)
+        return h, []
+
+    def _along(self, dense: Any, t: float, begin: float, key: Key) -> Callable[[float], float]:
+        """A guard along the dense output of a step."""
+
+        def value(tau: float) -> float:
+            s, v = self._split(dense(begin + tau))
+            return self.located.guards(t + begin + tau, s, v)[key]
+
+        return value
+
+    def _over(self, t: float, h: float) -> None:
+        """Exactly h, no event inside."""
+        if h <= 0.0:
+            return
+        solver, first = self._solver(t, h), self._detail(t)
+        while solver.status == "running":
+            begin, ways = solver.t, self.s
+            self._one(solver)
+            self.s, self.v = self._split(solver.y)
+            first = self._told(t + solver.t, solver.t - begin, ways, solver, first)
+
+    def _solver(self, t: float, h: float) -> Any:
+        numpy, dop853 = _scipy()
+        count, field = len(self.s), self.field
+
+        def slope(tau: float, y: Any) -> list[float]:
+            s, v = self._split(y)
+            return [*v, *field.accelerations(t + tau, s, v, h)]
+
+        return dop853(
+            slope,
+            0.0,
+            numpy.array([*self.s, *self.v]),
+            h,
+            rtol=max(self.rtol, 3e-14),
+            atol=numpy.array(
+                [self.rtol * self.speed * QUICK] * count + [self.rtol * self.speed] * count
+            ),
+            max_step=self.longest,
+        )
+
+    def _one(self, solver: Any) -> None:
+        if self.field.keep is not None:
+            self.field.keep.clear()
+        solver.step()
+        if solver.status == "failed":
+            raise UnsolvedError(
+                "the step became too small",
+                "a softer contact, or a larger --rtol",
+                float(solver.t),
+                (),
+            )
+
+    def _split(self, y: Any) -> tuple[Row, Row]:
+        values = y.tolist()
+        return values[: len(self.s)], values[len(self.s) :]
+
+    def _detail(self, t: float) -> Any:
+        """The forces at the beginning of a step, where anybody asks."""
+        if self.seen is None or self.field.keep is None:
+            return None
+        self.field.accelerations(t, self.s, self.v, self.longest)
+        self.field.evaluations -= 1
+        return self.field.keep.pop()
+
+    def _told(self, t: float, h: float, ways: Row, solver: Any, first: Any) -> Any:
+        """Tell of an accepted step with the weights of its 12 stages; returns its last forces."""
+        if self.seen is None or self.field.keep is None:
+            return None
+        stages = [first, *self.field.keep[-12:-1]]
+        last = self.field.keep[-1]
+        self.field.keep.clear()
+        self.seen(t, h, ways, list(zip(solver.B.tolist(), stages, strict=True)))
+        return last
+
+
+def _scipy() -> tuple[Any, Any]:
+    try:
+        import numpy
+        from scipy.integrate import DOP853
+    except ImportError:
+        raise UnsolvedError(
+            "this method needs the Python package scipy",
+            "install scipy, or choose another method",
+            0.0,
+            (),
+        ) from None
+    return numpy, DOP853

@@ -1,0 +1,283 @@
+"""The right-hand side of a scene: from ways and velocities to accelerations, built once.
+
+    m_k a_k = N_(k−1) − N_k + pulls + friction        N_k [N] pushes the bodies of gap k apart
+
+`s` holds the way of each cart from its start [m], so that gaps do not suffer from large positions;
+`v` its velocity [m/s]. Numbers may be floats, or arrays of many runs at once (`lanes`). Carts that
+stick together (velcro, a latch) move as one body.
+
+Friction has no direction at rest, and a step jumps over rest. So a cart slower than what friction
+takes in one step, |v| <= μ N h/m, counts as stopping: friction then takes up all other forces, up
+to μ_s N, and what is left of the motion. Stops and starts are late or early by up to one step.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sim.dynamics.effects import Link, Pull, acting
+from sim.dynamics.laws import finite_law
+from sim.dynamics.stepping.contact_force import ContactForce, Mode, contact_force
+from sim.scene.model import Contact, Scene
+
+Row = list[Any]
+"""One number per cart; or one array, where many runs go on at once."""
+
+
+@dataclass(slots=True)
+class Pair:
+    """The neighbours of one gap; a wall has the index None. `force` is None without duration."""
+
+    gap: int
+    left: int | None
+    right: int | None
+    room: float  # m, at the start
+    contact: Contact
+    mu: float
+    force: ContactForce | None
+    links: tuple[Link, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Detail:
+    """One evaluation: forces in N per gap and cart, power in W that dampers take, velocities."""
+
+    push: Row
+    links: dict[tuple[str, int], float]
+    outside: dict[tuple[str, int], float]
+    warming: float
+    damped: dict[str, float]
+    v: Row
+
+
+class Field:
+    """Forces of one scene. `keep` collects the details of each evaluation while it is a list."""
+
+    def __init__(self, scene: Scene, lanes: int = 0) -> None:
+        self.scene, self.lanes = scene, lanes
+        self.count = len(scene.carts)
+        self.mass = [cart.mass for cart in scene.carts]
+        self.inverse = [1.0 / mass for mass in self.mass]
+        self._acting = acting(scene)
+        self.pairs = [pair for k in range(self.count + 1) if (pair := self._pair(k)) is not None]
+        self.pair_at = {pair.gap: pair for pair in self.pairs}
+        self.memory: list[Any] = [self.number() for _ in range(self.count + 1)]
+        self.modes: dict[int, Mode] | None = None  # by gap, where events are located
+        self.sliding: dict[int, int] = {}  # by body, likewise: −1, 0 (held) or 1
+        self.pull_time: float | None = None  # s, inside a step that no switch falls into
+        self.joined: set[int] = set()  # gaps whose bodies move as one
+        self.bodies = [[k] for k in range(self.count)]
+        self.grips = self._grips()
+        self.bursts = sorted(
+            (b for one in self._acting for b in one.bursts()), key=lambda b: b.time
+        )
+        self.switches = sorted(
+            {t for one in self._acting for t in one.switches() if 0.0 < t < math.inf}
+        )
+        self._pulls = [self._pulls_from(t) for t in [0.0, *self.switches]]
+        self.loaded = any(pull for segment in self._pulls for pull in segment)
+        self.linked = any(pair.links for pair in self.pairs)
+        self.evaluations = 0
+        self.keep: list[Detail] | None = None
+
+    def number(self) -> Any:
+        """Nought, in all lanes."""
+        if not self.lanes:
+            return 0.0
+        import numpy as np
+
+        return np.zeros(self.lanes)
+
+    def _pair(self, gap: int) -> Pair | None:
+        scene = self.scene
+        contact = scene.contacts[gap]
+        if contact is None:
+            return None
+        left = gap - 1 if gap > 0 else None
+        right = gap if gap < self.count else None
+        masses = [scene.carts[k].mass for k in (left, right) if k is not None]
+        mu = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1])
+        law = finite_law(contact)
+        links = (one.link(gap) for one in self._acting)
+        return Pair(
+            gap,
+            left,
+            right,
+            scene.gaps[gap],
+            contact,
+            mu,
+            contact_force(law, mu) if law is not None else None,
+            tuple(link for link in links if link is not None),
+        )
+
+    def _grips(self) -> list[tuple[float, float]] | None:
+        found = [
+            [grip for one in self._acting if (grip := one.grip(k)) is not None]
+            for k in range(self.count)
+        ]
+        if not any(found):
+            return None
+        return [(sum(g.kinetic for g in f), sum(g.static for g in f)) for f in found]
+
+    def _pulls_from(self, t: float) -> list[list[Pull]]:
+        return [
+            [pull for one in self._acting if (pull := one.pull(k, t)) is not None]
+            for k in range(self.count)
+        ]
+
+    def overlap(self, pair: Pair, s: Row, v: Row) -> tuple[Any, Any]:
+        """d [m], negative where there is room, and its rate [m/s]."""
+        i, j = pair.left, pair.right
+        if i is None:
+            return -s[j] - pair.room, -v[j]  # type: ignore[index]
+        if j is None:
+            return s[i] - pair.room, v[i]
+        return s[i] - s[j] - pair.room, v[i] - v[j]
+
+    def accelerations(self, t: Any, s: Row, v: Row, h: Any) -> Row:
+        """m/s² at t s; h [s] is the step that they are for, or for located events any number."""
+        self.evaluations += 1
+        push, links, total = self.forces(t, s, v)
+        if self.grips is None and not self.joined:
+            a = [force * inv for force, inv in zip(total, self.inverse, strict=True)]
+            rub: dict[tuple[str, int], float] = {}
+        else:
+            a, rub = self._moved(total, v, h)
+        if self.keep is not None:
+            outside = self._outside(t, v) | rub
+            self.keep.append(Detail(push, links, outside, *self._taken(push, s, v), list(v)))
+        return a
+
+    def forces(self, t: Any, s: Row, v: Row) -> tuple[Row, dict[tuple[str, int], Any], Row]:
+        """N: by contacts per gap, by springs and magnets, and all on each cart but friction."""
+        push: Row = [0.0] * (self.count + 1)
+        links: dict[tuple[str, int], Any] = {}
+        for pair in self.pairs:
+            gap = pair.gap
+            if self.joined and gap in self.joined:
+                continue
+            d, rate = self.overlap(pair, s, v)
+            force = pair.force
+            if force is None:
+                pass
+            elif self.modes is not None:
+                push[gap] = force.on(self.modes[gap], d, rate, self.memory[gap])
+            elif self.lanes:
+                push[gap] = force.pushes(d, rate, self.memory[gap])
+            else:
+                push[gap] = force.push(d, rate, self.memory[gap])
+            for link in pair.links:
+                links[link.kind, gap] = links.get((link.kind, gap), 0.0) + self._link(link, d, rate)
+        return push, links, self._total(t, v, push, links)
+
+    def _link(self, link: Link, d: Any, rate: Any) -> Any:
+        if not self.lanes:
+            return link.force(-d, -rate)
+        import numpy as np
+
+        return np.array(
+            [link.force(-a, -b) for a, b in zip(d.tolist(), rate.tolist(), strict=True)]
+        )
+
+    def _total(self, t: Any, v: Row, push: Row, links: dict[tuple[str, int], float]) -> Row:
+        """N on each cart, friction left out."""
+        if links:
+            between = list(push)
+            for (_, gap), force in links.items():
+                between[gap] = between[gap] + force
+        else:
+            between = push
+        total = [between[k] - between[k + 1] for k in range(self.count)]
+        if self.loaded:
+            for k, speed in enumerate(v):
+                for pull in self.pulls(t)[k]:
+                    total[k] = total[k] + (
+                        pull.steady - (pull.linear + pull.quadratic * abs(speed)) * speed
+                    )
+        return total
+
+    def pulls(self, t: float) -> list[list[Pull]]:
+        """By cart, just after t; while `pull_time` is set, as then."""
+        if not self.switches:
+            return self._pulls[0]
+        return self._pulls[
+            bisect_right(self.switches, t if self.pull_time is None else self.pull_time)
+        ]
+
+    def _moved(self, total: Row, v: Row, h: Any) -> tuple[Row, dict[tuple[str, int], float]]:
+        """Accelerations of bodies that may stick together, and what friction does to each cart."""
+        a: Row = [0.0] * self.count
+        rub: dict[tuple[str, int], float] = {}
+        for body in self.bodies:
+            if self.fixed(body):
+                continue
+            mass, force = sum(self.mass[k] for k in body), sum(total[k] for k in body)
+            if self.grips is not None:
+                kinetic = sum(self.grips[k][0] for k in body)
+                static = sum(self.grips[k][1] for k in body)
+                friction = self._friction(body[0], mass, v[body[0]], force, (kinetic, static), h)
+                force += friction
+                for k in body:
+                    share = self.grips[k][0] / kinetic if kinetic else 0.0
+                    rub["friction", k] = friction * share
+            for k in body:
+                a[k] = force / mass
+        return a, rub
+
+    def _friction(
+        self, body: int, mass: float, v: float, others: float, grip: tuple[float, float], h: float
+    ) -> float:
+        kinetic, static = grip
+        if self.modes is not None:
+            side = self.sliding[body]
+            return -side * kinetic if side else -others
+        if abs(v) > kinetic * h / mass:
+            return -math.copysign(kinetic, v)
+        if abs(others) <= static:
+            return -others - v * mass / h
+        return -math.copysign(kinetic, others)
+
+    def _outside(self, t: float, v: Row) -> dict[tuple[str, int], float]:
+        found: dict[tuple[str, int], float] = {}
+        for k, pulls in enumerate(self.pulls(t)):
+            for pull in pulls:
+                force = pull.steady - (pull.linear + pull.quadratic * abs(v[k])) * v[k]
+                found[pull.kind, k] = found.get((pull.kind, k), 0.0) + force
+        return found
+
+    def _taken(self, push: Row, s: Row, v: Row) -> tuple[float, dict[str, float]]:
+        """W. By the dampers of contacts, and of springs by kind."""
+        warming = 0.0
+        damped: dict[str, float] = {}
+        for pair in self.pairs:
+            if pair.gap in self.joined:
+                continue
+            d, rate = self.overlap(pair, s, v)
+            if pair.force is not None:
+                warming += pair.force.warming(push[pair.gap], d, rate)
+            for link in pair.links:
+                damped[link.kind] = damped.get(link.kind, 0.0) + link.damping() * rate * rate
+        return warming, damped
+
+    def fixed(self, body: Sequence[int]) -> bool:
+        """Does it stick to a wall?"""
+        return (0 in self.joined and body[0] == 0) or (
+            self.count in self.joined and body[-1] == self.count - 1
+        )
+
+    def join(self, gap: int, *, part: bool = False) -> None:
+        """From now on the bodies of a gap move as one; `part`: no longer."""
+        if part:
+            self.joined.discard(gap)
+        else:
+            self.joined.add(gap)
+        self.bodies = [[0]]
+        for k in range(1, self.count):
+            if k in self.joined:
+                self.bodies[-1].append(k)
+            else:
+                self.bodies.append([k])

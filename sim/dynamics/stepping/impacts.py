@@ -1,0 +1,150 @@
+"""What a stepping method does at the end of a step: memories, impacts, joints, exploders.
+
+As a game engine does it: a touch is noticed when two carts overlap at the end of a step. Contacts
+without duration then get their impulse, from left to right, until no pair closes any more; carts
+that overlap are not moved apart. A latch or an exploder acts at the end of the step it falls in.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from sim.dynamics.effects.base import Burst
+from sim.dynamics.impact import outgoing
+from sim.dynamics.stepping.field import Field, Pair, Row
+
+SWEEPS = 20
+"""Times that impulses go through the row at one instant, at most."""
+
+TOUCHING = 1e-12
+"""m. Room that rounding leaves between two carts that touch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Blow:
+    """An impulse without duration [N s], and the velocities around it."""
+
+    kind: str  # "contact" or "release"
+    pair: Pair
+    before: tuple[float, float]
+    after: tuple[float, float]
+    impulse: float
+    warmed: float  # J
+
+
+class Impacts:
+    """Watches one field between its steps."""
+
+    def __init__(self, field: Field) -> None:
+        self.field = field
+        self.remembering = [p for p in field.pairs if p.force is not None and p.force.remembers]
+        self.sudden = [p for p in field.pairs if p.force is None]
+        self.bursts = list(field.bursts)
+        self.watches = bool(self.sudden or self.bursts)
+        self.blows: list[Blow] = []
+
+    def latch(self, s: Row, v: Row) -> None:
+        """Exploders hold together what touches with one velocity at the start."""
+        for burst in self.bursts:
+            pair = self.field.pair_at.get(burst.gap)
+            if pair is not None:
+                d, rate = self.field.overlap(pair, s, v)
+                if d >= 0.0 and rate == 0.0:
+                    self.field.join(pair.gap)
+
+    def settle(self, t: Any, s: Row, v: Row) -> None:
+        """At the end of a step; velocities in `v` are changed in place."""
+        field = self.field
+        for pair in self.remembering:
+            d, _ = field.overlap(pair, s, v)
+            field.memory[pair.gap] = _remembered(d, field.memory[pair.gap])
+        if not self.watches:
+            return
+        while self.bursts and self.bursts[0].time <= t:
+            self.set_free(self.bursts.pop(0), s, v)
+        for _ in range(SWEEPS):
+            hit = [pair for pair in self.sudden if self._closes(pair, s, v)]
+            if not hit:
+                return
+            for pair in hit:
+                if self._closes(pair, s, v):
+                    self.strike(pair, v)
+
+    def _closes(self, pair: Pair, s: Row, v: Row) -> bool:
+        if pair.gap in self.field.joined:
+            return False
+        d, rate = self.field.overlap(pair, s, v)
+        return bool(d >= 0.0 and rate > 0.0)
+
+    def strike(self, pair: Pair, v: Row) -> None:
+        """V + e (V − v) for the two bodies of a pair; velcro makes them one."""
+        field, e = self.field, pair.contact.restitution or 0.0
+        (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
+        out = outgoing_of(m1, m2, v1, v2, e)
+        if pair.contact.law == "velcro":
+            field.join(pair.gap)
+        mu = 1.0 / (1.0 / m1 + 1.0 / m2)
+        self._set(pair, left, right, v, (v1, v2), out, mu, "contact")
+
+    def set_free(self, burst: Burst, s: Row, v: Row) -> None:
+        """½ mu w'² = ½ mu w² + E, where the two touch."""
+        field = self.field
+        pair = field.pair_at[burst.gap]
+        d, _ = field.overlap(pair, s, v)
+        if pair.gap in field.joined:
+            field.join(pair.gap, part=True)
+        elif d < -TOUCHING:
+            return
+        (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
+        mu = 1.0 / (1.0 / m1 + 1.0 / m2)
+        apart = math.sqrt((v2 - v1) ** 2 + 2.0 * burst.energy / mu)
+        change = apart - (v2 - v1)
+        out = v1 - mu / m1 * change, v2 + mu / m2 * change
+        self._set(pair, left, right, v, (v1, v2), out, mu, "release")
+
+    def _body(self, cart: int | None, v: Row) -> tuple[float, list[int], float]:
+        """Mass, carts and velocity of the body of a cart; a wall is infinite."""
+        if cart is None:
+            return math.inf, [], 0.0
+        body = next(body for body in self.field.bodies if cart in body)
+        if self.field.fixed(body):
+            return math.inf, body, 0.0
+        return sum(self.field.mass[k] for k in body), body, v[cart]
+
+    def _set(
+        self,
+        pair: Pair,
+        left: list[int],
+        right: list[int],
+        v: Row,
+        before: tuple[float, float],
+        out: tuple[float, float],
+        mu: float,
+        kind: str,
+    ) -> None:
+        for body, speed in ((left, out[0]), (right, out[1])):
+            for k in body:
+                v[k] = speed
+        u, w = before[0] - before[1], out[1] - out[0]
+        warmed = 0.5 * mu * (u - w) * (u + w)
+        self.blows.append(Blow(kind, pair, before, out, mu * (u + w), warmed))
+
+
+def outgoing_of(m1: float, m2: float, v1: float, v2: float, e: float) -> tuple[float, float]:
+    """m/s after an impact, walls included."""
+    if m1 == math.inf:
+        return v1, v1 + e * (v1 - v2)
+    if m2 == math.inf:
+        return v2 + e * (v2 - v1), v2
+    return outgoing(m1, m2, v1, v2, e)
+
+
+def _remembered(d: Any, memory: Any) -> Any:
+    """The greatest overlap since it was clear."""
+    if isinstance(d, float):
+        return max(d, memory) if d > 0.0 else 0.0
+    import numpy as np
+
+    return np.where(d > 0.0, np.maximum(d, memory), 0.0)

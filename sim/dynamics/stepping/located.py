@@ -1,0 +1,142 @@
+"""Locating events: a step keeps its formulas and ends where one of them stops to hold.
+
+A guard is a number that is positive while a formula holds: the room of a gap, the force or the
+rate of a contact, the velocity of a sliding cart, what static friction has in reserve. After a
+trial step each guard is looked at; where one is negative, its zero is searched by shorter trial
+steps (regula falsi, Illinois variant), the step is taken again up to there, and the formulas
+change. A guard that falls and rises again within one step is not seen: a limit of all such methods.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from sim.dynamics.stepping.contact_force import mode_of
+from sim.dynamics.stepping.field import Field, Row
+from sim.dynamics.stepping.impacts import Impacts
+
+Key = tuple[str, int, int]
+"""("gap", its number, which of its guards) or ("body", its first cart, 0)."""
+
+MOST_CHANGES = 12
+"""Within one step. Then the rest of it is taken without looking, as methods without events do."""
+
+CLOSE = 1e-12
+"""Of a step. Events this close to each other count as one instant."""
+
+FINE = 1e-15
+"""Of a step. How well the time of an event is searched for."""
+
+
+class Located:
+    """Formulas of a field that hold just now, and what changes them."""
+
+    def __init__(self, field: Field, impacts: Impacts, s: Row, v: Row) -> None:
+        self.field, self.impacts = field, impacts
+        self.begin(0.0, s, v)
+
+    def begin(self, t: float, s: Row, v: Row) -> None:
+        """Choose all formulas from the state."""
+        field = self.field
+        field.modes = {}
+        for pair in field.pairs:
+            if pair.force is not None:
+                d, rate = field.overlap(pair, s, v)
+                field.modes[pair.gap] = mode_of(pair.force, d, rate, field.memory[pair.gap])
+        self._grip(t, s, v)
+
+    def guards(self, t: float, s: Row, v: Row) -> dict[Key, float]:
+        """Every guard by its key."""
+        field, found = self.field, {}
+        assert field.modes is not None
+        for pair in field.pairs:
+            gap = pair.gap
+            if gap in field.joined:
+                continue
+            d, rate = field.overlap(pair, s, v)
+            if pair.force is None:
+                found["gap", gap, 0] = -d
+                continue
+            held = pair.force.holds(field.modes[gap], d, rate, field.memory[gap])
+            for which, value in enumerate(held):
+                found["gap", gap, which] = value
+        if field.grips is not None:
+            total = field.forces(t, s, v)[2]
+            for body in field.bodies:
+                side = field.sliding.get(body[0], 0)
+                static = sum(field.grips[k][1] for k in body)
+                reserve = static - abs(sum(total[k] for k in body))
+                found["body", body[0], 0] = side * v[body[0]] if side else reserve
+        return found
+
+    def change(self, keys: list[Key], t: float, s: Row, v: Row) -> None:
+        """The formulas of these guards have come to their end; `v` is changed in place."""
+        field = self.field
+        assert field.modes is not None
+        slipping = []
+        for kind, number, _ in keys:
+            if kind == "gap":
+                pair = field.pair_at[number]
+                d, rate = field.overlap(pair, s, v)
+                if pair.force is not None:
+                    mode, memory = field.modes[number], field.memory[number]
+                    field.modes[number], field.memory[number] = pair.force.after(
+                        mode, d, rate, memory
+                    )
+                elif rate > 0.0:
+                    self.impacts.strike(pair, v)
+            elif field.sliding.get(number, 0):
+                for k in next(body for body in field.bodies if number in body):
+                    v[k] = 0.0
+            else:
+                slipping.append(number)
+        self._grip(t, s, v, slipping)
+
+    def _grip(self, t: float, s: Row, v: Row, slipping: list[int] | None = None) -> None:
+        """Which bodies slide, in which direction, and which are held."""
+        field = self.field
+        if field.grips is None:
+            return
+        total = field.forces(t, s, v)[2]
+        for body in field.bodies:
+            force = sum(total[k] for k in body)
+            static = sum(field.grips[k][1] for k in body)
+            if v[body[0]] != 0.0:
+                side = 1 if v[body[0]] > 0.0 else -1
+            elif abs(force) <= static and body[0] not in (slipping or []):
+                side = 0
+            else:
+                side = 1 if force > 0.0 else -1
+            field.sliding[body[0]] = side
+
+
+def first_zero(
+    value: Callable[[float], float], end: float, at_begin: float, at_end: float
+) -> float:
+    """A zero of `value` between 0 and `end`, where it falls from positive to negative.
+
+    The end of the bracket at which it is not positive any more: a formula is not left too early.
+    """
+    a, fa, b, fb = 0.0, at_begin, end, at_end
+    side = 0
+    for _ in range(80):
+        if b - a <= FINE * end or fb == 0.0:
+            break
+        c = (a * fb - b * fa) / (fb - fa)
+        if not a < c < b:
+            c = 0.5 * (a + b)
+        fc = value(c)
+        if fc > 0.0:
+            a, fa = c, fc
+            fb = 0.5 * fb if side > 0 else fb
+            side = 1
+        else:
+            b, fb = c, fc
+            fa = 0.5 * fa if side < 0 else fa
+            side = -1
+    return b
+
+
+def crossed(before: dict[Key, float], after: dict[Key, float]) -> list[Key]:
+    """Guards that are negative at the end of a trial step."""
+    return [key for key in before if after.get(key, 1.0) < 0.0]

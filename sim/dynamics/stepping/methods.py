@@ -1,0 +1,95 @@
+"""The methods by name, and a whole run with one of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from sim.dynamics.stepping.explicit_euler import ExplicitEuler
+from sim.dynamics.stepping.field import Row
+from sim.dynamics.stepping.method import StepMethod
+from sim.dynamics.stepping.rk4 import RK4
+from sim.dynamics.stepping.semi_implicit_euler import SemiImplicitEuler
+from sim.dynamics.stepping.stepper import LocatedStepper, Stepper
+from sim.dynamics.stepping.velocity_verlet import VelocityVerlet
+from sim.scene.model import Scene
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+FIXED: dict[str, type[StepMethod]] = {
+    method.name: method for method in (ExplicitEuler, SemiImplicitEuler, VelocityVerlet, RK4)
+}
+NAMES = (*FIXED, "rk4-events", "adaptive")
+STEP = 1e-3
+"""s, where nobody says otherwise."""
+
+ROUND = 1e-9
+"""Of a step. A last step shorter than this is rounding, and goes with the one before."""
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A method with its step [s], or its relative tolerance."""
+
+    method: str
+    step: float | None = None
+    rtol: float | None = None
+
+    @property
+    def order(self) -> int:
+        """Where the force is smooth."""
+        return FIXED[self.method].order if self.method in FIXED else 4 if self.step else 8
+
+
+def stepper(scene: Scene, way: Way) -> Stepper:
+    """A run at its start."""
+    if way.method in FIXED:
+        return Stepper(scene, FIXED[way.method])
+    if way.method == "rk4-events":
+        return LocatedStepper(scene)
+    from sim.dynamics.stepping.adaptive_events import RTOL, AdaptiveStepper
+
+    return AdaptiveStepper(scene, way.rtol or RTOL)
+
+
+def drive(run: Stepper, until: float, h: float, phase: float = 1.0) -> None:
+    """From 0 to `until` in steps of h, the first of them only `phase` of that."""
+    t, k = 0.0, 0
+    while t < until:
+        end = (phase + k) * h
+        if end > until - ROUND * h:
+            end = until
+        for stop in run.boundaries(t, end):
+            run.advance(t, stop - t)
+            t = stop
+        k += 1
+
+
+def outcome(scene: Scene, way: Way, phase: float = 1.0) -> Stepper:
+    """A run of which nothing is kept but its end."""
+    run = stepper(scene, way)
+    drive(run, scene.until, way.step or scene.until, phase)
+    return run
+
+
+def batchable(scene: Scene) -> bool:
+    """Can many runs with fixed steps go on together as arrays? No impulses, joints or friction."""
+    kinds = {effect.kind for effect in scene.effects}
+    laws = {contact.law for contact in scene.contacts if contact is not None}
+    return not (kinds & {"friction", "release", "push"} or laws & {"instant", "velcro"})
+
+
+def batch(scene: Scene, way: Way, phases: NDArray[np.float64]) -> tuple[Row, Row, Stepper]:
+    """Ways and velocities at the end of one run per phase, all in the same arrays."""
+    import numpy as np
+
+    assert way.step is not None
+    run = Stepper(scene, FIXED[way.method], lanes=len(phases))
+    t, k = np.zeros(len(phases)), 0
+    while (t < scene.until).any():
+        end = np.maximum(t, np.minimum(scene.until, (phases + k) * way.step))
+        run.advance(t, end - t)
+        t, k = end, k + 1
+    return run.s, run.v, run

@@ -1,0 +1,237 @@
+"""A stepped run as `carts run` shows it: the same result as an exact one, and what does not add up.
+
+Momentum and energy are measured, not forced: every step adds what each force gave and each damper
+took, weighted over the step as the method itself weights its forces. The imbalance, final less all
+that the accounts explain, is the method's own error; above nought it made energy from nothing:
+
+    momentum   initial + external + imbalance = final
+    energy     initial + work + imbalance = final + warmed
+"""
+
+from __future__ import annotations
+
+import math
+from array import array
+from dataclasses import dataclass
+from typing import Any
+
+from sim.dynamics.finished import Run
+from sim.dynamics.laws import finite_law
+from sim.dynamics.ledger import Ledger
+from sim.dynamics.record import Record
+from sim.dynamics.report import finite, report
+from sim.dynamics.stepping.contact_force import BumperForce, DashpotForce
+from sim.dynamics.stepping.field import Detail, Pair, Row
+from sim.dynamics.stepping.methods import STEP, Way, drive, stepper
+from sim.dynamics.stepping.story import Story
+from sim.dynamics.trajectory import Trajectory
+from sim.scene.model import Scene
+
+MOST_ROWS = 20_000
+"""Samples kept; of a longer run every so many steps one."""
+
+
+@dataclass(frozen=True, slots=True)
+class SteppedRun:
+    """A run like an exact one, its samples, and what its accounts leave unexplained."""
+
+    run: Run
+    way: Way
+    samples: Trajectory
+    steps: int
+    evaluations: int
+
+    @property
+    def lost_momentum(self) -> float:
+        """N s. Final − initial − external."""
+        books = self.run.ledger
+        return books.momentum_final - books.momentum_initial - books.external
+
+    @property
+    def lost_energy(self) -> float:
+        """J. Final + warmed − initial − work; above nought the method made energy."""
+        books = self.run.ledger
+        made = math.fsum(books.works.values())
+        return books.energy_final + books.warmed - books.energy_initial - made
+
+
+def stepped(scene: Scene, way: Way, *, keep_events: bool = True) -> SteppedRun:
+    """Run a scene step by step; `way` holds for the whole run."""
+    return _Recorder(scene, way, keep_events).finish()
+
+
+class _Recorder:
+    """Listens to a stepper."""
+
+    def __init__(self, scene: Scene, way: Way, keep_events: bool) -> None:
+        self.scene, self.way = scene, way
+        self.step = way.step or (scene.until if way.method == "adaptive" else STEP)
+        self.run = stepper(scene, way)
+        self.run.watch(self.seen)
+        self.record = Record(scene, keep_events, keep_motion=True)
+        self.story = Story(self.run.field, self.record)
+        self.ledger = Ledger(scene)
+        self.columns = _empty(scene, [p.gap for p in self.run.field.pairs])
+        self.every = max(1, math.ceil(scene.until / self.step / MOST_ROWS))
+        self.count = 0
+        self.held: dict[int, float] = {}
+        self.v = list(self.run.v)
+        self._links(first=True)
+        a, detail = self._now(0.0)
+        self.ledger.stored_initial = self._stored(detail.push)
+        self._row(0.0, a, detail)
+
+    def seen(self, t: float, h: float, before: Row, forces: list[tuple[float, Detail]]) -> None:
+        """A step, or part of one, ended at t."""
+        run, ledger = self.run, self.ledger
+        weighted = [(h * w, detail) for w, detail in forces]
+        impulses = [math.fsum(w * d.push[k] for w, d in weighted) for k in range(len(self.v) + 1)]
+        for pair in run.field.pairs:
+            linked = math.fsum(
+                w * force
+                for w, d in weighted
+                for (_, gap), force in d.links.items()
+                if gap == pair.gap
+            )
+            self._from_wall(pair.left, pair.right, impulses[pair.gap] + linked)
+        for weight, detail in weighted:
+            for (kind, k), force in detail.outside.items():
+                ledger.push_from_outside(weight * force, kind)
+                ledger.work(kind, weight * force * detail.v[k])
+            ledger.warm(weight * detail.warming)
+            for kind, power in detail.damped.items():
+                if power:
+                    ledger.work(kind, -weight * power)
+        a, detail = self._now(t)
+        self.story.step(t, self.v, run.v, run.s, detail.push, impulses)
+        self._bumpers(detail.push)
+        for blow in run.impacts.blows:
+            self.story.blow(t, blow)
+            self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
+            if blow.kind == "release":
+                ledger.work("release", -blow.warmed)
+            else:
+                ledger.warm(blow.warmed)
+        run.impacts.blows.clear()
+        self.v = list(run.v)
+        self.count += 1
+        if self.count % self.every == 0 or t >= self.scene.until:
+            self._row(t, a, detail)
+
+    def _bumpers(self, push: Row) -> None:
+        """What pressing further in costs for good, and what an overlap that is left still held.
+
+        `held` is the greatest overlap of a bumper, and the energy in a contact that may only push.
+        """
+        field = self.run.field
+        for pair in field.pairs:
+            gap, held = pair.gap, self.held.get(pair.gap, 0.0)
+            if isinstance(pair.force, BumperForce):
+                self.held[gap] = field.memory[gap]
+                if field.memory[gap] > held:
+                    self.ledger.warm(pair.force.kept(field.memory[gap]) - pair.force.kept(held))
+            elif isinstance(pair.force, DashpotForce) and not pair.force.pulls:
+                if held and not push[gap]:
+                    self.ledger.warm(held)
+                d, rate = field.overlap(pair, self.run.s, self.run.v)
+                self.held[gap] = _stored(pair, d, rate, 0.0) if push[gap] else 0.0
+
+    def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
+        if impulse and (left is None or right is None):
+            self.ledger.push_from_outside(impulse if left is None else -impulse)
+
+    def _now(self, t: float) -> tuple[Row, Detail]:
+        """Accelerations and forces at the end of a step: for showing, not counted."""
+        run, field = self.run, self.run.field
+        assert field.keep is not None
+        a = field.accelerations(t, run.s, run.v, self.step)
+        field.evaluations -= 1
+        return a, field.keep.pop()
+
+    def _row(self, t: float, a: Row, detail: Detail) -> None:
+        run, columns = self.run, self.columns
+        columns[("t",)].append(t)
+        for k, cart in enumerate(self.scene.carts):
+            for kind, value in (("x", cart.position + run.s[k]), ("v", run.v[k]), ("a", a[k])):
+                columns[(kind, cart.name)].append(value)
+        for pair in run.field.pairs:
+            force = detail.push[pair.gap] + math.fsum(
+                linked for (_, gap), linked in detail.links.items() if gap == pair.gap
+            )
+            columns[("F", "-".join(self.scene.names_at(pair.gap)))].append(force)
+
+    def _stored(self, push: Row) -> float:
+        """J in the contacts that push."""
+        field = self.run.field
+        return math.fsum(
+            _stored(pair, *field.overlap(pair, self.run.s, self.run.v), field.memory[pair.gap])
+            for pair in field.pairs
+            if push[pair.gap]
+        )
+
+    def _links(self, *, first: bool) -> None:
+        field, links = self.run.field, self.ledger._links
+        for pair in field.pairs:
+            for link in pair.links:
+                d, _ = field.overlap(pair, self.run.s, self.run.v)
+                start, end = links.get(link.kind, (0.0, 0.0))
+                energy = link.energy(-d)
+                links[link.kind] = (start + energy, end) if first else (start, end + energy)
+
+    def finish(self) -> SteppedRun:
+        """Drive it to the end, and settle the accounts."""
+        scene, run, ledger = self.scene, self.run, self.ledger
+        drive(run, scene.until, self.step)
+        self.story.finish(scene.until, run.v)
+        ledger.v_final = list(run.v)
+        ledger.stored_final = self._stored(self._now(scene.until)[1].push)
+        self._links(first=False)
+        evaluations = run.field.evaluations
+        kinds = {effect.kind for effect in scene.effects if effect.kind != "release"}
+        finished = Run(
+            scene=scene,
+            t=scene.until,
+            x=tuple(c.position + s for c, s in zip(scene.carts, run.s, strict=True)),
+            v=tuple(run.v),
+            record=self.record,
+            ledger=ledger,
+            solvers={self.way.method: evaluations},
+            effects=dict.fromkeys(sorted(kinds), evaluations),
+            forces=None,
+            stopped=None,
+        )
+        return SteppedRun(finished, self.way, Trajectory(self.columns), run.steps, evaluations)
+
+
+def _stored(pair: Pair, d: float, rate: float, memory: float) -> float:
+    law = finite_law(pair.contact)
+    return law.stored(d, rate, memory) if law is not None and d > 0.0 else 0.0
+
+
+def _empty(scene: Scene, gaps: list[int]) -> dict[tuple[str, ...], array[float]]:
+    columns: dict[tuple[str, ...], array[float]] = {("t",): array("d")}
+    for cart in scene.carts:
+        columns.update({(kind, cart.name): array("d") for kind in ("x", "v", "a")})
+    columns.update({("F", "-".join(scene.names_at(gap))): array("d") for gap in gaps})
+    return columns
+
+
+def stepped_report(result: SteppedRun) -> dict[str, Any]:
+    """What `carts run --method … --json` prints: format 1, the plan and the imbalance its own."""
+    run, way = result.run, result.way
+    document = report(run)
+    asked = f"step {way.step:.6g} s" if way.step else f"relative tolerance {way.rtol:.3g}"
+    document["plan"] = [
+        {
+            "from": 0.0,
+            "until": run.t,
+            "tier": None,
+            "solver": way.method,
+            "why": f"asked for: {asked}, for the whole run; it is not exact",
+            "packages": ["numpy", "scipy"] if way.method == "adaptive" else [],
+        }
+    ]
+    document["energy"]["imbalance"] = finite(result.lost_energy)
+    document["momentum"]["imbalance"] = finite(result.lost_momentum)
+    document["steps"] = result.steps
+    return document

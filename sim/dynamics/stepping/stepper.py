@@ -1,0 +1,134 @@
+"""Steps of any method through one scene: trial steps, events where they are located, impacts.
+
+A `Stepper` holds the state of one run. `seen` is told of every accepted step, or part of one that
+an event ended, so that a run can be recorded; without it nothing is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from sim.dynamics.stepping.field import Detail, Field, Row
+from sim.dynamics.stepping.impacts import Impacts
+from sim.dynamics.stepping.located import CLOSE, MOST_CHANGES, Key, Located, crossed, first_zero
+from sim.dynamics.stepping.method import StepMethod
+from sim.dynamics.stepping.rk4 import RK4
+from sim.scene.model import Scene
+
+Seen = Callable[[float, float, Row, list[tuple[float, Detail]]], None]
+"""t [s] at the end, h [s], the ways before, and the forces with their weights."""
+
+
+class Stepper:
+    """Fixed steps without any look at events."""
+
+    def __init__(self, scene: Scene, method: type[StepMethod], lanes: int = 0) -> None:
+        self.field = Field(scene, lanes)
+        self.method = method
+        zero = self.field.number()
+        self.s: Row = [zero for _ in scene.carts]
+        self.v: Row = [zero + cart.velocity for cart in scene.carts]
+        self.impacts = Impacts(self.field)
+        self.impacts.latch(self.s, self.v)
+        self.impacts.settle(-1.0, self.s, self.v)
+        self.seen: Seen | None = None
+        self.steps = 0
+
+    def watch(self, seen: Seen) -> None:
+        """From now on tell of every step."""
+        self.seen = seen
+        self.field.keep = []
+
+    def advance(self, t: Any, h: Any) -> None:
+        """From t over h."""
+        self.steps += 1
+        before = self.s
+        self.s, self.v = self.method.step(self.field, t, self.s, self.v, h)
+        self.impacts.settle(t + h, self.s, self.v)
+        if self.seen is not None:
+            self.tell(t + h, h, before, self.method.weights)
+
+    def tell(self, t: float, h: float, before: Row, weights: tuple[float, ...]) -> None:
+        """Hand over the forces of the last evaluations."""
+        assert self.seen is not None and self.field.keep is not None
+        kept = self.field.keep[-len(weights) :]
+        self.field.keep.clear()
+        self.seen(t, h, before, list(zip(weights, kept, strict=True)))
+
+    def boundaries(self, t: float, end: float) -> list[float]:
+        """Times between t and end at which a step has to end; without a look there are none."""
+        return [end]
+
+
+class LocatedStepper(Stepper):
+    """Fixed steps of RK4 that end at every event, at every switch and at every exploder."""
+
+    most_changes = MOST_CHANGES
+
+    def __init__(self, scene: Scene, method: type[StepMethod] = RK4) -> None:
+        super().__init__(scene, method)
+        self.located = Located(self.field, self.impacts, self.s, self.v)
+        times = {*self.field.switches, *(burst.time for burst in self.field.bursts)}
+        self.times = sorted(t for t in times if t > 0.0)
+
+    def boundaries(self, t: float, end: float) -> list[float]:
+        """Switches and exploders on the way."""
+        return [*(time for time in self.times if t < time < end), end]
+
+    def advance(self, t: float, h: float) -> None:
+        """From t over h, part by part."""
+        self.steps += 1
+        field, done = self.field, 0.0
+        field.pull_time = t + 0.5 * h
+        for _ in range(self.most_changes):
+            part, keys = self.part(t + done, h - done)
+            done += part
+            if keys:
+                self.located.change(keys, t + done, self.s, self.v)
+            if not keys or done >= h:
+                break
+        else:
+            self.give_up(t + done, h - done)
+        field.pull_time = None
+        bursts = len(self.impacts.bursts)
+        self.impacts.settle(t + h, self.s, self.v)
+        if bursts != len(self.impacts.bursts) or t + h in self.times:
+            self.located.begin(t + h, self.s, self.v)
+
+    def give_up(self, t: float, h: float) -> None:
+        """Too many events within one step: the rest of it without looking."""
+        self.field.modes = None
+        Stepper.advance(self, t, h)
+        self.located.begin(t + h, self.s, self.v)
+
+    def part(self, t: float, h: float) -> tuple[float, list[Key]]:
+        """Take h, or less up to the first event; returns how much, and the guards that fell."""
+        s, v = self.s, self.v
+        before = self.located.guards(t, s, v)
+        s1, v1 = self.method.step(self.field, t, s, v, h)
+        after = self.located.guards(t + h, s1, v1)
+        roots: dict[Key, float] = {}
+        for key in crossed(before, after):
+            roots[key] = (
+                self._root(t, h, key, before[key], after[key]) if before[key] > 0.0 else 0.0
+            )
+        if not roots:
+            self._accept(t, h, s1, v1)
+            return h, []
+        first = min(roots.values())
+        if first > 0.0:
+            self._accept(t, first, *self.method.step(self.field, t, s, v, first))
+        return first, [key for key, root in roots.items() if root - first <= CLOSE * h]
+
+    def _root(self, t: float, h: float, key: Key, at_begin: float, at_end: float) -> float:
+        def value(tau: float) -> float:
+            s, v = self.method.step(self.field, t, self.s, self.v, tau)
+            return self.located.guards(t + tau, s, v)[key]
+
+        return first_zero(value, h, at_begin, at_end)
+
+    def _accept(self, t: float, h: float, s: Row, v: Row) -> None:
+        before, self.s, self.v = self.s, s, v
+        if self.seen is not None:
+            self.tell(t + h, h, before, self.method.weights)

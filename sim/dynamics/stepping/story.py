@@ -1,0 +1,110 @@
+"""What happens in a stepped run as its steps show it: touches, greatest forces, separations.
+
+A touch has happened when a step ends with a force in the gap; a method that locates events ends a
+step right there. Times are those of the ends of steps: nothing is put in between.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+
+from sim.dynamics.events import ORDER, Event
+from sim.dynamics.record import Record
+from sim.dynamics.stepping.field import Field, Pair, Row
+from sim.dynamics.stepping.impacts import Blow
+
+Speeds = tuple[float, float]
+
+
+@dataclass(slots=True)
+class Touch:
+    """A contact in progress."""
+
+    before: Speeds
+    impulse: float = 0.0  # N s so far
+    peak: tuple[float, float, float, Speeds] | None = None  # t, N, N s until then, m/s
+    last: float = 0.0  # N
+    deepest: float = 0.0  # m
+    approach: float = 0.0  # m/s
+
+
+@dataclass(slots=True)
+class Story:
+    """Collects events of one stepped run into its record."""
+
+    field: Field
+    record: Record
+    touching: dict[int, Touch] = dataclasses.field(default_factory=dict)
+
+    def step(self, t: float, old: Row, v: Row, s: Row, push: Row, impulses: list[float]) -> None:
+        """A step ended at t: velocities before and after it, forces now, impulses in it."""
+        for pair in self.field.pairs:
+            gap = pair.gap
+            if pair.force is None:
+                continue
+            touch = self.touching.get(gap)
+            if touch is None and (push[gap] or impulses[gap]):
+                before = self._speeds(pair, old)
+                touch = self.touching[gap] = Touch(before, approach=before[0] - before[1])
+                self._tell(t, "contact", pair, before, self._speeds(pair, v), 0.0, push[gap])
+            if touch is None:
+                continue
+            touch.impulse += impulses[gap]
+            d, _ = self.field.overlap(pair, s, v)
+            touch.deepest = max(touch.deepest, d)
+            if touch.peak is None or push[gap] > touch.peak[1]:
+                touch.peak = (t, push[gap], touch.impulse, self._speeds(pair, v))
+            if push[gap]:
+                touch.last = push[gap]
+            else:
+                self.end(t, pair, v)
+
+    def end(self, t: float, pair: Pair, v: Row, *, over: bool = True) -> None:
+        """A contact is over; or the run is, in the middle of it."""
+        touch = self.touching.pop(pair.gap)
+        if touch.deepest > self.record.deepest.get(pair.gap, (0.0, 0.0))[0]:
+            self.record.deepest[pair.gap] = (touch.deepest, touch.approach)
+        if touch.peak is not None and touch.peak[1] > 0.0:
+            when, force, impulse, after = touch.peak
+            self._tell(when, "peak", pair, touch.before, after, impulse, force)
+        if over:
+            now = self._speeds(pair, v)
+            self._tell(t, "separate", pair, touch.before, now, touch.impulse, touch.last)
+
+    def blow(self, t: float, blow: Blow) -> None:
+        """An impulse without duration."""
+        self._tell(t, blow.kind, blow.pair, blow.before, blow.after, blow.impulse, None)
+
+    def finish(self, t: float, v: Row) -> None:
+        """The end of the run."""
+        for pair in self.field.pairs:
+            if pair.gap in self.touching:
+                self.end(t, pair, v, over=False)
+        self.record.end(t, v)
+
+    def _speeds(self, pair: Pair, v: Row) -> Speeds:
+        left = 0.0 if pair.left is None else v[pair.left]
+        return left, 0.0 if pair.right is None else v[pair.right]
+
+    def _tell(
+        self,
+        t: float,
+        kind: str,
+        pair: Pair,
+        before: Speeds,
+        after: Speeds,
+        impulse: float,
+        force: float | None,
+    ) -> None:
+        assert kind in ORDER
+        self.record.counts[kind] += 1
+        if not self.record.keep_events:
+            return
+        names = self.field.scene.names_at(pair.gap)
+        carts = (pair.left, pair.right)
+        was, now = (
+            {n: u for n, u, k in zip(names, speeds, carts, strict=True) if k is not None}
+            for speeds in (before, after)
+        )
+        self.record.events.append(Event(t, kind, names, was, now, impulse, force))

@@ -1,0 +1,140 @@
+"""What a lesson lets a reader change about effects: their numbers, and whether they act.
+
+    controls:
+      - {set: friction.coefficient, from: 0, to: 0.1, step: 0.01}
+      - {switch: friction}
+
+An effect is named by its kind where the scene lists it once, else by its place: ``effects.1``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from sim.scene.effects import KINDS, Effect
+from sim.scene.fields import Field
+from sim.scene.problem import Path, Problem, nearest
+
+_LABELS = {
+    "friction.coefficient": "friction coefficient μ",
+    "friction.static": "friction coefficient at rest",
+    "incline.angle": "angle of the track",
+    "drag.linear": "drag, force per speed",
+    "drag.quadratic": "drag, force per speed squared",
+    "push.force": "force of the push",
+    "push.from": "begin of the push",
+    "push.until": "end of the push",
+    "spring.stiffness": "stiffness of the spring",
+    "spring.length": "natural length of the spring",
+    "spring.damping": "damping of the spring",
+    "magnets.strength": "strength of the magnets",
+    "magnets.power": "power of the distance",
+    "release.energy": "energy of the exploder",
+    "release.at": "time of the release",
+}
+_SWITCHES = {
+    "friction": "friction",
+    "incline": "slope",
+    "drag": "air resistance",
+    "push": "push",
+    "spring": "spring",
+    "magnets": "magnets",
+    "release": "exploder",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Switch:
+    """A box to tick: whether an effect acts. `set` is the path that a change names."""
+
+    set: str
+    label: str
+    value: bool  # as the scene says
+
+
+def effect_of(target: str, effects: Sequence[Effect]) -> Effect | None:
+    """The effect that ``friction`` or ``effects.1`` names; None where there is none, or several."""
+    head, _, index = target.partition(".")
+    if head == "effects":
+        return next((effect for effect in effects if str(effect.index) == index), None)
+    found = [effect for effect in effects if effect.kind == target]
+    return found[0] if len(found) == 1 else None
+
+
+def effect_number(target: str, effects: Sequence[Effect]) -> tuple[Field, str, float] | None:
+    """The field behind a slider's target, its label, and the scene's own value."""
+    owner, _, key = target.rpartition(".")
+    effect = effect_of(owner, effects) or _with_kind(owner, effects)
+    if effect is None or key not in effect.numbers:
+        return None
+    field = next(field for field in KINDS[effect.kind].fields if field.key == key)
+    return field, _LABELS[f"{effect.kind}.{key}"] + _whose(effect, effects), effect.numbers[key]
+
+
+def is_switch(entry: object) -> bool:
+    """Whether an entry of `controls` is a switch."""
+    return isinstance(entry, Mapping) and "switch" in entry
+
+
+def read_switches(
+    value: object, effects: Sequence[Effect], problems: list[Problem]
+) -> tuple[Switch, ...]:
+    """The switches among the controls, in the order listed."""
+    switches = []
+    for k, entry in enumerate(value if isinstance(value, (list, tuple)) else ()):
+        if not is_switch(entry):
+            continue
+        path: Path = ("controls", k)
+        for key in entry:
+            if key != "switch":
+                problems.append(
+                    Problem(
+                        (*path, key),
+                        "unknown-key",
+                        f"a switch takes no “{key}”",
+                        "{switch: friction}",
+                    )
+                )
+        target = str(entry["switch"])
+        effect = effect_of(target, effects)
+        if effect is None:
+            problems.append(_unknown((*path, "switch"), target, effects))
+            continue
+        label = _SWITCHES[effect.kind] + _whose(effect, effects)
+        switches.append(Switch(set=f"{target}.active", label=label, value=effect.active))
+    return tuple(switches)
+
+
+def _unknown(path: Path, target: str, effects: Sequence[Effect]) -> Problem:
+    same = [effect for effect in effects if effect.kind == target]
+    if same:
+        places = " or ".join(f"switch: effects.{effect.index}" for effect in same)
+        return Problem(path, "unknown-path", f"the scene lists {target} {len(same)} times", places)
+    if target in KINDS:
+        number = KINDS[target].fields[0]
+        hint = (
+            f"effects:\n  - {target}: {{{number.key}: {number.dimension.example}, active: false}}"
+        )
+        return Problem(path, "unknown-path", f"the scene does not list {target}", hint)
+    listed = [effect.kind for effect in effects]
+    close = nearest(target, listed)
+    hint = f"did you mean “{close}”?" if close else f"effects of this scene: {', '.join(listed)}"
+    if not listed:
+        hint = "a switch turns an effect of the scene on and off: list it under effects"
+    return Problem(path, "unknown-path", f"no effect is called “{target[:40]}”", hint)
+
+
+def _with_kind(owner: str, effects: Sequence[Effect]) -> Effect | None:
+    """The effect that ``effects.1.friction`` names."""
+    place, _, kind = owner.rpartition(".")
+    effect = effect_of(place, effects) if place.startswith("effects.") else None
+    return effect if effect is not None and effect.kind == kind else None
+
+
+def _whose(effect: Effect, effects: Sequence[Effect]) -> str:
+    """Who pushes whom, or the place among several of one kind."""
+    if effect.kind == "push":
+        return f" on {effect.carts[0]} by {effect.by}"
+    same = [other.index for other in effects if other.kind == effect.kind]
+    return f" ({same.index(effect.index) + 1})" if len(same) > 1 else ""

@@ -1,0 +1,36 @@
+"""Ready-made settings of a scene: a button each, with values that a lesson chose."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sim.scene.changes import apply_changes
+from sim.scene.problem import Path, Problem, SceneError
+from sim.scene.read import collect_scene
+from sim.scene.tables import mapping
+
+HINT = "presets: {elastic: {contact.restitution: 1}, heavy hits light: {A.mass: 4 kg}}"
+
+
+def read_presets(
+    value: object, plain: Mapping[str, Any], problems: list[Problem]
+) -> dict[str, dict[str, Any]]:
+    """The presets by name; each must make a scene that makes sense out of `plain`."""
+    table = mapping(value, ("presets",), problems, HINT)
+    presets: dict[str, dict[str, Any]] = {}
+    for name, changes in (table or {}).items():
+        path: Path = ("presets", name)
+        listed = mapping(changes, path, problems, HINT)
+        if listed is None:
+            continue
+        try:
+            changed = apply_changes(plain, listed)
+        except SceneError as error:
+            problems.extend(Problem(path, p.code, p.message, p.hint) for p in error.problems)
+            continue
+        found: list[Problem] = []
+        collect_scene(changed, found)
+        problems.extend(Problem(path, p.code, p.message, p.hint) for p in found)
+        presets[str(name)] = dict(listed)
+    return presets

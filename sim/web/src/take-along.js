@@ -1,0 +1,91 @@
+/** What a reader can take along: values, pictures, a link to this state, a block for a lesson. */
+
+import { csv } from "./csv.js";
+import { html, need, say } from "./dom.js";
+import { asPng, picture } from "./picture.js";
+import { linkTo, sceneBlock } from "./share.js";
+
+/** @typedef {import("./types.js").Run} Run */
+/** @typedef {{run: Run, settings: import("./share.js").Settings, t: number, quantities: string[]}} State */
+
+/** @type {[string, string][]} */
+const KINDS = [
+  ["csv", "values (CSV)"],
+  ["svg", "picture (SVG)"],
+  ["png", "picture (PNG)"],
+  ["link", "link to this state"],
+  ["block", "scene block"],
+];
+
+export class TakeAlong {
+  /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => State} state of the scene now */
+  constructor(root, baked, state) {
+    const place = need(root, ".carts-take");
+    const { fence } = baked;
+    const text = document.createElement("textarea");
+    text.readOnly = true;
+    text.hidden = true;
+    text.rows = 4;
+    text.setAttribute("aria-label", "Text to copy");
+    const note = html("p", "carts-take-note");
+    note.setAttribute("role", "status");
+    const row = html("p", "carts-take-row");
+    for (const [key, name] of KINDS) {
+      const button = html("button", "carts-button", name);
+      button.setAttribute("type", "button");
+      button.dataset.take = key;
+      row.append(button);
+    }
+    place.append(row, note, text);
+    /** @param {string} made @param {string} what */
+    const offer = async (made, what) => {
+      text.hidden = false;
+      text.value = made;
+      text.select();
+      const copied = await navigator.clipboard?.writeText(made).then(
+        () => true,
+        () => false,
+      );
+      say(note, copied ? `${what} is copied.` : `${what}: copy it from the box.`);
+    };
+    /** @type {Record<string, () => unknown>} */
+    const acts = {
+      csv: () => {
+        const { run, quantities } = state();
+        save(
+          new Blob([csv(run, quantities, fence.camera)], { type: "text/csv" }),
+          `${fence.id}.csv`,
+        );
+      },
+      svg: () => save(new Blob([picture(root)], { type: "image/svg+xml" }), `${fence.id}.svg`),
+      png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
+      link: () => {
+        const { settings, t } = state();
+        return offer(`${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`, "The link");
+      },
+      block: () => offer(sceneBlock(fence, state().settings), "The scene block"),
+    };
+    place.addEventListener("click", async (event) => {
+      const button = /** @type {Element} */ (event.target).closest("button");
+      const act = acts[button?.dataset.take ?? ""];
+      if (!act) return;
+      try {
+        say(note, "");
+        await act();
+      } catch (error) {
+        say(note, `This browser could not do it: ${/** @type {Error} */ (error).message}`);
+      }
+    });
+  }
+}
+
+/** @param {Blob} blob @param {string} name of the file */
+function save(blob, name) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

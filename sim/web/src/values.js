@@ -1,0 +1,70 @@
+/**
+ * The values that the reader has changed: asked for, accepted by Python, and those before, for
+ * “undo”. A slider that is dragged counts as one change.
+ */
+
+/** @typedef {Record<string, number | string | boolean>} Settings paths such as A.mass to SI numbers, text with a unit, or whether an effect acts */
+
+const ONE_CHANGE = 1000; // ms; changes of one target that follow so soon are one
+const MOST = 50;
+
+export class Values {
+  /** @type {Settings} accepted: those of the run that is shown */
+  good = {};
+  /** @type {Settings} asked for, newest */
+  wanted = {};
+  /** @type {Settings[]} */
+  #before = [];
+  #last = { target: "", at: 0 };
+
+  /** @param {Settings} changes */
+  ask(changes) {
+    const target = Object.keys(changes).join();
+    const now = performance.now();
+    if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
+      this.#before.push({ ...this.wanted });
+      if (this.#before.length > MOST) this.#before.shift();
+    }
+    this.#last = { target, at: now };
+    Object.assign(this.wanted, changes);
+  }
+
+  /** A refused value goes back to the last good one. @param {Settings} changes */
+  giveUp(changes) {
+    for (const [key, value] of Object.entries(changes)) {
+      if (this.wanted[key] !== value) continue;
+      const good = this.good[key];
+      if (good === undefined) delete this.wanted[key];
+      else this.wanted[key] = good;
+    }
+  }
+
+  /** Other values in the place of all, as one change. @param {Settings} changes */
+  replace(changes) {
+    this.#before.push({ ...this.wanted });
+    this.wanted = { ...changes };
+    this.#last.target = "";
+  }
+
+  get canUndo() {
+    return this.#before.length > 0;
+  }
+
+  /** Goes back by one change; the caller then asks for a run. */
+  undo() {
+    this.wanted = this.#before.pop() ?? {};
+    this.#last.target = "";
+  }
+
+  reset() {
+    if (Object.keys(this.wanted).length) this.#before.push({ ...this.wanted });
+    this.wanted = {};
+    this.good = {};
+    this.#last.target = "";
+  }
+
+  forget() {
+    this.reset();
+    this.#before = [];
+  }
+}

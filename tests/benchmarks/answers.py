@@ -1,0 +1,100 @@
+"""Answers: how soon they are kept, whether a killed browser loses one, how soon a form can be used.
+
+From file://, on a page of questions without any scene; CARTS_KILLS (50) is the number of kills for
+each browser, at random 0 to 3 s after the last key.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import statistics
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Browser, Playwright, sync_playwright
+
+from tests.web.conftest import CONTEXT, launch
+from tests.web.question_site import ALL_KINDS, prepare, ready, write_page
+from tests.web.test_crash import lost_answers
+
+KEYS = 120
+OPENINGS = 7
+SAVE_TIMES = """async (keys) => {
+  const box = document.querySelector("#why textarea");
+  const told = document.querySelector("#why .carts-q-saved");
+  const times = [];
+  for (let k = 0; k < keys; k += 1) {
+    const start = performance.now();
+    box.value += "x";
+    box.dispatchEvent(new Event("input", { bubbles: true }));
+    while (told.textContent !== "Saved") await new Promise((resolve) => {
+      const channel = new MessageChannel();
+      channel.port1.onmessage = resolve;
+      channel.port2.postMessage(0);
+    });
+    times.push(performance.now() - start);
+  }
+  return times;
+}"""
+
+
+def rows() -> list[dict[str, Any]]:
+    """One row per goal, for each browser."""
+    with tempfile.TemporaryDirectory() as name, sync_playwright() as driver:
+        site = prepare(Path(name) / "site")
+        kinds = write_page(site, "kinds", ALL_KINDS)
+        form = write_page(site, "sixty", sixty())
+        made: list[dict[str, Any]] = []
+        for browser_name in ("chromium", "firefox"):
+            browser = launch(driver, browser_name)
+            made.append(_save(browser, browser_name, kinds))
+            made.append(_interactive(browser, browser_name, form))
+            browser.close()
+            made.append(_kills(driver, browser_name, Path(name) / browser_name, kinds))
+        return made
+
+
+def sixty() -> str:
+    """A lesson of sixty single choices with four answers each."""
+    block = (
+        "```question\nid: item-{k}\ntype: single\nask: Question number {k} about a force?\n"
+        "options: [first {k}, second {k}, third {k}, {{text: fourth, correct: true}}]\n```\n\n"
+    )
+    return "".join(block.format(k=k) for k in range(60))
+
+
+def _save(browser: Browser, name: str, file: Path) -> dict[str, Any]:
+    page = browser.new_context(**CONTEXT[name]).new_page()
+    page.goto(file.as_uri())
+    times = sorted(ready(page).evaluate(SAVE_TIMES, KEYS))
+    p95 = times[int(0.95 * len(times))]
+    return _row(f"input to durable save, p95, {name}", p95, "ms", 50, f"{KEYS} keys")
+
+
+def _interactive(browser: Browser, name: str, file: Path) -> dict[str, Any]:
+    times = []
+    for _ in range(OPENINGS):
+        context = browser.new_context(**CONTEXT[name])
+        page = context.new_page()
+        page.goto(file.as_uri())
+        ready(page)
+        mark = "performance.getEntriesByName('carts:answers')[0].startTime"
+        times.append(page.evaluate(mark))
+        context.close()
+    what = f"a form of 60 items can be used, {name}"
+    return _row(what, statistics.median(times), "ms", 300, f"median of {OPENINGS} fresh profiles")
+
+
+def _kills(driver: Playwright, name: str, profile: Path, file: Path) -> dict[str, Any]:
+    dice = random.Random(6)
+    delays = [3 * dice.random() for _ in range(int(os.environ.get("CARTS_KILLS", "50")))]
+    lost = lost_answers(driver, name, profile, file, delays)
+    return _row(
+        f"answers lost to a killed browser, {name}", len(lost), "", 0, f"{len(delays)} kills"
+    )
+
+
+def _row(name: str, value: float, unit: str, goal: float, reference: str) -> dict[str, Any]:
+    return {"name": name, "value": value, "unit": unit, "goal": goal, "reference": reference}

@@ -1,0 +1,40 @@
+"""“Read it off the run”: the page reads the same numbers as the run itself has."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from sim.bridge.protocol import answer
+from tests.web.widget_site import MEETING, in_node
+
+SCRIPT = """const { fromWire } = await import(source + "/trajectory.js");
+const { reading } = await import(source + "/question/marking/own-run.js");
+const run = fromWire(data.header, Float64Array.from(data.numbers));
+give(data.asked.map(([quantity, at]) => reading(run, { A: 0.5, B: 1 }, quantity, at)));"""
+
+
+def read(asked: list[list[Any]]) -> list[float | None]:
+    scene = {key: value for key, value in MEETING.items() if key not in ("id", "controls")}
+    header, numbers = answer({"id": 0, "kind": "run", "scene": scene})
+    data = {"header": header, "numbers": list(numbers), "asked": asked}
+    return list(in_node(SCRIPT, data))
+
+
+def test_a_reading_is_what_the_run_says() -> None:
+    """One contact of two carts: 0.5 kg with 0.60 m/s, 1 kg at rest, e = 0.8, k = 400 N/m."""
+    v_a, v_b = -0.12, 0.36  # m/s, by momentum and e
+    peak = 0.6 * (400 * (0.5 * 1 / 1.5)) ** 0.5  # N: u √(k μ)
+    found = read(
+        [["v.A", "start"], ["x.A", 0.5], ["v.A", 2], ["v.B", 2], ["p.A", 2], ["p.B", 2],
+         ["F.A-B", "largest"], ["F.A-B", 0.1], ["v.C", "end"], ["F.B-A", 1]]
+    )  # fmt: skip
+    expected = [0.6, 0.7, v_a, v_b, 0.5 * v_a, v_b, peak, 0.0, None, None]
+    for value, right in zip(found, expected, strict=True):
+        if right is None:
+            assert value is None
+        else:
+            assert value is not None
+            assert abs(value) == pytest.approx(abs(right), rel=1e-4, abs=1e-9)
+    assert found[2] == pytest.approx(v_a, rel=1e-6)
