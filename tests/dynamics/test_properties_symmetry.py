@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.dynamics.random_effects import ELASTIC, KINDS, acted_on, mirrored
+from tests.dynamics.random_effects import ELASTIC, acted_on, mirrored
 from tests.dynamics.test_properties_effects import FEW, finished
 
 GROWN = 1e-8
@@ -61,8 +61,10 @@ def test_where_nothing_dissipates_the_film_runs_backwards(plain: dict[str, Any])
     there = finished(plain)
     if there is None or events(there) > FEW or there.outcome.kind == "too-many-events":
         return
-    if there.ledger.warmed > 1e-12:
-        return  # an instant contact that came to rest under a force
+    if there.ledger.warmed > 1e-12 or there.record.events[0].t == 0.0:
+        return  # an instant contact that came to rest under a force; a touch cut in two
+    if list(there.x) != sorted(there.x):
+        return  # bumpers so soft that centres have passed each other: another row
     carts = {
         cart.name: plain["carts"][cart.name] | {"position": repr(x), "velocity": repr(-v)}
         for cart, x, v in zip(there.scene.carts, there.x, there.v, strict=True)
@@ -105,16 +107,30 @@ def in_other_units(value: Any) -> Any:
     return [in_other_units(item) for item in value] if isinstance(value, list) else value
 
 
-@given(acted_on(tuple(kind for kind in KINDS if kind != "magnets"), most=2))
-def test_other_units_give_the_same_run_to_the_last_bit(plain: dict[str, Any]) -> None:
-    """Powers of two only move the exponent of a float. Magnets call pow, which may round anew."""
+def in_both_units(plain: dict[str, Any]) -> tuple[Any, Any]:
     plain = plain | {
         "carts": {name: cart | {"length": "0.2"} for name, cart in plain["carts"].items()}
     }
     other = in_other_units(plain) | {"gravity": str(Decimal("9.81") * METRE / SECOND**2)}
-    one, two = finished(plain), finished(other)
+    return finished(plain), finished(other)
+
+
+@given(acted_on(("friction", "incline", "push", "spring", "release"), most=2))
+def test_other_units_give_the_same_run_to_the_last_bit(plain: dict[str, Any]) -> None:
+    """Powers of two only move the exponent of a float."""
+    one, two = in_both_units(plain)
     if events(one) > FEW:
         return
     assert one.v == two.v
     assert tuple(x * float(METRE) for x in one.x) == two.x
     assert one.ledger.warmed * 2 == two.ledger.warmed
+
+
+@given(acted_on(("drag",), most=2))
+def test_drag_in_other_units_gives_the_same_run_to_rounding(plain: dict[str, Any]) -> None:
+    """Logarithms and exponentials of drag may round anew."""
+    one, two = in_both_units(plain)
+    if events(one) > FEW:
+        return
+    assert list(two.v) == pytest.approx(list(one.v), abs=1e-12)
+    assert two.ledger.warmed == pytest.approx(one.ledger.warmed * 2, abs=1e-12)
