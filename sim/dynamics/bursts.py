@@ -37,6 +37,7 @@ def set_free(
             resolve.tell_separation(gap, now, resolve.contact_force(gap), record)
         gap.touching = None
     left, right, mu = gap.left, gap.right, gap.mu
+    left.held = right.held = False  # that they start is told by the release itself
     before = (left.v, right.v)
     apart = math.sqrt(gap.rate * gap.rate + 2.0 * burst.energy / mu)
     impulse = mu * (apart - gap.rate)

@@ -15,6 +15,7 @@ from sim.dynamics.clock import Time, elapsed, later
 from sim.dynamics.flight import Flight
 from sim.dynamics.laws import PushOnly
 from sim.dynamics.safe_step import SAFE_STEPS, safe_step
+from sim.dynamics.series import is_rounding
 
 TOUCH_ROUNDING = 1e-15
 """Relative to the search's span. A room that would close within this time has closed."""
@@ -22,6 +23,12 @@ TOUCH_ROUNDING = 1e-15
 PROBE = 1e-2
 """Of the horizon. Neighbours that touch without closing: the sign of their room a moment later
 tells whether the one is being pushed into the other. A force grows at least like t from touch."""
+
+EARLIER = (0.3, 0.1, 0.03, 0.01)
+"""Of that moment: a constant force may open the room before a growing one closes it."""
+
+OPEN = 1e-14
+"""m. More room than rounding leaves."""
 
 
 def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
@@ -53,7 +60,10 @@ def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False
         return _pushed_again(gap, gap.law, now, horizon, own_separation)
     rest = resting(gap)
     if rest == 0.0 and _is_parabola(gap.left) and _is_parabola(gap.right):
-        relative = _steady(gap.right) - _steady(gap.left)
+        own = _steady(gap.right)
+        relative = own - _steady(gap.left)
+        if is_rounding(relative, own):
+            relative = 0.0
         found = first_fall_of_parabola(max(gap.room, 0.0), gap.rate, relative)
         return found if found <= horizon else math.inf
     fastest = _speeds(gap.left, now, horizon)[1]
@@ -67,14 +77,27 @@ def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False
 
 def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -> float:
     """The first touch from now on, at room = −rest; it may be at once."""
+    begin = 0.0
     if room + rest <= 0.0:
-        soon = PROBE * min(horizon, 1.0)
-        if gap.rate < 0.0 or (gap.rate == 0.0 and rest + room_at(gap, now, soon) < 0.0):
+        if gap.rate < 0.0:
             return 0.0
         if gap.rate == 0.0:
-            return math.inf
-    found = _first_fall(gap, now, 0.0, horizon, rest, +1.0)
+            soon = PROBE * min(horizon, 1.0)
+            if rest + room_at(gap, now, soon) >= 0.0:
+                return math.inf
+            begin = _opens_first(gap, now, soon, rest)
+            if begin == 0.0:
+                return 0.0
+    found = _first_fall(gap, now, begin, horizon, rest, +1.0)
     return math.inf if found is None else found
+
+
+def _opens_first(gap: Gap, now: Time, soon: float, rest: float) -> float:
+    """A time before `soon`, when the room has closed, at which it is open; 0 if there is none."""
+    for part in EARLIER:
+        if rest + room_at(gap, now, part * soon) > OPEN:
+            return part * soon
+    return 0.0
 
 
 def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:

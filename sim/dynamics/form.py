@@ -74,8 +74,10 @@ def _solver(
     if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
         return pair_contact(gaps[0], now)
     if len(gaps) == 1 and not gaps[0].joined and _is_linear(row, gaps[0]):
-        _count(row, gaps, forces, 1)
-        return PairPhase(row, gaps, now, max(elapsed(now, end), 0.0))
+        phase = PairPhase(row, gaps, now, max(elapsed(now, end), 0.0))
+        if phase.swings:
+            _count(row, gaps, forces, 1)
+            return phase
     return _cluster(row, gaps, now, end, forces)
 
 

@@ -69,6 +69,11 @@ class Ledger:
             by: total[0] + total[1] for by, total in self._works.items() if by not in CONSERVATIVE
         }
 
+    def totals(self) -> tuple[float, ...]:
+        """All sums kept so far: finite, or the run was none."""
+        sums = (self._warmed, *self._impulses.values(), *self._works.values())
+        return tuple(part for total in sums for part in total)
+
     @property
     def potential(self) -> dict[str, tuple[float, float]]:
         """J per effect that stores energy: at the start and at the end."""

@@ -37,7 +37,7 @@ def first_fall_to(rate: Rate, z0: float, v0: float, level: float) -> float:
         begin = first_turn(rate, z0, v0)
         if begin == math.inf:
             return math.inf  # it creeps up to nought
-    if begin == 0.0:
+    if begin == 0.0 and v0 != 0.0:
         lowest = first_turn(rate, z0, v0)
     else:  # from one turning point to the next
         lowest = begin + math.pi / rate.w if rate.regime == "under" else math.inf

@@ -21,6 +21,7 @@ from sim.dynamics.laws import Bumper, Paper, PushOnly
 from sim.dynamics.laws.swing import Rate, first_turn, solve
 from sim.dynamics.level import first_fall_to
 from sim.dynamics.pushed_again import PUSH_ROUNDING
+from sim.dynamics.series import REACH, is_rounding
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
@@ -77,7 +78,10 @@ class PairPhase:
         damp = branch.gamma + math.fsum(c for _, c in bounds)
         self.rate = rate_of(stiff, damp, mu)
         self.start = (-gap.room, -gap.rate)
-        self.pull = a.load.steady / a.mass - b.load.steady / b.mass
+        own = a.load.steady / a.mass
+        self.pull = own - b.load.steady / b.mass
+        if is_rounding(self.pull, own):
+            self.pull = 0.0
         free = math.fsum(link.force(0.0, 0.0) for link in gap.links) - branch.kappa * branch.rest
         self.centre = (mu * self.pull - free) / stiff
         total = a.mass + b.mass
@@ -131,6 +135,14 @@ class PairPhase:
             rest = law.resting_overlap(gap.memory)
         touch: list[tuple[watch.Cause, float]] = [("touch", self._falls(-1.0, 0.0, c - rest))]
         return [*touch, ("clear", self._falls(1.0, 0.0, -c))] if rest > 0.0 else touch
+
+    @property
+    def swings(self) -> bool:
+        """Long enough to be more than the beginning of a swing? That is one step of a series.
+
+        Its place of rest is far away then, and differences from it would cancel.
+        """
+        return self.rate.w0 * self.limit > REACH
 
     @property
     def gaps(self) -> tuple[int, ...]:

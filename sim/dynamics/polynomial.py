@@ -47,24 +47,29 @@ def integral(p: Poly) -> Poly:
     return [0.0, *(c / (n + 1) for n, c in enumerate(p))]
 
 
+def _scaled(p: Poly, h: float) -> Poly:
+    """Coefficients in t/h: of moderate size where p(t) is, however short the step."""
+    found, power = [], 1.0
+    for c in p:
+        found.append(c * power)
+        power *= h
+    return found
+
+
 def square_integral(p: Poly, h: float) -> float:
     """Integral of p² over [0, h]."""
-    total = 0.0
-    powers = [h]
-    for _ in range(2 * len(p)):
-        powers.append(powers[-1] * h)
-    for i, a in enumerate(p):
-        if a:
-            total += math.fsum([a * b * powers[i + j] / (i + j + 1) for j, b in enumerate(p) if b])
-    return total
+    q = _scaled(p, h)
+    return h * math.fsum(
+        [a * b / (i + j + 1) for i, a in enumerate(q) if a for j, b in enumerate(q) if b]
+    )
 
 
 def cube_integral(p: Poly, h: float) -> float:
-    """Integral of p³ over [0, h]."""
-    size_of = len(p)
-    squared = [math.fsum([p[j] * p[n - j] for j in range(n + 1)]) for n in range(size_of)]
-    cubed = [math.fsum([squared[j] * p[n - j] for j in range(n + 1)]) for n in range(size_of)]
-    return value(integral(cubed), h)
+    """Integral of p³ over [0, h]; terms beyond the order of p are below rounding."""
+    q = _scaled(p, h)
+    squared = [math.fsum([q[j] * q[n - j] for j in range(n + 1)]) for n in range(len(q))]
+    cubed = [math.fsum([squared[j] * q[n - j] for j in range(n + 1)]) for n in range(len(q))]
+    return h * value(integral(cubed), 1.0)
 
 
 CLOSE = 2e-16

@@ -7,12 +7,14 @@ other together, is a power series; tier 3 an adaptive method for what has neithe
 from __future__ import annotations
 
 import heapq
+import math
 from collections.abc import Callable
 
 from sim.dynamics import bursts, components, ledger, resolve
 from sim.dynamics.clock import ZERO, Time, elapsed
 from sim.dynamics.finished import Run
 from sim.dynamics.happenings import Happenings
+from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.record import Record
 from sim.scene.model import Scene
 
@@ -43,8 +45,25 @@ def run(
     progress: Progress | None = None,
 ) -> Run:
     """Run a scene exactly. Raises UnsolvedError where no exact solver is at hand."""
-    return _Run(scene, max_events, max_steps, Record(scene, keep_events, keep_motion)).finish(
-        progress
+    try:
+        record = Record(scene, keep_events, keep_motion)
+        finished = _Run(scene, max_events, max_steps, record).finish(progress)
+    except (OverflowError, ZeroDivisionError, ValueError) as error:
+        if isinstance(error, UnsolvedError):
+            raise
+        raise out_of_range() from error
+    if not all(map(math.isfinite, (*finished.x, *finished.v, *finished.ledger.totals()))):
+        raise out_of_range()
+    return finished
+
+
+def out_of_range() -> UnsolvedError:
+    """Numbers overflowed: the run has no result, rather than a wrong one."""
+    return UnsolvedError(
+        "the numbers of this scene are too large or too small to compute with",
+        "use values that an air track could have",
+        0.0,
+        (),
     )
 
 

@@ -175,7 +175,7 @@ def expand(row: Row) -> Expansion:
         scale = 1.0 / ((n + 1) * (n + 2))
         for k in range(count):
             relative = bodies[k][n] - bodies[k + 1][n]
-            if branches[k].locked or (loaded and _is_rounding(relative, bodies[k][n])):
+            if branches[k].locked or (loaded and is_rounding(relative, bodies[k][n])):
                 relative = 0.0
             over[k].append(relative * scale)
     return Expansion(over, force, pull, bodies)
@@ -186,7 +186,8 @@ ALIKE = 1e-15
 leaves of the difference would part them, or press them together."""
 
 
-def _is_rounding(difference: float, value: float) -> bool:
+def is_rounding(difference: float, value: float) -> bool:
+    """Is that all that the difference of two accelerations like `value` amounts to?"""
     return abs(difference) <= ALIKE * abs(value)
 
 

@@ -19,8 +19,9 @@ class Warning:
 def warnings(run: Run) -> tuple[Warning, ...]:
     """Bumpers squeezed beyond their length, deepest first.
 
-    Between two carts there are two bumpers, at a wall there is one. In every law here the
-    greatest overlap grows with u / sqrt(k): from that come the stiffness or speed that would do.
+    Between two carts there are two bumpers, at a wall there is one. In every linear law the
+    greatest overlap grows with u / sqrt(k), in hertz with (u²/k)^(2/5): from that come the
+    stiffness or speed that would do.
     """
     found = []
     scene = run.scene
@@ -38,10 +39,12 @@ def warnings(run: Run) -> tuple[Warning, ...]:
         )
         contact = scene.contacts[gap]
         if room > 0.0 and speed > 0.0 and contact is not None and contact.stiffness is not None:
-            stiffness = contact.stiffness * (deepest / room) ** 2
+            hertz = contact.law == "hertz"
+            stiffness = contact.stiffness * (deepest / room) ** (2.5 if hertz else 2.0)
+            slower = speed * (room / deepest) ** (1.25 if hertz else 1.0)
             message += (
-                f"Raise the stiffness to at least {_up(stiffness)} N/m, or let them meet at "
-                f"{_down(speed * room / deepest)} m/s or less."
+                f"Raise the stiffness to at least {_up(stiffness)} N/m{'^1.5' if hertz else ''}, "
+                f"or let them meet at {_down(slower)} m/s or less."
             )
         found.append((deepest - room, Warning("bumper-bottoms", message)))
     found = sorted(found, key=lambda item: -item[0])

@@ -90,8 +90,7 @@ def first_zero(rate: Rate, y0: float, v0: float) -> float:
         if y0 == 0.0 and b == 0.0:
             return math.inf
         angle = math.atan2(-y0 * rate.w, b)  # y = R e^(−beta t) sin(wt − angle)
-        later = angle if angle > 0.0 else angle + math.pi
-        return (later or math.pi) / rate.w
+        return (angle if angle > 0.0 else angle + math.pi) / rate.w
     if rate.regime == "critical":
         return -y0 / b if b != 0.0 and -y0 / b > 0.0 else math.inf
     ratio = -y0 * rate.w / b if b != 0.0 else math.inf
