@@ -63,6 +63,8 @@ def test_where_nothing_dissipates_the_film_runs_backwards(plain: dict[str, Any])
         return
     if there.ledger.warmed > 1e-12 or there.record.events[0].t == 0.0:
         return  # an instant contact that came to rest under a force; a touch cut in two
+    if 0.0 in there.scene.gaps and "instant" in str(plain["contact"]):
+        return  # the film would end with an impact
     if list(there.x) != sorted(there.x):
         return  # bumpers so soft that centres have passed each other: another row
     carts = {
@@ -73,8 +75,9 @@ def test_where_nothing_dissipates_the_film_runs_backwards(plain: dict[str, Any])
     if back.outcome.kind == "too-many-events":
         return
     start = there.scene.carts
-    assert [-v for v in back.v] == pytest.approx([cart.velocity for cart in start], abs=1e-6)
-    assert list(back.x) == pytest.approx([cart.position for cart in start], abs=1e-6)
+    grown = 1e-6 * max(1.0, *map(abs, there.v))  # magnets may throw a light cart very far
+    assert [-v for v in back.v] == pytest.approx([cart.velocity for cart in start], abs=grown)
+    assert list(back.x) == pytest.approx([cart.position for cart in start], abs=grown)
 
 
 # Units: 1 kg is written as 2, 1 m as 4, 1 s as 4. Speeds keep their number.
