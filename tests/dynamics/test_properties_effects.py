@@ -25,7 +25,8 @@ SETTINGS = settings()
 FEWER = settings(
     max_examples=max(1, SETTINGS.max_examples // 3), suppress_health_check=list(HealthCheck)
 )
-"""Integration takes a hundred times as long as the run."""
+"""Integration takes a hundred times as long as the run; and where a law needs two long runs."""
+HALF = settings(max_examples=max(1, SETTINGS.max_examples // 2))
 
 
 def finished(plain: dict[str, Any], **kept: bool) -> Any:
@@ -133,6 +134,7 @@ def test_the_acceleration_of_a_cart_is_the_sum_of_its_named_forces(plain: dict[s
             assert abs(cart.mass * a - total) <= 1e-9 * scale, (cart.name, row)
 
 
+@FEWER
 @given(acted_on())
 def test_what_is_kept_does_not_change_a_run_with_effects(plain: dict[str, Any]) -> None:
     full = finished(plain)
@@ -146,6 +148,7 @@ def test_what_is_kept_does_not_change_a_run_with_effects(plain: dict[str, Any]) 
     assert told == {kind: count for kind, count in bare.record.counts.items() if kind != "peak"}
 
 
+@HALF
 @given(acted_on(most=3), st.randoms(use_true_random=False))
 def test_names_and_the_order_of_the_lists_do_not_matter(plain: dict[str, Any], dice: Any) -> None:
     one = finished(plain)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.dynamics.random_effects import ELASTIC, acted_on, mirrored
-from tests.dynamics.test_properties_effects import FEW, finished
+from tests.dynamics.test_properties_effects import FEW, FEWER, HALF, finished
 
 GROWN = 1e-8
 """m/s. What rounding, 1e-16, may have grown to after a dozen contacts."""
@@ -21,6 +21,7 @@ def events(result: Any) -> int:
     return sum(result.record.counts.values()) - 1
 
 
+@HALF
 @given(acted_on())
 def test_the_mirror_image_runs_as_the_mirror_image(plain: dict[str, Any]) -> None:
     one, two = finished(plain), finished(mirrored(plain))
@@ -129,6 +130,7 @@ def test_other_units_give_the_same_run_to_the_last_bit(plain: dict[str, Any]) ->
     assert one.ledger.warmed * 2 == two.ledger.warmed
 
 
+@FEWER
 @given(acted_on(("drag",), most=2))
 def test_drag_in_other_units_gives_the_same_run_to_rounding(plain: dict[str, Any]) -> None:
     """Logarithms and exponentials of drag may round anew."""
