@@ -79,6 +79,7 @@ class Ledger:
         first, last, warmed = self.energy_initial, self.energy_final, self.warmed
         works = list(self.works.values())
         stored = [abs(e) for ends in self.potential.values() for e in ends]
+        stored += [abs(self.stored_initial), abs(self.stored_final)]
         moving = kinetic(self.scene, self.v_final) + kinetic(
             self.scene, [cart.velocity for cart in self.scene.carts]
         )
