@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -48,5 +49,5 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = [
             item
             for item in items
-            if item.get_closest_marker("hypothesis") or "properties" in item.nodeid
+            if item.get_closest_marker("hypothesis") or re.search("properties|fuzz", item.nodeid)
         ]

@@ -14,10 +14,12 @@ SAMPLES_OF_MANY = 7
 """Per quarter swing, baked for more carts than a few: each sample costs every cart a row. Drawn as
 cubics they are still right to 1e-5 of the amplitude; the live run that takes over has more."""
 
-MOST_NUMBERS = 1700
-"""Baked. A motion solved in many short steps is sampled in each of them, so that it needs fewer
-samples per step for the same picture: 2, or 1 where an adaptive method alone was at work."""
+MANY_ROWS = 100
+"""A run that would need more, say on a spring, gets the samples of many carts."""
 
+MANY_STEPS = 20
+SAMPLES_PER_STEP = {"adaptive": 1, "power-series": 2, "pair-phase": 4, "pair-contact": 4}
+"""A motion solved in many short steps is sampled in each of them: fewer do for the same picture."""
 
 FORMLESS = ("hertz",)
 INTEGRATED = {"numpy", "scipy"}
@@ -50,17 +52,19 @@ def packages_of(header: Mapping[str, Any]) -> frozenset[str]:
 def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     """Run the scene (plain YAML values) with its defaults, or say why it cannot run."""
     from sim.bridge.protocol import answer  # pulls the numerics: only when something is computed
-    from sim.dynamics.trajectory import PER_STRETCH
 
     request = {"id": 0, "kind": "run", "scene": scene}
     carts = scene.get("carts")
     if isinstance(carts, Mapping) and len(carts) > FEW_CARTS:
         request["samples"] = SAMPLES_OF_MANY
     header, numbers = answer(request)
-    if header["ok"] and len(numbers) > MOST_NUMBERS:
-        adaptive = set(header["evaluations"]["solvers"]) <= {"free-flight", "adaptive"}
-        fewer = 1 if adaptive else max(2, PER_STRETCH * MOST_NUMBERS // len(numbers))
-        header, numbers = answer(request | {"samples": fewer})
+    if header["ok"]:
+        solvers = header["evaluations"]["solvers"]
+        if solvers.get("adaptive", 0) + solvers.get("power-series", 0) > MANY_STEPS:
+            fewer = max(SAMPLES_PER_STEP.get(name, 1) for name in solvers)
+            header, numbers = answer(request | {"samples": fewer})
+        elif header["rows"] > MANY_ROWS:
+            header, numbers = answer(request | {"samples": SAMPLES_OF_MANY})
     if header["ok"]:
         return Run(header, numbers)
     return [

@@ -24,6 +24,8 @@ _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
+_ORDER = re.compile(r"\A---\s*\n(?:.*\n)*?order:[ \t]*(\d{1,4})[ \t]*\n")
+LAST = 1000  # lessons without a place of their own come behind those with one
 _STATED = re.compile(r"\A---\s*\n(?:.*\n)*?minutes:[ \t]*(\d+)[ \t]*\n")
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 
@@ -41,6 +43,13 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
         col = at - (text.rfind("\n", 0, at) + 1) + 1
         made.append(Finding(lesson.file, line, col, code, message, hint))
     return made
+
+
+def lesson_order(path: Path) -> tuple[int, str]:
+    """Where a lesson stands among the others: `order: 2` in its front matter, then its name."""
+    with path.open(encoding="utf-8", errors="replace") as file:
+        stated = _ORDER.match(file.read(2000))
+    return int(stated[1]) if stated else LAST, path.name
 
 
 _Found = tuple[int, str, str, str]  # place in the text, code, message, hint

@@ -29,6 +29,7 @@ from mkdocs.utils import CountHandler, get_relative_url
 
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import Finding
+from sim.pages.lesson_text import lesson_order
 from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.site_build import SiteBuild, SiteError, with_lessons
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
@@ -67,7 +68,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             site_id = str((config.extra.get("carts") or {}).get("site_id"))
             self.build = SiteBuild(root, audience, site_id, _report)
         self.folder = root / self.config.lessons
-        self.lessons = sorted(self.folder.glob("*.md"))
+        self.lessons = sorted(self.folder.glob("*.md"), key=lesson_order)
         if config.nav is not None:
             config.nav = with_lessons(config.nav, self.config.lessons, self.lessons)
         config.use_directory_urls = False

@@ -11,6 +11,7 @@ import pytest
 
 from sim.lesson.beliefs import BELIEFS
 from sim.pages.fence_scan import scan
+from sim.pages.lesson_text import lesson_order
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.yaml_source import load
 
@@ -62,6 +63,14 @@ def test_every_question_of_a_lesson_is_in_its_page_and_its_outline(site: Path) -
                 identity = load(block.body).plain["id"]
                 assert f'<carts-question id="{identity}"' in page
                 assert identity in known
+
+
+def test_lessons_stand_in_their_order_and_the_rest_behind_them(tmp_path: Path) -> None:
+    heads = {"b": "---\norder: 2\n---\n", "c": "---\ntitle: C\norder: 1\n---\n", "a": "order: 1\n"}
+    for name, head in heads.items():
+        (tmp_path / f"{name}.md").write_text(f"{head}# {name}\n", encoding="utf-8")
+    ordered = sorted(tmp_path.glob("*.md"), key=lesson_order)
+    assert [path.stem for path in ordered] == ["c", "b", "a"]
 
 
 def test_a_page_of_questions_alone_loads_no_scene_and_no_python(site: Path) -> None:

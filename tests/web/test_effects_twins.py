@@ -156,3 +156,23 @@ def test_a_link_and_a_copied_block_keep_what_is_switched() -> None:
     copied = read_fence(dict(load(block.removeprefix("```scene\n").removesuffix("```\n")).plain))
     assert copied.scene == read_scene(apply_changes(dict(described.plain), changes))
     assert copied.switches[0].value is True
+
+
+def test_a_stretched_spring_pulls_both_ends_with_arrows_of_one_length() -> None:
+    """B starts 0.2 m too far from A: 2 N/m times 0.2 m pulls A to the right and B to the left."""
+    stretched = {
+        "id": "stretched",
+        "carts": {"A": {"mass": 1, "position": "0.4 m"}, "B": {"mass": 3, "position": "1.2 m"}},
+        "track": {"length": "2 m"},
+        "effects": [{"spring": {"between": ["A", "B"], "stiffness": 2, "length": "0.4 m"}}],
+    }
+    page = render(*baked(stretched)).partition('<script type="application/json"')[0]
+    pushes = re.findall(r'data-on="([AB])"><path[^>]* d="M([\d.]+) [^>]*?L([\d.]+) [\d.]+L', page)
+    for k in (0, 2):  # the wide picture, the narrow one
+        (on_a, start_a, neck_a), (on_b, start_b, neck_b) = pushes[k : k + 2]
+        assert (on_a, on_b) == ("A", "B")
+        assert float(neck_a) > float(start_a)
+        pulls = float(neck_a) - float(start_a), float(start_b) - float(neck_b)
+        assert pulls[0] == pytest.approx(pulls[1], abs=0.2)  # drawn to tenths of a unit
+    assert page.count("on A by B (spring): 0.400 N") == 1
+    assert page.count("on B by A: 0.400 N") == 1  # on a phone there is less room

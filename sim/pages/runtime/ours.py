@@ -17,7 +17,7 @@ from .cache import key_of, sha256
 from .stdlib import DATE
 
 LAYERS = ("scene", "dynamics", "bridge")
-"""What a page asks for. Questions are marked in JavaScript: no page runs `lesson`."""
+"""What a page runs. Questions are marked in JavaScript: `lesson` and `classroom` stay at home."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 APART = ("sim.dynamics.batch",)

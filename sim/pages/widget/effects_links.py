@@ -56,11 +56,14 @@ def linked_pushes(
         texts = {}
         if len(told) == 1:
             size = f"{fixed(abs(forces[pair]), scales.decimals['F'])} N"
-            labels = [
-                f"on {brief(on)} by {brief(by)} ({link_kind(header, pair)}): {size}"
-                for on, by in (bodies, reversed(bodies))
-            ]
-            places = _places(labels, bodies, layout.rows[k], sum(faces) / 2, header, layout)
+            for through in (f" ({link_kind(header, pair)})", ""):
+                labels = [
+                    f"on {brief(on)} by {brief(by)}{through}: {size}"
+                    for on, by in (bodies, reversed(bodies))
+                ]
+                places = _places(labels, bodies, layout.rows[k], sum(faces) / 2, header, layout)
+                if places:
+                    break
             texts = {
                 side: {"label": labels[side], "x": px(x), "y": px(y), "anchor": anchor}
                 for side, (x, y, anchor) in enumerate(places)

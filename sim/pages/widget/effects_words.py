@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from sim.pages.widget.effects_forces import agent
+from sim.pages.widget.effects_forces import agent, linked_pairs
 from sim.pages.widget.numbers import short
 
 LEFT_OUT = {
@@ -65,6 +65,11 @@ def _phrase(effect: Mapping[str, Any], header: Mapping[str, Any], numbers: bool)
         return f"magnets on {both}, like poles facing"
     energy = told(f"{short(n['energy'])} J")
     return f"an exploder between {both}{energy}, at {short(n.get('at', 0.0))} s"
+
+
+def force_name(header: Mapping[str, Any]) -> str:
+    """What the graph of F shows: springs and magnets act without contact."""
+    return "force between them" if linked_pairs(header) else "contact force"
 
 
 def push_text(force: float) -> str:

@@ -11,7 +11,7 @@ from sim.pages.widget.contacts import touches
 from sim.pages.widget.effects_controls import effect_cards
 from sim.pages.widget.effects_links import linked_pushes
 from sim.pages.widget.effects_view import effects_view
-from sim.pages.widget.effects_words import acting_sentences, push_marks
+from sim.pages.widget.effects_words import acting_sentences, force_name, push_marks
 from sim.pages.widget.exits import exits
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.markers import MARKERS
@@ -87,7 +87,6 @@ def scene_view(
             f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
         ],
         "graphs": [graph_view(q, header, run, scales, camera, told=told) for q in shown],
-        "empty_graph": _empty_graph(),
         "views_view": views_view(header, scales, fence.opened, forces=forces, told=told),
         "events": _story(header, run, scales, layouts[0], camera, forces) if told else [],
         "model": model_sentences(header, told=told),
@@ -115,7 +114,7 @@ def graph_view(
     times = table_times(until, header["events"]) if told else []
     return {
         "quantity": quantity,
-        "title": title if quantity != "F" else "Size of the contact force",
+        "title": title if quantity != "F" else f"Size of the {force_name(header)}",
         "seen": seen,
         "symbol": symbol if quantity != "F" else "|F|",
         "unit": unit,
@@ -142,15 +141,6 @@ def graph_view(
         "note": graph_note(quantity, header["events"], len(curves)) if told else "",
         "rows": table_rows(curves, run.t, times, scales.decimals, quantity, scale),
     }
-
-
-def _empty_graph() -> dict[str, Any]:
-    """The pattern of a graph that a reader may ask for; the page fills it."""
-    frame = {"width": g.WIDTH, "height": g.HEIGHT, "left": g.LEFT, "right": g.RIGHT}
-    frame |= {"top": g.TOP, "bottom": g.BOTTOM}
-    empty = dict.fromkeys(("quantity", "title", "seen", "symbol", "unit", "cursor", "note"), "")
-    lists: dict[str, Any] = {key: [] for key in ("times", "marks", "curves", "rows")}
-    return {**empty, **lists, **{key: int(value) for key, value in frame.items()}}
 
 
 def _timeline(

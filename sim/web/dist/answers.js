@@ -149,7 +149,7 @@
 
   // src/storage.js
   var STORE = "answers";
-  var PATIENCE = 4e3;
+  var PATIENCE = 2e4;
   var STUDENT = "student";
   var SETTLED = "settled";
   var SETTLE_AFTER = 400;
@@ -1646,7 +1646,8 @@
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
     const r = 1 - s;
-    return at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found2) ? found2 : at(values, k);
   }
 
   // src/question/marking/own-run.js

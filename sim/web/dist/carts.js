@@ -956,7 +956,8 @@
     const s = (t - at(times, k)) / h;
     if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
     const r = 1 - s;
-    return at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found2) ? found2 : at(values, k);
   }
 
   // src/baked.js
@@ -1989,7 +1990,7 @@
 
   // src/storage.js
   var STORE = "answers";
-  var PATIENCE = 4e3;
+  var PATIENCE = 2e4;
   var STUDENT = "student";
   var SETTLED = "settled";
   var SETTLE_AFTER = 400;
@@ -2366,147 +2367,6 @@
     }
   };
 
-  // src/choose.js
-  var STOPS = "stops at touch, greatest force and parting";
-  var FORCES = ["F", "a"];
-  var Choose = class {
-    /**
-     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
-     * @param {Choice[]} views
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
-     */
-    constructor(root, baked, views, acts) {
-      const place3 = need(root, ".carts-choices");
-      const { show, forces: forces2, slow } = baked.fence;
-      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
-        key: quantity,
-        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
-        seen: show.includes(quantity)
-      }));
-      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
-      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
-      place3.replaceChildren(
-        group("Graphs", graphs, acts.graph),
-        group("Views", views, acts.view),
-        group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
-      );
-    }
-  };
-  function group(title, choices, act) {
-    const set = document.createElement("fieldset");
-    set.append(html("legend", "", title));
-    for (const { key, label, seen } of choices) {
-      const line = html("label");
-      const box2 = document.createElement("input");
-      box2.type = "checkbox";
-      box2.checked = seen;
-      box2.dataset.choice = key;
-      box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label}`);
-      set.append(line);
-    }
-    set.hidden = choices.length === 0;
-    return set;
-  }
-  function emptyGraph(root, baked, quantity) {
-    const pattern = (
-      /** @type {HTMLTemplateElement} */
-      /** @type {unknown} */
-      need(root, "template.carts-graph-pattern")
-    );
-    const graph = (
-      /** @type {HTMLElement} */
-      pattern.content.firstElementChild?.cloneNode(true)
-    );
-    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
-    const isForce = quantity === "F";
-    graph.dataset.quantity = quantity;
-    const name2 = isForce ? "Size of the contact force" : title;
-    graph.setAttribute("aria-label", `${name2} against time`);
-    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
-    need(graph, ".carts-graph-name").replaceChildren(
-      `${name2} ${camera}`,
-      html("i", "", isForce ? "|F|" : symbol),
-      ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`
-    );
-    say(need(graph, "summary"), `Table: ${name2.toLowerCase()}`);
-    for (const clip of graph.querySelectorAll("[clip-path]")) {
-      clip.setAttribute("clip-path", `url(#${baked.fence.id}-${quantity}-clip)`);
-    }
-    need(graph, "clipPath").id = `${baked.fence.id}-${quantity}-clip`;
-    for (const button of graph.querySelectorAll("[data-for]")) {
-      if (
-        /** @type {HTMLElement} */
-        button.dataset.for !== quantity
-      ) button.remove();
-    }
-    return graph;
-  }
-
-  // src/drag.js
-  var Drag = class {
-    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
-    #held = null;
-    /**
-     * @param {SVGElement} stage @param {Layout} layout @param {import("./types.js").Baked} baked
-     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
-     *   value: of the run that is shown, in SI
-     */
-    constructor(stage, layout, baked, acts) {
-      const { controls } = baked.fence;
-      for (const { name: name2 } of baked.run.header.bodies) {
-        for (
-          const [key, part, metres] of
-          /** @type {const} */
-          [
-            ["position", "carts-cart", 1 / layout.scale],
-            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
-          ]
-        ) {
-          const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
-          if (!control || !group2) continue;
-          group2.classList.add("carts-draggable");
-          group2.addEventListener("pointerdown", (event) => {
-            const value = acts.value(control.set);
-            if (!acts.ready() || value === null) return;
-            const down = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const unit = layout.width / stage.getBoundingClientRect().width;
-            const from = value / control.per;
-            const perUnit = metres * unit / control.per;
-            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
-            group2.setPointerCapture(down.pointerId);
-            event.preventDefault();
-          });
-          group2.addEventListener("pointermove", (event) => {
-            const held = this.#held;
-            if (held?.control !== control) return;
-            const move = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
-            if (value === held.sent) return;
-            held.sent = value;
-            acts.change(control, value, event.timeStamp);
-          });
-          for (const end of ["pointerup", "pointercancel"]) {
-            group2.addEventListener(end, () => {
-              this.#held = null;
-            });
-          }
-        }
-      }
-    }
-  };
-  function onStep(value, { low, high, step }) {
-    const near = low + Math.round((value - low) / step) * step;
-    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
-  }
-
   // src/effects-forces.js
   var ON_ONE = ["incline", "push", "friction", "drag"];
   var FEW = 3;
@@ -2629,6 +2489,10 @@
         return `an exploder between ${both}${told2(`${short(value("energy"))} J`)}, at ${short(value("at"))} s`;
     }
   }
+  function forceName({ effects }) {
+    const linked = effects.some(({ kind }) => kind === "spring" || kind === "magnets");
+    return linked ? "force between them" : "contact force";
+  }
   function pushText(force) {
     return `${short(Math.abs(force))} N to the ${force >= 0 ? "right" : "left"}`;
   }
@@ -2666,6 +2530,7 @@
   var TOP2 = 8;
   var BOTTOM3 = 142;
   var WIDTH2 = 360;
+  var HEIGHT = 172;
   var BELOW_LINE = 4;
   var NEAR = 0.7;
   var STRAIGHT = 0.05;
@@ -2740,6 +2605,180 @@
       label: fixed(v, decimals),
       zero: v === 0
     }));
+  }
+
+  // src/choose.js
+  var STOPS = "stops at touch, greatest force and parting";
+  var TOGGLES = { F: ["with sign", ""], energy: ["as a ledger", " carts-stack"] };
+  var FORCES = ["F", "a"];
+  var Choose = class {
+    /**
+     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {Choice[]} views
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
+     */
+    constructor(root, baked, views, acts) {
+      const place3 = need(root, ".carts-choices");
+      const { show, forces: forces2, slow } = baked.fence;
+      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
+        key: quantity,
+        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
+        seen: show.includes(quantity)
+      }));
+      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
+      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
+      place3.replaceChildren(
+        group("Graphs", graphs, acts.graph),
+        group("Views", views, acts.view),
+        group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
+      );
+    }
+  };
+  function group(title, choices, act) {
+    const set = document.createElement("fieldset");
+    set.append(html("legend", "", title));
+    for (const { key, label, seen } of choices) {
+      const line = html("label");
+      const box2 = document.createElement("input");
+      box2.type = "checkbox";
+      box2.checked = seen;
+      box2.dataset.choice = key;
+      box2.addEventListener("change", () => act(key, box2.checked));
+      line.append(box2, ` ${label}`);
+      set.append(line);
+    }
+    set.hidden = choices.length === 0;
+    return set;
+  }
+  function emptyGraph(baked, quantity) {
+    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
+    const isForce = quantity === "F";
+    const name2 = isForce ? `Size of the ${forceName(baked.run.header)}` : title;
+    const graph = html("div", "carts-graph");
+    graph.dataset.quantity = quantity;
+    graph.setAttribute("role", "group");
+    graph.setAttribute("aria-label", `${name2} against time`);
+    const head = html("p", "carts-graph-title");
+    const named = html("span", "carts-graph-name");
+    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
+    named.append(
+      `${name2} ${camera}`,
+      html("i", "", isForce ? "|F|" : symbol),
+      ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`
+    );
+    head.append(named);
+    const [text, style] = TOGGLES[quantity] ?? [];
+    if (text) {
+      const button = html("button", `carts-sign${style}`, text);
+      button.setAttribute("type", "button");
+      button.setAttribute("aria-pressed", "false");
+      head.append(" ", button);
+    }
+    const table = document.createElement("table");
+    table.className = "carts-table";
+    table.append(document.createElement("thead"), document.createElement("tbody"));
+    const scroll = html("div", "carts-scroll");
+    scroll.append(table);
+    const details = html("details", "carts-more");
+    details.append(html("summary", "", `Table: ${name2.toLowerCase()}`), scroll);
+    graph.append(head, plot(`${baked.fence.id}-${quantity}-clip`, isForce), html("p", "carts-key"));
+    if (isForce) graph.append(html("p", "carts-area-note carts-quiet"));
+    graph.append(details);
+    return graph;
+  }
+  function plot(clip, isForce) {
+    const frame3 = svg("svg", {
+      class: "carts-plot",
+      viewBox: `0 0 ${WIDTH2} ${HEIGHT}`,
+      "aria-hidden": "true"
+    });
+    const inside = svg("clipPath", { id: clip });
+    const width = RIGHT2 - LEFT3 + 1;
+    inside.append(svg("rect", { x: LEFT3, y: TOP2 - 4, width, height: BOTTOM3 - TOP2 + 8 }));
+    const defs = svg("defs");
+    defs.append(inside);
+    const unit = svg("text", { class: "carts-unit", x: RIGHT2, y: HEIGHT - 3, "text-anchor": "end" });
+    unit.textContent = "time t in s";
+    const cut = { "clip-path": `url(#${clip})` };
+    const areas = svg("g", { "data-part": "areas", ...cut });
+    if (isForce)
+      areas.append(svg("path", { class: "carts-impulse" }), svg("path", { class: "carts-impulse" }));
+    const cursor = svg("g", { "data-part": "cursor", ...cut });
+    cursor.append(svg("path", { class: "carts-cursor", d: `M0 ${TOP2}V${BOTTOM3}` }));
+    frame3.append(
+      defs,
+      svg("g", { "data-part": "times" }),
+      svg("g", { "data-part": "values" }),
+      unit,
+      areas,
+      svg("g", { "data-part": "curves", ...cut }),
+      cursor
+    );
+    return frame3;
+  }
+
+  // src/drag.js
+  var Drag = class {
+    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
+    #held = null;
+    /**
+     * @param {SVGElement} stage @param {Layout} layout @param {import("./types.js").Baked} baked
+     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
+     *   value: of the run that is shown, in SI
+     */
+    constructor(stage, layout, baked, acts) {
+      const { controls } = baked.fence;
+      for (const { name: name2 } of baked.run.header.bodies) {
+        for (
+          const [key, part, metres] of
+          /** @type {const} */
+          [
+            ["position", "carts-cart", 1 / layout.scale],
+            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
+          ]
+        ) {
+          const control = controls.find(({ set }) => set === `${name2}.${key}`);
+          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
+          if (!control || !group2) continue;
+          group2.classList.add("carts-draggable");
+          group2.addEventListener("pointerdown", (event) => {
+            const value = acts.value(control.set);
+            if (!acts.ready() || value === null) return;
+            const down = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const unit = layout.width / stage.getBoundingClientRect().width;
+            const from = value / control.per;
+            const perUnit = metres * unit / control.per;
+            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
+            group2.setPointerCapture(down.pointerId);
+            event.preventDefault();
+          });
+          group2.addEventListener("pointermove", (event) => {
+            const held = this.#held;
+            if (held?.control !== control) return;
+            const move = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
+            if (value === held.sent) return;
+            held.sent = value;
+            acts.change(control, value, event.timeStamp);
+          });
+          for (const end of ["pointerup", "pointercancel"]) {
+            group2.addEventListener(end, () => {
+              this.#held = null;
+            });
+          }
+        }
+      }
+    }
+  };
+  function onStep(value, { low, high, step }) {
+    const near = low + Math.round((value - low) / step) * step;
+    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
   }
 
   // src/markers.js
@@ -2839,7 +2878,11 @@
       const others = windows.some(
         (one) => one !== touch && one.bodies.includes(name2) && one.start < t && one.end > touch.start
       );
-      if (mass === void 0 || others) return { name: name2, change: null };
+      const acting = header.effects.some(
+        ({ active, carts, between: between2, kind }) => active && carts.includes(name2) && (kind === "release" || between2?.join("-") !== touch.pair)
+        // what a pair's own spring does is in its F
+      );
+      if (mass === void 0 || others || acting) return { name: name2, change: null };
       const v = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
       return { name: name2, change: mass * (v(t) - v(touch.start)) };
     });
@@ -3209,6 +3252,7 @@
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
       this.camera = baked.fence.camera;
+      this.force = forceName(baked.run.header);
       this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
       this.per = speedUnit(baked.view.velocity)[0];
       this.plot = /** @type {SVGSVGElement} */
@@ -3273,7 +3317,7 @@
     #toggle() {
       this.#pressed = !this.#pressed;
       this.button?.setAttribute("aria-pressed", String(this.#pressed));
-      const [title, symbol, rest] = this.ledger ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"] : this.#pressed ? ["Contact force ", "F", " in N, + is right"] : ["Size of the contact force ", "|F|", " in N"];
+      const [title, symbol, rest] = this.ledger ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"] : this.#pressed ? [`${this.force[0]?.toUpperCase()}${this.force.slice(1)} `, "F", " in N, + is right"] : [`Size of the ${this.force} `, "|F|", " in N"];
       const italic = Object.assign(document.createElement("i"), { textContent: symbol });
       need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
@@ -3821,11 +3865,15 @@
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-    #inFull({ push, size, x, link }) {
+    #inFull(told2) {
+      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    }
+    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
+    #named({ push, size, x }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
+        return `on ${brief(on)} by ${brief(by)}${through}: ${this.#value(size)}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -4373,7 +4421,7 @@
 
   // src/free-body.js
   var WIDTH3 = 260;
-  var HEIGHT = 60;
+  var HEIGHT2 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
   var MIDDLE = WIDTH3 / 2;
@@ -4467,8 +4515,8 @@
         );
       });
       const picture2 = need(card, "svg");
-      put(picture2, "viewBox", `0 ${-room} ${WIDTH3} ${HEIGHT + 2 * room}`);
-      put(picture2, "height", String(HEIGHT + 2 * room));
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH3} ${HEIGHT2 + 2 * room}`);
+      put(picture2, "height", String(HEIGHT2 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name: name2, way, value, size: written }, cut) {
@@ -4778,7 +4826,7 @@
         there.root.remove();
       }
       if (!seen || there) return;
-      const graph = new GraphView(emptyGraph(this.root, this.baked, quantity), this.baked, this.seek);
+      const graph = new GraphView(emptyGraph(this.baked, quantity), this.baked, this.seek);
       place3.insertBefore(graph.root, need(place3, ".carts-story"));
       this.graphs.push(graph);
       graph.enable();
@@ -4999,11 +5047,11 @@ ${lines2.join("\n")}
     for (let k = 0; k < graphs.length; k += 2) {
       let tallest = 0;
       graphs.slice(k, k + 2).forEach((graph, column) => {
-        const plot = graph.querySelector(".carts-plot");
-        if (!plot) return;
+        const plot2 = graph.querySelector(".carts-plot");
+        if (!plot2) return;
         const x = column * half;
         write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP3, y + 12, "700");
-        const drawn2 = alone2(plot);
+        const drawn2 = alone2(plot2);
         const height = place2(drawn2, x, y + LINE2, half - GAP3);
         whole.append(drawn2);
         const entries = [...graph.querySelectorAll(".carts-key > span")];

@@ -1,12 +1,16 @@
 /** The menu of what a scene can show: graphs that are made when they are asked for, and views. */
 
-import { html, need, say } from "./dom.js";
+import { html, need, svg } from "./dom.js";
+import { forceName } from "./effects-words.js";
+import { BOTTOM, HEIGHT, LEFT, RIGHT, TOP, WIDTH } from "./graph.js";
 import { speedUnit } from "./numbers.js";
 import { QUANTITIES } from "./words.js";
 
 /** @typedef {{key: string, label: string, seen: boolean}} Choice */
 
 const STOPS = "stops at touch, greatest force and parting";
+/** @type {Record<string, [string, string]>} a button of its own, and the class that it has besides */
+const TOGGLES = { F: ["with sign", ""], energy: ["as a ledger", " carts-stack"] };
 const FORCES = ["F", "a"]; // not offered where the forces are hidden
 
 export class Choose {
@@ -54,33 +58,75 @@ function group(title, choices, act) {
 }
 
 /**
- * An empty graph, made from the pattern that the generator wrote.
- * @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {string} quantity @returns {HTMLElement}
+ * An empty graph of the same parts as those that `templates/graphs.html.j2` writes.
+ * @param {import("./types.js").Baked} baked @param {string} quantity @returns {HTMLElement}
  */
-export function emptyGraph(root, baked, quantity) {
-  const pattern = /** @type {HTMLTemplateElement} */ (
-    /** @type {unknown} */ (need(root, "template.carts-graph-pattern"))
-  );
-  const graph = /** @type {HTMLElement} */ (pattern.content.firstElementChild?.cloneNode(true));
+export function emptyGraph(baked, quantity) {
   const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
   const isForce = quantity === "F";
+  const name = isForce ? `Size of the ${forceName(baked.run.header)}` : title;
+  const graph = html("div", "carts-graph");
   graph.dataset.quantity = quantity;
-  const name = isForce ? "Size of the contact force" : title;
+  graph.setAttribute("role", "group");
   graph.setAttribute("aria-label", `${name} against time`);
+  const head = html("p", "carts-graph-title");
+  const named = html("span", "carts-graph-name");
   const camera =
     baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
-  need(graph, ".carts-graph-name").replaceChildren(
+  named.append(
     `${name} ${camera}`,
     html("i", "", isForce ? "|F|" : symbol),
     ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`,
   );
-  say(need(graph, "summary"), `Table: ${name.toLowerCase()}`);
-  for (const clip of graph.querySelectorAll("[clip-path]")) {
-    clip.setAttribute("clip-path", `url(#${baked.fence.id}-${quantity}-clip)`);
+  head.append(named);
+  const [text, style] = TOGGLES[quantity] ?? [];
+  if (text) {
+    const button = html("button", `carts-sign${style}`, text);
+    button.setAttribute("type", "button");
+    button.setAttribute("aria-pressed", "false");
+    head.append(" ", button);
   }
-  need(graph, "clipPath").id = `${baked.fence.id}-${quantity}-clip`;
-  for (const button of graph.querySelectorAll("[data-for]")) {
-    if (/** @type {HTMLElement} */ (button).dataset.for !== quantity) button.remove();
-  }
+  const table = document.createElement("table");
+  table.className = "carts-table";
+  table.append(document.createElement("thead"), document.createElement("tbody"));
+  const scroll = html("div", "carts-scroll");
+  scroll.append(table);
+  const details = html("details", "carts-more");
+  details.append(html("summary", "", `Table: ${name.toLowerCase()}`), scroll);
+  graph.append(head, plot(`${baked.fence.id}-${quantity}-clip`, isForce), html("p", "carts-key"));
+  if (isForce) graph.append(html("p", "carts-area-note carts-quiet"));
+  graph.append(details);
   return graph;
+}
+
+/** @param {string} clip id @param {boolean} isForce */
+function plot(clip, isForce) {
+  const frame = svg("svg", {
+    class: "carts-plot",
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    "aria-hidden": "true",
+  });
+  const inside = svg("clipPath", { id: clip });
+  const width = RIGHT - LEFT + 1;
+  inside.append(svg("rect", { x: LEFT, y: TOP - 4, width, height: BOTTOM - TOP + 8 }));
+  const defs = svg("defs");
+  defs.append(inside);
+  const unit = svg("text", { class: "carts-unit", x: RIGHT, y: HEIGHT - 3, "text-anchor": "end" });
+  unit.textContent = "time t in s";
+  const cut = { "clip-path": `url(#${clip})` };
+  const areas = svg("g", { "data-part": "areas", ...cut });
+  if (isForce)
+    areas.append(svg("path", { class: "carts-impulse" }), svg("path", { class: "carts-impulse" }));
+  const cursor = svg("g", { "data-part": "cursor", ...cut });
+  cursor.append(svg("path", { class: "carts-cursor", d: `M0 ${TOP}V${BOTTOM}` }));
+  frame.append(
+    defs,
+    svg("g", { "data-part": "times" }),
+    svg("g", { "data-part": "values" }),
+    unit,
+    areas,
+    svg("g", { "data-part": "curves", ...cut }),
+    cursor,
+  );
+  return frame;
 }

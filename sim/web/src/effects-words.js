@@ -69,6 +69,12 @@ function phrase(effect, header, numbers) {
   }
 }
 
+/** @param {Header} header @returns {string} what the graph of F shows: springs and magnets act without contact */
+export function forceName({ effects }) {
+  const linked = effects.some(({ kind }) => kind === "spring" || kind === "magnets");
+  return linked ? "force between them" : "contact force";
+}
+
 /** @param {number} force in N @returns {string} with its direction */
 export function pushText(force) {
   return `${short(Math.abs(force))} N to the ${force >= 0 ? "right" : "left"}`;

@@ -1,6 +1,7 @@
 /** One graph on the page: curves, axes, key, the cursor linked to the carts. */
 
 import { need, put, say, svg } from "./dom.js";
+import { forceName } from "./effects-words.js";
 import * as g from "./graph.js";
 import { ImpulseLayer } from "./impulse-layer.js";
 import { hasLedger, LedgerLayer } from "./ledger-layer.js";
@@ -37,6 +38,7 @@ export class GraphView {
     this.root = root;
     this.quantity = root.dataset.quantity ?? "x";
     this.camera = baked.fence.camera;
+    this.force = forceName(baked.run.header);
     this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
     this.per = speedUnit(baked.view.velocity)[0];
     this.plot = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-plot")));
@@ -109,8 +111,8 @@ export class GraphView {
     const [title, symbol, rest] = this.ledger
       ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"]
       : this.#pressed
-        ? ["Contact force ", "F", " in N, + is right"]
-        : ["Size of the contact force ", "|F|", " in N"];
+        ? [`${this.force[0]?.toUpperCase()}${this.force.slice(1)} `, "F", " in N, + is right"]
+        : [`Size of the ${this.force} `, "|F|", " in N"];
     const italic = Object.assign(document.createElement("i"), { textContent: symbol });
     need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
     this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));

@@ -12,6 +12,7 @@ export const RIGHT = 350;
 export const TOP = 8;
 export const BOTTOM = 142;
 export const WIDTH = 360;
+export const HEIGHT = 172;
 const BELOW_LINE = 4; // units, from a grid line to the foot of its number
 const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
 const STRAIGHT = 0.05; // units; a curve that bends less is drawn as a line

@@ -34,7 +34,11 @@ export function changes({ header, trajectory }, windows, touch, t) {
     const others = windows.some(
       (one) => one !== touch && one.bodies.includes(name) && one.start < t && one.end > touch.start,
     );
-    if (mass === undefined || others) return { name, change: null };
+    const acting = header.effects.some(
+      ({ active, carts, between, kind }) =>
+        active && carts.includes(name) && (kind === "release" || between?.join("-") !== touch.pair), // what a pair's own spring does is in its F
+    );
+    if (mass === undefined || others || acting) return { name, change: null };
     const v = (/** @type {number} */ at) =>
       valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], at);
     return { name, change: mass * (v(t) - v(touch.start)) };

@@ -122,11 +122,16 @@ export class Pushes {
   }
 
   /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-  #inFull({ push, size, x, link }) {
+  #inFull(told) {
+    return this.#named(told, told.link && ` (${told.link})`) || this.#named(told, "");
+  }
+
+  /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
+  #named({ push, size, x }, through) {
     const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
-      return `on ${brief(on)} by ${brief(by)}${link && ` (${link})`}: ${this.#value(size)}`;
+      return `on ${brief(on)} by ${brief(by)}${through}: ${this.#value(size)}`;
     });
     const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
     if (!first || !second || !left || !right) return false;

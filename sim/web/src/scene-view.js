@@ -137,7 +137,7 @@ export class SceneView {
       there.root.remove();
     }
     if (!seen || there) return;
-    const graph = new GraphView(emptyGraph(this.root, this.baked, quantity), this.baked, this.seek);
+    const graph = new GraphView(emptyGraph(this.baked, quantity), this.baked, this.seek);
     place.insertBefore(graph.root, need(place, ".carts-story"));
     this.graphs.push(graph);
     graph.enable();

@@ -10,7 +10,7 @@ import { keepEarlier } from "./answers/entry.js";
 import { stamped } from "./answers/outline.js";
 
 const STORE = "answers";
-const PATIENCE = 4000; // ms until a browser that never answers counts as one that keeps nothing
+const PATIENCE = 20_000; // ms until a browser that never answers counts as one that keeps nothing; recovery after a crash takes its time
 const STUDENT = "student"; // the key under which the code word of who works here is kept
 const SETTLED = "settled"; // written last, so that all before it is on the disk
 const SETTLE_AFTER = 400; // ms without a new answer

@@ -78,10 +78,10 @@ export function hermite(times, values, slopes, k, t) {
   const s = (t - at(times, k)) / h;
   if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
   const r = 1 - s;
-  return (
+  const found =
     at(values, k) * (1 + 2 * s) * r * r +
     at(slopes, k) * h * s * r * r +
     at(values, k + 1) * (1 + 2 * r) * s * s -
-    at(slopes, k + 1) * h * r * s * s
-  );
+    at(slopes, k + 1) * h * r * s * s;
+  return Number.isFinite(found) ? found : at(values, k); // slopes beyond all numbers: a step
 }
