@@ -25,8 +25,8 @@ STEPS_PER_EVENT = 10
 """A contact of several carts takes a handful of steps; a run that needs ten times as many as it may
 have events is one that never ends."""
 
-MOST_STEPS = 300_000
-"""Power series steps of one run, about a minute. Very stiff beside very soft takes more."""
+MOST_STEPS = 100_000
+"""Power series steps of one run, half a minute. Very stiff beside very soft takes more."""
 
 Progress = Callable[[float, int], None]
 """Told now and then how far the run is: t [s] and the number of events so far."""
