@@ -51,6 +51,8 @@ def set_free(
     for other in chain.neighbours(gap):
         if other is not None and not other.joined:
             other.rate = other.right.v - other.left.v
+            if other.law is None and other.rate != 0.0:
+                other.touching = None  # it rested; now it opens, or is struck
     return True
 
 

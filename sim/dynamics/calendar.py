@@ -22,6 +22,7 @@ class Calendar:
 
     def __init__(self, gaps: int) -> None:
         self.entries: list[tuple[float, float, int, int]] = []
+        self._turns = 0
         self.outside = gaps
 
     def gap(self, gap: Gap, now: Time, dt: float) -> None:
@@ -33,10 +34,18 @@ class Calendar:
 
     def body(self, body: Body, now: Time, dt: float) -> None:
         """The body's own motion ends in dt s."""
-        body.turn += 1
+        self.void(body)
         if dt != math.inf:
             hi, lo = later(now, dt)
             heapq.heappush(self.entries, (hi, lo, -1 - body.carts[0], body.turn))
+
+    def void(self, body: Body) -> None:
+        """What was predicted for the body's own motion no longer holds.
+
+        Turns of bodies are counted together: one that splits off may get a key that another had.
+        """
+        self._turns += 1
+        body.turn = self._turns
 
     def from_outside(self, number: int, t: float) -> None:
         """Burst or switch `number` happens at t s."""

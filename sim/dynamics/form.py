@@ -66,6 +66,8 @@ def form(
 def _solver(
     row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None
 ) -> Motion | None:
+    if all(body.mass == math.inf for body in row):
+        return None  # all of them stick to walls: what pulls between them moves nothing
     loaded = any(body.load is not NO_LOAD for body in row)
     if len(row) == 1:
         return _flight(row[0], now, end, forces) if loaded else None

@@ -234,7 +234,7 @@ class Happenings:
         ready = elapsed(now, self.end) > 0.0
         held = [body.held for body in bodies]
         for body in bodies:
-            body.turn += 1  # what was predicted for its flight is void
+            self.calendar.void(body)
         for solver in form(bodies, gaps, now, self.end, self.forces, self.record):
             self.solvers[solver.name] += 1
             if isinstance(solver, Cluster):

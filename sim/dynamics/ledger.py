@@ -74,6 +74,18 @@ class Ledger:
         sums = (self._warmed, *self._impulses.values(), *self._works.values())
         return tuple(part for total in sums for part in total)
 
+    def imbalance(self) -> float:
+        """How far initial + work = final + warmed is from true, as a part of all these energies."""
+        first, last, warmed = self.energy_initial, self.energy_final, self.warmed
+        works = list(self.works.values())
+        stored = [abs(e) for ends in self.potential.values() for e in ends]
+        stored += [abs(self.stored_initial), abs(self.stored_final)]
+        moving = kinetic(self.scene, self.v_final) + kinetic(
+            self.scene, [cart.velocity for cart in self.scene.carts]
+        )
+        scale = math.fsum([moving, abs(warmed), *map(abs, works), *stored, TINY])
+        return abs(math.fsum([first, *works, -last, -warmed])) / scale
+
     @property
     def potential(self) -> dict[str, tuple[float, float]]:
         """J per effect that stores energy: at the start and at the end."""
@@ -105,6 +117,9 @@ class Ledger:
         stored = math.fsum(end for _, end in self.potential.values())
         return kinetic(self.scene, self.v_final) + self.stored_final + stored
 
+
+TINY = 1e-300
+"""J. Where nothing moves, nothing is out of balance."""
 
 CONSERVATIVE = ("incline",)
 """Effects whose work is a change of stored energy."""

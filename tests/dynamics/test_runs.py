@@ -277,31 +277,6 @@ def test_bumpers_squeezed_beyond_their_length_are_told_before_the_run():
     assert warnings(run(read_scene(raised))) == ()
 
 
-def test_stuck_carts_go_on_as_one():
-    finished = run(registry.scene("sticky"))
-    assert list(finished.v) == pytest.approx([0.3, 0.3], rel=1e-15)
-    assert finished.x[1] - finished.x[0] == pytest.approx(0.2, rel=1e-15)
-    assert finished.ledger.warmed == pytest.approx(0.5 * (2 / 3) * 0.81, rel=1e-14)
-
-
-def test_the_force_between_stuck_carts_is_what_accelerates_the_rear_one():
-    plain = {
-        "carts": {
-            "A": {"mass": 1, "position": 0, "velocity": "0.6"},
-            "B": {"mass": 2, "position": "0.4"},
-            "C": {"mass": 3, "position": 1, "velocity": "-0.3"},
-        },
-        "contact": {"pairs": {"A-B": {"law": "velcro"}}, "stiffness": 600},
-        "until": 3,
-    }
-    columns = trajectory(run(read_scene(plain))).columns
-    for inner, outer, a in zip(
-        columns[("F", "A-B")], columns[("F", "B-C")], columns[("a", "A")], strict=True
-    ):
-        assert -inner == pytest.approx(1 * a, abs=1e-12)
-        assert inner - outer == pytest.approx(2 * a, abs=1e-12)
-
-
 def test_the_run_does_not_depend_on_what_is_kept_of_it():
     scene = registry.scene("train-of-five")
     full, bare = run(scene), run(scene, keep_events=False, keep_motion=False)

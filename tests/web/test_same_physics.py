@@ -10,6 +10,8 @@ import pytest
 
 from sim.bridge.protocol import answer
 from tests import registry
+from tests.hard_cases import COLLISIONS, read
+from tests.hard_cases_effects import UNDER_EFFECTS
 from tests.web.boot_site import build_site
 from tests.web.conftest import OpenPage
 
@@ -58,6 +60,25 @@ def test_every_case_gives_the_same_in_the_page(case_site: Path, open_page: OpenP
             there = got["numbers"][start : start + rows]
             worst = max(abs(a - b) for a, b in zip(there, column, strict=True))
             assert worst <= LAST_BITS * scale, (name, header["columns"][start // rows])
+
+
+def test_hard_cases_end_in_the_page_as_their_sources_say(
+    case_site: Path, open_page: OpenPage
+) -> None:
+    """One start of Python for all rows; only the header crosses, no drawing."""
+    page = open_page(case_site / "index.html")
+    page.evaluate("window.booted")
+    rows = [case for case in (*COLLISIONS, *UNDER_EFFECTS) if case.for_a_page]
+    assert len(rows) >= 40
+    for case in rows:
+        header = page.evaluate(
+            "async (request) => (await window.runtime.request(request)).header",
+            {"id": 1, "kind": "run", "scene": case.plain, "samples": 2},
+        )
+        assert header["ok"], (case.name, header)
+        for expected in case.expected:
+            got = read(header, expected.what)
+            assert abs(got - expected.value) <= expected.tolerance, (case.name, expected, got)
 
 
 def same(there: Any, here: Any, where: str) -> None:

@@ -20,6 +20,9 @@ LAYERS = ("scene", "dynamics", "bridge")
 """What a page runs. Questions are marked in JavaScript: `lesson` and `classroom` stay at home."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
+APART = ("sim.dynamics.batch",)
+"""Left out of the picture of the memory: no scene needs them. Pages that do carry packages too, and
+those load the wheel."""
 
 
 @dataclass(frozen=True)

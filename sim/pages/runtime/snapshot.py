@@ -14,7 +14,7 @@ from pathlib import Path
 from . import pins
 from .cache import Cache, key_of
 from .node import INSIDE, code_key, run_script, tools_key
-from .ours import ENTRY, Ours
+from .ours import APART, ENTRY, Ours
 from .stdlib import NO_DOCSTRINGS, Used, append_selection, compile_archives, used_files
 
 
@@ -42,7 +42,7 @@ def make_start(core: Path, stdlib: Path, ours: Ours, cache: Cache) -> Start:
         used = used_files(
             core, stdlib, folder,
             wheels=[wheel], perhaps=ours.imported_stdlib(), packages=["sim"],
-            absent=pins.PACKAGES, entry=ENTRY,
+            absent=pins.PACKAGES, apart=APART, entry=ENTRY,
         )  # fmt: skip
         (folder / "used.json").write_text(json.dumps(asdict(used)), encoding="utf-8")
         with zipfile.ZipFile(folder / "python.zip", "w") as target:
@@ -50,7 +50,8 @@ def make_start(core: Path, stdlib: Path, ours: Ours, cache: Cache) -> Start:
         job = {
             "core": f"{core}/", "stdlib": str(folder / "python.zip"), "wheel": str(wheel),
             "programs": [str(INSIDE / "used.py"), str(INSIDE / "warm.py")],
-            "packages": ["sim"], "absent": list(pins.PACKAGES), "entry": ENTRY,
+            "packages": ["sim"], "absent": list(pins.PACKAGES), "apart": list(APART),
+            "entry": ENTRY,
             "out": str(folder / "memory.snapshot"),
         }  # fmt: skip
         run_script("snapshot.mjs", job, folder)

@@ -69,7 +69,8 @@ def compile_archives(core: Path, archives: list[dict[str, object]], folder: Path
 def used_files(
     core: Path, stdlib: Path, folder: Path, *,
     wheels: Iterable[Path], modules: Iterable[str] = (), perhaps: Iterable[str] = (),
-    packages: Iterable[str] = (), absent: Iterable[str] = (), entry: str = "",
+    packages: Iterable[str] = (), absent: Iterable[str] = (),
+    apart: Iterable[str] = (), entry: str = "",
 ) -> Used:  # fmt: skip
     """Import `modules` and all of `packages`, and return what that took.
 
@@ -81,7 +82,7 @@ def used_files(
         "core": f"{core}/", "stdlib": str(stdlib), "out": str(out), "entry": entry,
         "programs": [str(INSIDE / "used.py"), str(INSIDE / "warm.py")],
         "wheels": [str(w) for w in wheels], "modules": [*ALWAYS, *modules], "perhaps": [*perhaps],
-        "packages": [*packages], "absent": [*absent],
+        "packages": [*packages], "absent": [*absent], "apart": [*apart],
     }  # fmt: skip
     run_script("used.mjs", job, folder)
     found = json.loads(out.read_text(encoding="utf-8"))

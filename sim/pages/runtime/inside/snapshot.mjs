@@ -5,7 +5,7 @@ const pyodide = await boot(job, { _makeSnapshot: true });
 const heap = pyodide._module.HEAP8.length;
 pyodide.unpackArchive(read(job.wheel), "wheel");
 const { call, forget } = helpers(pyodide, job.programs);
-for (const name of job.packages) call("import_package", name, job.absent).destroy();
+for (const name of job.packages) call("import_package", name, job.absent, job.apart, false).destroy();
 call("warm_up", job.entry);
 call("tidy");
 forget();

@@ -6,7 +6,7 @@ for (const wheel of job.wheels) await install(pyodide, wheel);
 const { call } = helpers(pyodide, job.programs);
 call("import_named", job.modules, true);
 call("import_named", job.perhaps, false);
-const later = job.packages.flatMap((name) => call("import_package", name, job.absent).toJs());
+const later = job.packages.flatMap((name) => call("import_package", name, job.absent, job.apart, true).toJs());
 if (job.entry) call("warm_up", job.entry);
 call("make_errors");
 try {

@@ -15,14 +15,21 @@ def import_named(names: Iterable[str], must: bool) -> None:
             importlib.import_module(name)
 
 
-def import_package(name: str, absent: Iterable[str]) -> list[str]:
-    """Import every module below the package `name` and return those that could not be.
+def import_package(
+    name: str, absent: Iterable[str], apart: Iterable[str], everything: bool
+) -> list[str]:
+    """Import every module below the package `name` and return those that are for later.
 
-    Only a package in `absent` may be missing: a page without it has no use for such a module.
+    These are the ones that need a package in `absent`: a page without it has no use for them; and
+    those below a name in `apart`, which few pages need. `everything`: import these all the same.
     """
     later = []
     package = importlib.import_module(name)
     for found in pkgutil.walk_packages(package.__path__, name + "."):
+        if any(found.name == part or found.name.startswith(f"{part}.") for part in apart):
+            later.append(found.name)
+            if not everything:
+                continue
         try:
             importlib.import_module(found.name)
         except ModuleNotFoundError as error:

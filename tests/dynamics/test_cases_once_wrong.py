@@ -1,0 +1,94 @@
+"""Carts that stick, and cases that a random scene once found wrong."""
+
+from __future__ import annotations
+
+import pytest
+
+from sim.dynamics.run import run
+from sim.dynamics.trajectory import trajectory
+from sim.scene import read_scene
+from tests import registry
+
+
+def test_stuck_carts_go_on_as_one():
+    finished = run(registry.scene("sticky"))
+    assert list(finished.v) == pytest.approx([0.3, 0.3], rel=1e-15)
+    assert finished.x[1] - finished.x[0] == pytest.approx(0.2, rel=1e-15)
+    assert finished.ledger.warmed == pytest.approx(0.5 * (2 / 3) * 0.81, rel=1e-14)
+
+
+def test_the_force_between_stuck_carts_is_what_accelerates_the_rear_one():
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0, "velocity": "0.6"},
+            "B": {"mass": 2, "position": "0.4"},
+            "C": {"mass": 3, "position": 1, "velocity": "-0.3"},
+        },
+        "contact": {"pairs": {"A-B": {"law": "velcro"}}, "stiffness": 600},
+        "until": 3,
+    }
+    columns = trajectory(run(read_scene(plain))).columns
+    for inner, outer, a in zip(
+        columns[("F", "A-B")], columns[("F", "B-C")], columns[("a", "A")], strict=True
+    ):
+        assert -inner == pytest.approx(1 * a, abs=1e-12)
+        assert inner - outer == pytest.approx(2 * a, abs=1e-12)
+
+
+def test_two_that_stick_to_each_other_and_to_a_wall_never_touch_again():
+    """What rounding leaves of their distance is no touch: once that ended in NaN."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": "0.4039", "velocity": "0.4"},
+            "B": {"mass": 4, "position": "0.6578", "velocity": "-0.6"},
+            "C": {"mass": 5, "position": "0.9617", "velocity": "-0.9"},
+        },
+        "track": {"left": "wall"},
+        "contact": {
+            "restitution": "0.5",
+            "stiffness": 231,
+            "pairs": {"left-A": {"law": "velcro"}, "A-B": {"law": "velcro"}},
+        },
+        "until": "0.8",
+    }
+    finished = run(read_scene(plain))
+    contacts = [event.bodies for event in finished.record.events if event.kind == "contact"]
+    assert contacts.count(("A", "B")) == contacts.count(("left", "A")) == 1
+    assert finished.v[:2] == (0.0, 0.0)
+    assert finished.v[2] == pytest.approx(-0.238820183, abs=1e-9)
+
+
+def test_a_bumper_forgets_once_it_is_clear_while_a_neighbour_touches():
+    """It cleared during another contact; an independent integration gives these velocities."""
+    plain = {
+        "carts": {
+            "B": {"mass": "3.053", "position": "0.6", "velocity": "0.938"},
+            "C": {"mass": 1, "position": "0.92", "velocity": "0.44"},
+        },
+        "track": {"right": "wall", "length": "1.03"},
+        "contact": {
+            "restitution": "0.9",
+            "stiffness": "1757.84",
+            "pairs": {"B-C": {"restitution": "0.9", "stiffness": "89.04"}},
+        },
+        "until": "0.7",
+    }
+    finished = run(read_scene(plain))
+    assert list(finished.v) == pytest.approx([-0.78041, 0.29109], abs=1e-5)
+
+
+def test_an_instant_contact_rests_while_a_neighbour_presses_on_it():
+    """Infinitely many impacts before a finite time; then the wall holds, then lets go."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": "0.3", "velocity": 1},
+            "B": {"mass": 1, "position": "0.6"},
+        },
+        "track": {"right": "wall", "length": "0.71"},
+        "contact": {"pairs": {"B-right": {"law": "instant", "restitution": "0.5"}}},
+        "until": 2,
+    }
+    finished = run(read_scene(plain))
+    assert finished.outcome.kind == "reached-end"
+    assert finished.record.counts["contact"] < 100
+    assert finished.ledger.imbalance() < 1e-14

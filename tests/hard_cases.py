@@ -1,0 +1,266 @@
+"""Hard cases as rows: what breaks step-by-step engines, with what must come out and why.
+
+One row is a scene in plain values and measures of its end state; tests run all of them natively
+and inside the page. Sources are named in `why`; tolerances are absolute, in the measure's unit.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+G = 9.81
+ULP = 2.220446049250313e-16
+
+
+@dataclass(frozen=True)
+class Expected:
+    """`what` to read of a run's report: "v.A", "v.B-A", "x.A", "warmed", "energy", "work.push",
+    "count.contact", or "last.contact" (s, the time of the last one)."""
+
+    what: str
+    value: float
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class HardCase:
+    name: str
+    sentence: str
+    plain: dict[str, Any]
+    expected: tuple[Expected, ...]
+    why: str
+    events: bool = True  # False: only counted
+
+    @property
+    def for_a_page(self) -> bool:
+        """Few enough events to be drawn, and no scipy needed."""
+        return self.events and self.plain.get("contact", {}).get("law") != "hertz"
+
+
+def read(report: dict[str, Any], what: str) -> float:
+    """One number of a report, as `carts run --json` gives it."""
+    kind, _, name = what.partition(".")
+    if kind in ("x", "v"):
+        values: dict[str, float] = report["final"][kind]
+        if "-" in name:
+            last, first = name.split("-")
+            return values[last] - values[first]
+        return math.fsum(values[part] for part in name.split("+"))
+    if kind in ("count", "last"):
+        if "event_counts" in report:
+            return float(report["event_counts"][name])
+        times = [event["t"] for event in report["events"] if event["kind"] == name]
+        return float(len(times) if kind == "count" else max(times))
+    totals = {"energy": report["energy"]["final"], "warmed": report["energy"]["warmed"]}
+    return float(report["work"][name] if kind == "work" else totals[kind])
+
+
+def at(position: Any, velocity: Any = 0, mass: Any = 1, length: Any = "0.2") -> dict[str, Any]:
+    return {"mass": mass, "position": position, "velocity": velocity, "length": length}
+
+
+def scene(carts: dict[str, Any], until: Any, *effects: dict[str, Any], **more: Any) -> Any:
+    return {"carts": carts, "until": until, "effects": list(effects), **more}
+
+
+def row(
+    speeds: list[Any], until: Any, *effects: dict[str, Any], gap: str = "0", **more: Any
+) -> Any:
+    """Equal carts A, B, C … of 0.2 m, the first at 0.5 m."""
+    step = 0.2 + float(gap)
+    names = "ABCDE"[: len(speeds)]
+    carts = {
+        n: at(f"{0.5 + k * step:.12g}", v)
+        for k, (n, v) in enumerate(zip(names, speeds, strict=True))
+    }
+    return scene(carts, until, *effects, **more)
+
+
+def pi_billiard(digits: int, **contact: Any) -> dict[str, Any]:
+    """A light cart at rest between a wall and a cart 100^digits times as heavy that comes in."""
+    carts = {"light": at(1, 0, 1, 0), "heavy": at(2, -1, 100**digits, 0)}
+    return scene(carts, 1e6, track={"left": "wall"}, contact=contact)
+
+
+def pi_digits(digits: int) -> int:
+    return math.ceil(math.pi / math.atan(10.0**-digits)) - 1
+
+
+def speeds(*values: float, within: float, names: str = "ABCDE") -> tuple[Expected, ...]:
+    return tuple(Expected(f"v.{n}", v, within) for n, v in zip(names, values, strict=False))
+
+
+PI = [
+    HardCase(
+        f"pi-hard-{n}",
+        f"Impacts of a cart of {100**n} kg with one of 1 kg before a wall count digits of pi.",
+        pi_billiard(n, law="instant"),
+        (Expected("count.contact", pi_digits(n), 0),),
+        "Galperin, Regular and Chaotic Dynamics 8 (2003) 375: ceil(pi / atan 10^-n) − 1; a count.",
+        events=n < 3,
+    )
+    for n in range(5)
+] + [
+    HardCase(
+        f"pi-soft-{n}",
+        f"Bumpers of {k:g} N/m count the same digits: no two contacts overlap in time.",
+        pi_billiard(n, stiffness=k),
+        (Expected("count.contact", pi_digits(n), 0),),
+        "k > pi² (M/m)² m V²/x0² keeps every contact before the wall alone; a count.",
+        events=n < 3,
+    )
+    for n, k in ((1, 1e5), (2, 1e10), (3, 1e14), (4, 1e18))
+]  # fmt: skip
+
+
+def ratio(big: float) -> HardCase:
+    e, u = 0.8, 1.0
+    centre = big * u / (big + 1)
+    return HardCase(
+        f"mass-ratio-{big:.0e}",
+        f"A cart of {big:.0e} kg hits one of 1 kg at rest.",
+        scene(
+            {"A": at(0, 1, big), "B": at("0.5", 0, 1)}, 1,
+            contact={"restitution": "0.8", "stiffness": 5000},
+        ),
+        speeds(centre - e * (1 - centre), centre * (1 + e), within=4 * ULP),
+        "v' = V + e (V − v) with V of the common centre; two units in the last place.",
+    )  # fmt: skip
+
+
+IMPACTS = [
+    ratio(1e9),
+    ratio(1e18),
+    HardCase(
+        "microsecond-in-a-slow-flight",
+        "Two carts at 1e-9 m/s touch for a microsecond within a flight of 100 s.",
+        scene(
+            {"A": at(0, "1e-9"), "B": at("0.200000001", "-0.5e-9", 2)}, 100,
+            contact={"restitution": "0.8", "stiffness": 1e13},
+        ),
+        speeds(-0.8e-9, 0.4e-9, within=1e-24),
+        "V = 0, so every velocity turns and keeps 0.8 of itself; two ulp of 1e-9.",
+    ),
+    HardCase(
+        "grazing",
+        "One cart is faster by 1e-12 m/s than the next, touching one.",
+        row(["1.000000000001", 1], 1, contact={"restitution": "0.5", "stiffness": 1e6}),
+        speeds(1 + 0.25e-12, 1 + 0.75e-12, within=2 * ULP),
+        "V = 1 + 0.5e-12, e = 0.5; velocities are stored to one ulp of 1.",
+    ),
+    HardCase(
+        "restitution-1e-12",
+        "Hardly any restitution is still delivered.",
+        row([1, -1], 5, gap="0.6", contact={"law": "paper", "restitution": "1e-12"}),
+        (Expected("v.B-A", 2e-12, 4 * ULP),),
+        "Separation speed e u = 2e-12 m/s, from velocities stored to an ulp of 1.",
+    ),
+    HardCase(
+        "restitution-0",
+        "Without restitution two carts go on together.",
+        scene({"A": at(0, 1), "B": at("0.5", 0, 3)}, 5, contact={"restitution": 0}),
+        (*speeds(0.25, 0.25, within=4 * ULP), Expected("warmed", 0.375, 4 * ULP)),
+        "Conservation of momentum: m1 u/(m1 + m2); half mu u² warms the bumpers.",
+    ),
+    HardCase(
+        "collapse-just-above",
+        "Three equal carts at e = 0.0719 hit each other a finite number of times.",
+        row([1, 0, -1], 20, gap="0.1", contact={"law": "instant", "restitution": "0.0719"}),
+        (Expected("v.A+B+C", 0, 1e-15),),
+        "McNamara & Young, Phys. Fluids A 4 (1992) 496: collapse below 7 − 4 sqrt 3 = 0.07180.",
+    ),
+    HardCase(
+        "collapse-below",
+        "At e = 0.05 three equal carts collapse: infinitely many impacts, and then one velocity.",
+        row([1, 0, -1], 20, gap="0.1", contact={"law": "instant", "restitution": "0.05"}),
+        speeds(0, 0, 0, within=1e-15),
+        "McNamara & Young: e < 7 − 4 sqrt 3; by symmetry the common velocity is nought.",
+    ),
+    HardCase(
+        "triple-hit-paper",
+        "Two carts meet in a third: each sees a fixed wall.",
+        row([1, 0, -1], 5, gap="0.3", contact={"law": "paper", "restitution": "0.8"}),
+        speeds(-0.854201911781, 0, 0.854201911781, within=1e-12),
+        "e = exp(−pi z/sqrt(1 − z²)) with z = zeta sqrt(1/2); twelve digits printed.",
+    ),
+    HardCase(
+        "triple-hit-bumper",
+        "The bumper law returns its e in a symmetric triple hit too.",
+        row([1, 0, -1], 5, gap="0.3", contact={"restitution": "0.5"}),
+        speeds(-0.5, 0, 0.5, within=1e-14),
+        "Hysteresis gives back e² of the energy at any mass.",
+    ),
+    HardCase(
+        "start-in-overlap",
+        "Two carts pressed together by 2 cm at rest fly apart.",
+        scene(
+            {"A": at(0), "B": at("0.18")}, 1,
+            contact={"restitution": 1, "stiffness": 500}, start={"overlap": True},
+        ),
+        (*speeds(-math.sqrt(0.1), math.sqrt(0.1), within=1e-15), Expected("energy", 0.1, 1e-16)),
+        "Half k d² = 0.1 J shared by two equal carts: v = sqrt(0.1) m/s.",
+    ),
+    HardCase(
+        "far-from-the-origin",
+        "A collision at x = 1e9 m.",
+        scene(
+            {"A": at(10**9, 1), "B": at(f"{10**9}.8", "-0.5", 2)}, 1,
+            contact={"restitution": "0.8", "stiffness": 500},
+        ),
+        speeds(-0.8, 0.4, within=4 * ULP),
+        "Gaps come from the decimal text, so x does not matter; two ulp.",
+    ),
+    HardCase(
+        "soft-springs-near-walls",
+        "Two carts on very soft bumpers between near walls: everything touches at once.",
+        scene(
+            {"A": at("0.11", 1), "B": at("0.33", "-0.4", 2)}, 2,
+            track={"left": "wall", "right": "wall", "length": "0.45"},
+            contact={"restitution": 1, "stiffness": 5},
+        ),
+        (Expected("energy", 0.66, 1e-14), Expected("warmed", 0, 1e-15)),
+        "Elastic: kinetic and spring energy together stay 0.66 J.",
+    ),
+]  # fmt: skip
+
+ZERO_FIVE = [-0.132279485, -0.075329170, -0.031010829, 0.296217750, 0.942401733]
+CRADLES = [
+    HardCase(
+        f"cradle-{len(out)}",
+        f"{len(out)} touching carts on linear springs, the first comes in at 1 m/s.",
+        row([1] + [0] * (len(out) - 1), 5, contact={"restitution": 1, "stiffness": 500}),
+        speeds(*out, within=1e-9),
+        "Integrated by DOP853 at 1e-12 and in 40 digits; nine digits printed.",
+    )
+    for out in (
+        [-0.130261695, 0.150229569, 0.980032126],
+        [-0.132275275, -0.064974765, 0.236977608, 0.960272432],
+        ZERO_FIVE,
+    )
+] + [
+    HardCase(
+        f"hertz-cradle-{len(out)}",
+        f"{len(out)} touching Hertz spheres, the first comes in at 1 m/s.",
+        row([1] + [0] * (len(out) - 1), 1,
+            contact={"law": "hertz", "restitution": 1, "stiffness": 1e5}),
+        speeds(*out, within=1e-6),
+        "Herrmann & Schmälzle, Am. J. Phys. 49 (1981) 761, redone by DOP853; six digits printed.",
+    )
+    for out in (
+        [-0.070952, 0.076403, 0.994549],
+        [-0.071085, -0.029626, 0.109739, 0.990973],
+        [-0.071085, -0.030274, -0.014464, 0.127045, 0.988777],
+    )
+] + [
+    HardCase(
+        "cradle-spaced",
+        "With gaps of 1.12 u sqrt(m/k) the motion is handed on as by instant impacts.",
+        row([1, 0, 0, 0], 5, gap="0.0501", contact={"restitution": 1, "stiffness": 500}),
+        speeds(0, 0, 0, 1, within=1e-14),
+        "Contacts no longer overlap from pi/(2 sqrt 2) = 1.1107 on; a few ulp.",
+    )
+]  # fmt: skip
+
+COLLISIONS: tuple[HardCase, ...] = (*PI, *IMPACTS, *CRADLES)

@@ -1,0 +1,298 @@
+"""Hard cases under effects: friction, slopes, air, magnets, springs, pushes, and long times."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import Any
+
+from tests.hard_cases import ULP, Expected, G, HardCase, at, row, scene, speeds
+
+BITS = 16 * ULP
+"""A closed form evaluated twice, in two orders of operations, for numbers of about 1."""
+
+SLOPE = 0.2  # rad
+SIN, COS = math.sin(SLOPE), math.cos(SLOPE)
+
+
+def incline(angle: Any = SLOPE) -> dict[str, Any]:
+    return {"incline": {"angle": angle}}
+
+
+def friction(coefficient: float, static: float | None = None) -> dict[str, Any]:
+    body = {"coefficient": coefficient}
+    return {"friction": body if static is None else body | {"static": static}}
+
+
+def back_at_start(mu: float) -> tuple[float, float]:
+    """s and m/s of a cart sent uphill at 1 m/s, when it is back."""
+    up, down = G * (SIN + mu * COS), G * (SIN - mu * COS)
+    way = 0.5 / up
+    return 1 / up + math.sqrt(2 * way / down), math.sqrt(2 * way * down)
+
+
+def through_the_bumper(mu: float, k: float) -> float:
+    """m. How far from the wall a cart stops that runs into it at 1 m/s and rubs."""
+    force = mu * G
+    deepest = (-force + math.sqrt(force**2 + k)) / k
+    return (1 - 4 * force * deepest) / (2 * force)
+
+
+BACK, SPEED_BACK = back_at_start(0.1)
+
+DRY = [
+    HardCase(
+        "friction-stops",
+        "A cart at 1 m/s stops after v²/(2 μ g) and stays.",
+        scene({"A": at(0, 1)}, 10, friction(0.05)),
+        (Expected("x.A", 1 / (0.1 * G), BITS), *speeds(0, within=0),
+         Expected("work.friction", -0.5, BITS)),
+        "Coulomb: all of the kinetic energy is rubbed away; v is nought exactly.",
+    ),
+    HardCase(
+        "friction-in-a-bumper",
+        "A cart runs into a wall's bumper while it rubs.",
+        scene(
+            {"A": at("0.9", 1)}, 10, friction(0.02),
+            track={"right": "wall", "length": 1}, contact={"restitution": 1, "stiffness": 400},
+        ),
+        (Expected("x.A", 0.9 - through_the_bumper(0.02, 400), 1e-13), *speeds(0, within=0)),
+        "v_out² = u² − 4 F x_m/m with the greatest overlap x_m; then v_out²/(2 μ g) to the stop.",
+    ),
+    HardCase(
+        "sticks-below-the-angle-of-friction",
+        "On a slope below tan θ = μ a cart at rest stays at rest.",
+        scene({"A": at(1)}, 1e4, incline(), friction(0.21)),
+        (*speeds(0, within=0), Expected("x.A", 1, 0)),
+        "tan 0.2 = 0.2027 < 0.21; nothing moves, not even by rounding.",
+    ),
+    HardCase(
+        "slides-above-the-angle-of-friction",
+        "Above it the cart slides down with g (sin θ − μ cos θ).",
+        scene({"A": at(1)}, 1, incline(), friction(0.2)),
+        speeds(G * (SIN - 0.2 * COS), within=BITS),
+        "tan 0.2 = 0.2027 > 0.2; Newton's second law along the track.",
+    ),
+    HardCase(
+        "static-holds-what-kinetic-would-not",
+        "Between μ and μ_s a cart at rest stays, and one that moves speeds up.",
+        scene({"A": at(0), "B": at(1, "0.1")}, 1, incline(), friction(0.15, 0.25)),
+        speeds(0, 0.1 + G * (SIN - 0.15 * COS), within=BITS),
+        "0.15 < tan 0.2 < 0.25.",
+    ),
+    HardCase(
+        "uphill-and-stuck",
+        "Sent uphill with μ > tan θ a cart stops there for good.",
+        scene({"A": at(0, -1)}, 100, incline(), friction(0.3)),
+        (Expected("x.A", -0.5 / (G * (SIN + 0.3 * COS)), BITS), *speeds(0, within=0)),
+        "v²/(2 g (sin θ + μ cos θ)); static friction then holds it.",
+    ),
+    HardCase(
+        "uphill-and-back",
+        "With μ < tan θ it comes back, slower.",
+        scene({"A": at(0, -1)}, BACK, incline(), friction(0.1)),
+        (Expected("x.A", 0, 1e-15), *speeds(SPEED_BACK, within=BITS)),
+        "v' = v sqrt((sin θ − μ cos θ)/(sin θ + μ cos θ)).",
+    ),
+    HardCase(
+        "too-weak-a-push",
+        "A push below μ_s m g moves nothing.",
+        scene({"A": at(0)}, 5, friction(0.1, 0.2), {"push": {"cart": "A", "force": 1.9}}),
+        speeds(0, within=0),
+        "μ_s m g = 1.962 N.",
+    ),
+    HardCase(
+        "zeno-on-a-slope",
+        "A cart bounces ever lower on the wall below; all bounces end at a finite time.",
+        scene(
+            {"A": at("0.5", 0)}, 3, incline("30 deg"), gravity=10,
+            track={"right": "wall", "length": 1},
+            contact={"law": "instant", "restitution": "0.5"},
+        ),
+        (Expected("last.contact", 0.4 * 3, 2e-12), *speeds(0, within=1e-15),
+         Expected("x.A", 0.9, 1e-15)),
+        "t = t0 (1 + 2 e/(1 − e)), t0 = sqrt(2 h/a) = 0.4 s; below 1e-12 m/s it rests.",
+    ),
+    HardCase(
+        "rest-on-a-soft-wall",
+        "On a bumper it ends pressed in by m a/k.",
+        scene(
+            {"A": at("0.5", 0)}, 60, incline("30 deg"), gravity=10,
+            track={"right": "wall", "length": 1},
+            contact={"law": "paper", "restitution": "0.5", "stiffness": 500},
+        ),
+        (Expected("x.A", 0.91, 1e-14), *speeds(0, within=1e-13)),
+        "m g sin θ = k d: d = 5 N / 500 N/m.",
+    ),
+    HardCase(
+        "resting-on-a-slope",
+        "A cart that rests on its bumper keeps resting.",
+        scene(
+            {"A": at("0.91", 0)}, 1000, incline("30 deg"), gravity=10,
+            track={"right": "wall", "length": 1}, start={"overlap": True},
+            contact={"restitution": 1, "stiffness": 500},
+        ),
+        (Expected("x.A", 0.91, 1e-14), *speeds(0, within=1e-13)),
+        "Equilibrium to the last bit of sin 30°; elastic, so the rest of it swings on.",
+    ),
+]  # fmt: skip
+
+W_DRAG = math.sqrt(1000 - 0.1**2)  # 1/s: sqrt(k/mu) with k = 500, mu = 0.5, b/m = 0.2
+R0, U0, MU, C = 0.4, 1.0, 2 / 3, 0.01
+E_MAG = 0.5 * MU * U0**2 + C / (2 * R0**2)
+T_MIN = R0 * U0 * MU / (2 * E_MAG)
+R_MIN = math.sqrt(C / (2 * E_MAG))
+TWO = {"A": at(0, "0.5"), "B": at("0.6", "-0.5", 2)}
+MAGNETS = {"magnets": {"between": ["A", "B"], "strength": C, "power": 3}}
+W_SPRING = math.sqrt(30 / MU)
+SPRING = {"spring": {"between": ["A", "B"], "stiffness": 30, "length": R0}}
+TWO_SPRING = {"A": at(0, 1), "B": at("0.6", "-0.5", 2)}
+
+FORCES = [
+    HardCase(
+        "linear-drag",
+        "Drag b v: speed and way fade with e^(−b t/m).",
+        scene({"A": at(0, 2, "0.5")}, 3, {"drag": {"linear": "0.25"}}),
+        (*speeds(2 * math.exp(-1.5), within=BITS),
+         Expected("x.A", 4 * (1 - math.exp(-1.5)), BITS)),
+        "Stokes; closed form.",
+    ),
+    HardCase(
+        "quadratic-drag",
+        "Drag c v²: v0/(1 + c v0 t/m), a way that grows for ever.",
+        scene({"A": at(0, 2, "0.5")}, 3, {"drag": {"quadratic": "0.25"}}),
+        (*speeds(0.5, within=BITS), Expected("x.A", 2 * math.log(4), BITS)),
+        "Newton; closed form.",
+    ),
+    HardCase(
+        "falling-in-air",
+        "Down a slope against c v²: v_t tanh(a t/v_t).",
+        scene({"A": at(0, 0, 1)}, 2, incline(), {"drag": {"quadratic": "0.5"}}),
+        speeds(math.sqrt(2 * G * SIN) * math.tanh(2 * G * SIN / math.sqrt(2 * G * SIN)),
+               within=1e-14),
+        "Solution of m v' = m a − c v²; the power series keeps 1e-15.",
+    ),
+    HardCase(
+        "drag-inside-a-contact",
+        "Equal drag on both carts adds to the damping of their contact.",
+        row([1, -1], math.pi / W_DRAG, {"drag": {"linear": "0.2"}},
+            contact={"restitution": 1, "stiffness": 500}),
+        (Expected("v.B-A", 2 * math.exp(-0.1 * math.pi / W_DRAG), 1e-13),),
+        "beta = b/2m: e = exp(−beta pi/w), w² = k/mu − beta²; read at the instant of separation.",
+    ),
+    HardCase(
+        "magnets-turning-point",
+        "Magnets C/r³: the carts come as near as (C/((n − 1) E))^(1/(n − 1)).",
+        scene(TWO, T_MIN, MAGNETS),
+        (Expected("x.B-A", R_MIN + 0.2, 1e-14), Expected("v.B-A", 0, 1e-12)),
+        "Energy: at the turning point all of it is C/(2 r²).",
+    ),
+    HardCase(
+        "magnets-at-any-time",
+        "Magnets C/r³ have a closed form: r² = r0² + 2 r0 r0' t + (2 E/mu) t².",
+        scene(TWO, 1.5, MAGNETS),
+        (Expected("x.B-A", math.sqrt(R0**2 - 2 * R0 * U0 * 1.5 + 2 * E_MAG / MU * 1.5**2) + 0.2,
+                  1e-13), Expected("energy", 0.375 + C / (2 * R0**2), 1e-14)),
+        "d²(r²)/dt² = 4 E/mu is constant for n = 3.",
+    ),
+    HardCase(
+        "spring-pair-half-a-period",
+        "Two carts on a spring: half a period later they have exchanged their relative motion.",
+        scene(TWO_SPRING, math.pi / W_SPRING, SPRING),
+        (*speeds(-1, 0.5, within=1e-14), Expected("x.B-A", 0.6, 1e-14)),
+        "ω = sqrt(k/mu); V = 0.",
+    ),
+    HardCase(
+        "spring-pair-quarter-period",
+        "A quarter period: nearest, at the natural length minus u/ω.",
+        scene(TWO_SPRING, 0.5 * math.pi / W_SPRING, SPRING),
+        (*speeds(0, 0, within=1e-14), Expected("x.B-A", 0.6 - 1.5 / W_SPRING, 1e-14)),
+        "Harmonic oscillation.",
+    ),
+    HardCase(
+        "a-thousand-swings",
+        "A thousand periods later everything is as at the start.",
+        scene(TWO_SPRING, 2000 * math.pi / W_SPRING, SPRING),
+        (*speeds(1, -0.5, within=1e-10), Expected("energy", 0.75, 1e-11)),
+        "Each step rounds at 1e-16 and the phase adds up: 1e4 steps, some 1e-12.",
+    ),
+    HardCase(
+        "release-from-rest",
+        "An exploder of 6 J between 1 kg and 3 kg.",
+        scene({"A": at(0), "B": at("0.2", 0, 3)}, 1,
+              {"release": {"between": ["A", "B"], "energy": 6}}),
+        (*speeds(-3, 1, within=BITS), Expected("work.release", 6, 0)),
+        "Equal and opposite momenta; 4.5 J and 1.5 J.",
+    ),
+    HardCase(
+        "release-on-the-way",
+        "The same at t = 1 s, both moving at 0.5 m/s until then.",
+        scene({"A": at(0, "0.5"), "B": at("0.2", "0.5", 3)}, 2,
+              {"release": {"between": ["A", "B"], "energy": 6, "at": 1}}),
+        (*speeds(-2.5, 1.5, within=BITS), Expected("x.A", 0.5 - 2.5, BITS),
+         Expected("x.B", 0.7 + 1.5, BITS)),
+        "Galileo: the same parting, seen from a moving train.",
+    ),
+    HardCase(
+        "push-impulse",
+        "2 N for half a second on half a kilogram.",
+        scene({"A": at(0, 0, "0.5")}, 2,
+              {"push": {"cart": "A", "force": 2, "from": "0.5", "until": 1}}),
+        (*speeds(2, within=BITS), Expected("x.A", 0.5 + 2, BITS), Expected("work.push", 1, BITS)),
+        "F t = m v; work = half m v².",
+    ),
+    HardCase(
+        "push-then-friction",
+        "What a push gives, friction takes: the work of both adds to nought.",
+        scene({"A": at(0)}, 20, friction(0.1),
+              {"push": {"cart": "A", "force": 3, "until": 1}}),
+        (*speeds(0, within=0), Expected("x.A", 0.5 * (3 - 0.1 * G) * 3 / (0.1 * G), 1e-14),
+         Expected("work.push", 1.5 * (3 - 0.1 * G), 1e-14)),
+        "F s1 = μ m g s, s1 = half a t².",
+    ),
+]  # fmt: skip
+
+W_SOFT = math.sqrt(500.0)
+PERIOD = 2 * (50 + math.pi / W_SOFT)
+MANY = 1e6 // PERIOD
+
+
+def fifty() -> HardCase:
+    """Jepsen's gas: equal carts only exchange their names."""
+    dice, n, room, until = random.Random(2), 50, 4.0, 20.0
+    x = sorted(round(dice.uniform(0, room), 6) for _ in range(n))
+    v = [round(dice.uniform(-1, 1), 6) for _ in range(n)]
+    lines = []
+    for start, speed in zip(x, v, strict=True):
+        unfolded = (start + speed * until) % (2 * room)
+        lines.append(min(unfolded, 2 * room - unfolded))
+    return HardCase(
+        "jepsen-50",
+        "Fifty equal carts in a box: their lines go straight through each other.",
+        scene(
+            {f"c{k}": at(repr(x[k]), repr(v[k]), 1, 0) for k in range(n)}, until,
+            track={"left": "wall", "right": "wall", "length": room}, contact={"law": "instant"},
+        ),
+        tuple(Expected(f"x.c{k}", line, 1e-11) for k, line in enumerate(sorted(lines))),
+        "Jepsen, J. Math. Phys. 6 (1965) 405; 5,000 additions of 1e-16 m.",
+        events=False,
+    )  # fmt: skip
+
+
+LONG = [
+    HardCase(
+        "a-million-seconds",
+        "One soft cart between walls for 1e6 s is where its period says.",
+        scene(
+            {"A": at("0.6", "0.02")}, MANY * PERIOD,
+            track={"left": "wall", "right": "wall", "length": "1.2"},
+            contact={"restitution": 1, "stiffness": 500},
+        ),
+        (Expected("x.A", 0.6, 1e-9), *speeds(0.02, within=1e-12)),
+        "Period 2 (L/v + pi/w); the end time itself is known to 1e-10 s.",
+        events=False,
+    ),
+    fifty(),
+]  # fmt: skip
+
+UNDER_EFFECTS: tuple[HardCase, ...] = (*DRY, *FORCES, *LONG)

@@ -1,0 +1,140 @@
+"""Any row of carts under any effects, integrated: the independent oracle of all solvers.
+
+scipy's DOP853 at 1e-12 integrates from one change of formula to the next. Changes are found by
+looking at signs on the dense output, so that several at one instant are taken one after the other.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.integrate import DOP853
+
+from sim.scene import Scene
+from tests.reference.row_of_carts import NOTHING, Row, UnsupportedError
+
+LOOKS = 6
+"""Samples of one step at which signs are looked at."""
+
+
+@dataclass
+class Answer:
+    x: list[float]
+    v: list[float]
+    work: dict[str, float]
+    changes: int = 0
+    record: list[tuple[float, list[float], list[float]]] = field(default_factory=list)
+
+
+def integrate(scene: Scene, *, most_steps: int = 4000, marks: tuple[float, ...] = ()) -> Answer:
+    """Positions and velocities at the end, the work of each kind, and states at the marks."""
+    row = Row(scene)
+    row.judge()
+    times = {scene.until, *(t for t in marks if t < scene.until)}
+    for e in row.acting["push"]:
+        times |= {t for t in (e.numbers.get("from", 0.0), e.numbers.get("until")) if t}
+    times |= {t for t, _, _ in row.releases}
+    answer = Answer([], [], {})
+    budget = [most_steps]
+    for end in sorted(t for t in times if t <= scene.until):
+        _advance(row, end, budget)
+        for at, k, e in row.releases:
+            if at == end:
+                row.release(k, e.numbers["energy"])
+        row.judge()
+        if end in marks:
+            answer.record.append((end, list(row.x), list(row.v)))
+    answer.x, answer.v = list(row.x), list(row.v)
+    answer.work = dict(zip(row.kinds, row.work, strict=True))
+    answer.changes = row.changes
+    return answer
+
+
+def _advance(row: Row, end: float, budget: list[int]) -> None:
+    stuck = 0
+    while row.t < end:
+        y0 = np.array([*row.x, *row.v, *row.work])
+        for value, what in row.watches(y0):
+            if value < -NOTHING:
+                row.change(what)
+                break
+        else:
+            before = row.t
+            what = _segment(row, y0, end, budget)
+            stuck = stuck + 1 if row.t == before else 0
+            if stuck > 50:
+                raise UnsupportedError("changes without end")
+            if what is not None:
+                row.change(what)
+            continue
+        stuck += 1
+        if stuck > 50:
+            raise UnsupportedError("changes without end")
+
+
+def _segment(row: Row, y: Any, end: float, budget: list[int]) -> Any:
+    """Integrate until a watch turns negative or the end; returns what happened."""
+
+    def solver(y: Any, t: float, until: float) -> DOP853:
+        return DOP853(
+            lambda _t, y: row.slope(y),
+            t,
+            y,
+            until,
+            rtol=1e-12,
+            atol=1e-14,
+            max_step=row.quickest(),
+            first_step=None if until - t > 1e-9 else until - t,
+        )
+
+    run = solver(y, row.t, end)
+    while run.status == "running":
+        budget[0] -= 1
+        if budget[0] < 0:
+            raise UnsupportedError("too many steps")
+        y_old, t_old = run.y.copy(), run.t
+        if run.step():
+            raise UnsupportedError("the integration failed")
+        dense = run.dense_output()
+        low = t_old
+        for look in range(1, LOOKS + 1):
+            t = run.t if look == LOOKS else t_old + (run.t - t_old) * look / LOOKS
+            state = run.y if look == LOOKS else dense(t)
+            fallen = [what for value, what in row.watches(state) if value < -NOTHING]
+            if fallen:
+                when, what = min(
+                    ((_root(row, dense, low, t, what), what) for what in fallen),
+                    key=lambda pair: pair[0],
+                )
+                if when > t_old:  # once more, to exactly there: dense output is less accurate
+                    again = solver(y_old, t_old, when)
+                    while again.status == "running":
+                        again.step()
+                    y_old = again.y
+                _keep(row, when, y_old)
+                return what
+            low = t
+    _keep(row, end, run.y)
+    return None
+
+
+def _keep(row: Row, t: float, y: Any) -> None:
+    n = row.n
+    row.t = t
+    row.x, row.v, row.work = list(y[:n]), list(y[n : 2 * n]), list(y[2 * n :])
+
+
+def _root(row: Row, dense: Any, low: float, high: float, what: Any) -> float:
+    def value(t: float) -> float:
+        return next(v for v, w in row.watches(dense(t)) if w == what)
+
+    if value(low) < 0:
+        return low
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        low, high = (middle, high) if value(middle) >= 0 else (low, middle)
+    return high
