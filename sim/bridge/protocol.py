@@ -26,7 +26,7 @@ from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.read_effects import listed_effects
 
 PROTOCOL = 1
-MOST_STEPS_DRAWN = 5_000
+MOST_STEPS_DRAWN = 2_500
 """Steps of contacts that push each other: a few seconds in a page."""
 
 MOST_EVENTS_DRAWN = 20_000
