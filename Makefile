@@ -28,8 +28,8 @@ site: node_modules/ready
 	@$(PY) -m sim build
 
 #   make test          every test, browsers included (at most 20 minutes on two cores)
-test: node_modules/ready browsers
-	@$(PY) -m pytest
+test: site browsers
+	@$(PY) -m pytest -n 2 --dist loadfile
 
 #   make test-fast     the tests that need no browser and no site (two minutes)
 test-fast: node_modules/ready

@@ -28,10 +28,12 @@ def set_free(
     """½ mu w'² = ½ mu w² + E for the speed of separation w. False where the two do not touch."""
     if gap.joined:
         split(chain, gap, now, record)
-    elif gap.touching is None and gap.room > TOUCHING:
-        record.idle_bursts.append((gap.index, now[0], gap.room))
-        return False
-    elif gap.touching is not None:  # what their bumpers still hold is no part of the energy
+    elif gap.touching is None:
+        if gap.room > TOUCHING:
+            record.idle_bursts.append((gap.index, now[0], gap.room))
+            return False
+        gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
+    else:  # what their bumpers still hold is no part of the energy
         if gap.law is not None:
             ledger.warm(gap.law.stored(-gap.room, -gap.rate, gap.memory))
             resolve.tell_separation(gap, now, resolve.contact_force(gap), record)
