@@ -76,6 +76,7 @@ def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site:
 
 def bring_back(page: Page, name: str, text: str) -> None:
     page.locator(".carts-bar-open").click()
+    expect(page.locator("dialog.carts-answers[open]")).to_be_visible()
     page.locator(".carts-answers-open").set_input_files(
         {"name": name, "mimeType": "application/json", "buffer": text.encode("utf-8")}
     )

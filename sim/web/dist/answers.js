@@ -846,11 +846,11 @@
       const file = box.files?.[0];
       if (!file) return;
       const text = file.size > MOST_BYTES2 ? " ".repeat(MOST_BYTES2) : await file.text().catch(() => "");
+      box.value = "";
       const found2 = readFile(text, book2.site);
       if ("problem" in found2) return say(told, found2.problem);
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
       if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
-      box.value = "";
       const where = elsewhere(found2, book2);
       const count = `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file`;
       say(told, `${count}; nothing that was here is lost.${where}`);

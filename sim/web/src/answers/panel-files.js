@@ -107,11 +107,11 @@ function importRow(book, told) {
     if (!file) return;
     const text =
       file.size > MOST_BYTES ? " ".repeat(MOST_BYTES) : await file.text().catch(() => "");
+    box.value = ""; // the same file may be chosen again
     const found = readFile(text, book.site);
     if ("problem" in found) return say(told, found.problem);
     const changed = await book.take(found.student, found.entries).catch(() => -1);
     if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
-    box.value = "";
     const where = elsewhere(found, book);
     const count = `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file`;
     say(told, `${count}; nothing that was here is lost.${where}`);
