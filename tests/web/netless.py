@@ -26,7 +26,10 @@ def main(site: Path) -> None:
         page.evaluate(
             "Promise.all([...document.querySelectorAll('carts-scene')].map(s => s.ready))"
         )
-        print(page.locator("carts-scene[data-state=live]").count())
+        print(
+            page.locator("carts-scene[data-state=live]").count(),
+            page.locator("carts-scene").count(),
+        )
         browser.close()
 
 

@@ -27,4 +27,6 @@ def test_the_site_runs_in_an_empty_network_namespace(site: Path) -> None:
         check=False,
     )
     assert result.returncode == 0, result.stderr
-    assert result.stdout.split() == ["live", "4"]
+    state, live, scenes = result.stdout.split()
+    assert state == "live"
+    assert live == scenes != "0"
