@@ -15,8 +15,8 @@ from sim.dynamics.run import run
 from sim.dynamics.trajectory import trajectory
 from sim.scene import read_scene
 from tests.dynamics.random_effects import acted_on
+from tests.reference.contact_branches import UnsupportedError
 from tests.reference.effects import integrate
-from tests.reference.row_of_carts import UnsupportedError
 
 MOST = 300
 """Events. Impacts that crowd at one instant under forces are costly; the laws hold at any time."""

@@ -11,6 +11,7 @@ not negative.
     paper       on      N = k d + c d'                until d = 0
     hertz       on      N = k d^1.5 + C d^0.25 d'      until d = 0
     push-only   on      N = k d + c d'                until N = 0; idle while N would pull
+    all         spent   N = 0, after a release        until d = 0
 """
 
 from __future__ import annotations
@@ -19,6 +20,10 @@ import math
 from dataclasses import dataclass, replace
 
 from tests.reference.force_laws import zeta_for_zero_force, zeta_printed
+
+
+class UnsupportedError(Exception):
+    """The oracle does not know, or would need too long."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +65,8 @@ class Branch:
         return math.sqrt(steep / mu) + 2 * self.c / mu
 
     def watches(self, d: float, s: float) -> list[tuple[float, str]]:
+        if self.state == "spent":
+            return [(d, "clear"), (-s, "pressed again")]
         if self.law == "bumper":
             return {
                 "open": [(self.rest - d, "spring"), (d, "clear")]
@@ -80,6 +87,8 @@ class Branch:
     def after(self, state: str, d: float) -> Branch:
         if state == "turn":
             return replace(self, state="spring", memory=d)
+        if state == "pressed again":
+            raise UnsupportedError("a contact that is pressed again before it had opened")
         if state == "clear":
             return replace(self, state="open", memory=0.0)
         return replace(self, state=state)

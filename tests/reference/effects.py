@@ -13,7 +13,8 @@ import numpy as np
 from scipy.integrate import DOP853
 
 from sim.scene import Scene
-from tests.reference.row_of_carts import NOTHING, Row, UnsupportedError
+from tests.reference.contact_branches import UnsupportedError
+from tests.reference.row_of_carts import NOTHING, Row
 
 LOOKS = 6
 """Samples of one step at which signs are looked at."""
@@ -33,14 +34,14 @@ def integrate(scene: Scene, *, most_steps: int = 4000, marks: tuple[float, ...] 
     row = Row(scene)
     row.judge()
     times = {scene.until, *(t for t in marks if t < scene.until)}
-    for e in row.acting["push"]:
+    for e in row.acting.of["push"]:
         times |= {t for t in (e.numbers.get("from", 0.0), e.numbers.get("until")) if t}
-    times |= {t for t, _, _ in row.releases}
+    times |= {t for t, _, _ in row.acting.releases}
     answer = Answer([], [], {})
     budget = [most_steps]
     for end in sorted(t for t in times if t <= scene.until):
         _advance(row, end, budget)
-        for at, k, e in row.releases:
+        for at, k, e in row.acting.releases:
             if at == end:
                 row.release(k, e.numbers["energy"])
         row.judge()

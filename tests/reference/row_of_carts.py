@@ -7,18 +7,15 @@ of `sim.dynamics` is used.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sim.scene import Scene
-from tests.reference.contact_branches import Branch, begin
+from tests.reference.contact_branches import Branch, UnsupportedError, begin
+from tests.reference.effects_acting import Acting
 
 NOTHING = 1e-13
 """m or m/s. What rounding makes of nought: no sign."""
-
-
-class UnsupportedError(Exception):
-    """The oracle does not know, or would need too long."""
 
 
 @dataclass
@@ -59,41 +56,11 @@ class Row:
             self.branches[k] = (
                 begin(law, contact.stiffness, e, self.mu(k), d, s) if finite else None
             )
-        self.acting = {
-            kind: [e for e in scene.effects if e.kind == kind]
-            for kind in ("incline", "drag", "push", "friction", "spring", "magnets", "release")
-        }
-        self.links = [
-            (next(k for k in self.gaps if scene.names_at(k) == e.between), e)
-            for kind in ("spring", "magnets")
-            for e in self.acting[kind]
-        ]
-        self.releases = [
-            (
-                e.numbers.get("at", 0.0),
-                next(k for k in self.gaps if scene.names_at(k) == e.between),
-                e,
-            )
-            for e in self.acting["release"]
-        ]
-        self.kinds = sorted({e.kind for e in scene.effects} - {"release"})
+        self.acting = Acting(scene, self.gaps)
+        self.kinds = self.acting.kinds
         self.work = [0.0] * len(self.kinds)
         self.changes = 0
-        g = scene.gravity
-        self.angle = [
-            sum(e.numbers["angle"] for e in self.acting["incline"] if c.name in e.carts)
-            for c in scene.carts
-        ]
-        self.grip = [(0.0, 0.0)] * n
-        for e in self.acting["friction"]:
-            for i, cart in enumerate(scene.carts):
-                if cart.name in e.carts:
-                    weight = cart.mass * g * math.cos(self.angle[i])
-                    low = e.numbers["coefficient"]
-                    high = max(low, e.numbers.get("static", low))
-                    kinetic, static = self.grip[i]
-                    self.grip[i] = kinetic + low * weight, static + high * weight
-        for _, k, _ in self.releases:
+        for _, k, _ in self.acting.releases:
             d, s = self.overlap(k, self.x, self.v)
             if d > NOTHING:
                 raise UnsupportedError("a release of an overlap")
@@ -153,33 +120,10 @@ class Row:
         for k, branch in self.branches.items():
             if branch is not None and branch.state not in ("open", "idle") and k not in self.joined:
                 self.push(force, k, branch.force(*self.overlap(k, x, v)))
-        for k, e in self.links:
-            d, s = self.overlap(k, x, v)
-            numbers = e.numbers
-            if e.kind == "spring":
-                damping = numbers.get("damping", 0.0)
-                push = numbers["stiffness"] * (numbers["length"] + d) + damping * s
-                power["spring"] -= damping * s * s
-            else:
-                push = numbers["strength"] / max(-d, 1e-9) ** numbers.get("power", 3.0)
-            self.push(force, k, push)
-        for i, cart in enumerate(self.scene.carts):
-            if self.angle[i]:
-                one = cart.mass * self.scene.gravity
-                for e in self.acting["incline"]:
-                    if cart.name in e.carts:
-                        force[i] += one * math.sin(e.numbers["angle"])
-            for e in self.acting["drag"]:
-                if cart.name in e.carts:
-                    low, high = e.numbers.get("linear", 0.0), e.numbers.get("quadratic", 0.0)
-                    slow = -low * v[i] - high * v[i] * abs(v[i])
-                    force[i] += slow
-                    power["drag"] += slow * v[i]
-            for e in self.acting["push"]:
-                begins, ends = e.numbers.get("from", 0.0), e.numbers.get("until", math.inf)
-                if e.carts[0] == cart.name and begins <= self.t < ends:
-                    force[i] += e.numbers["force"]
-                    power["push"] += e.numbers["force"] * v[i]
+        for k, e in self.acting.links:
+            self.push(force, k, self.acting.link(e, *self.overlap(k, x, v), power))
+        for i in range(self.n):
+            force[i] += self.acting.alone(i, v[i], self.t, power)
         return force, [power[kind] for kind in self.kinds]
 
     def push(self, force: list[float], k: int, push: float) -> None:
@@ -189,7 +133,8 @@ class Row:
             force[k] += push
 
     def grips(self, group: Group) -> tuple[float, float]:
-        return sum(self.grip[i][0] for i in group.carts), sum(self.grip[i][1] for i in group.carts)
+        both = [self.acting.grip[i] for i in group.carts]
+        return sum(kinetic for kinetic, _ in both), sum(static for _, static in both)
 
     def judge(self) -> None:
         """Who is held, and who slides where."""
@@ -293,7 +238,9 @@ class Row:
             self.regrouped()
             if group.fixed:
                 raise UnsupportedError("a latch at a wall")
-        elif d < -1e-12 and (branch is None or branch.state == "open"):
+        elif branch is not None and branch.state != "open":
+            self.branches[k] = replace(branch, state="spent")
+        elif d < -1e-12:
             return
         mu = self.mu(k)
         self.part(k, mu * (math.sqrt(s * s + 2 * energy / mu) + s))
@@ -304,7 +251,7 @@ class Row:
         for k, branch in self.branches.items():
             if branch is not None and branch.state not in ("open", "idle"):
                 rate = max(rate, branch.rates(self.mu(k)))
-        for k, e in self.links:
+        for k, e in self.acting.links:
             if e.kind == "spring":
                 mu = self.mu(k)
                 rate = max(rate, math.sqrt(e.numbers["stiffness"] / mu))
