@@ -126,10 +126,7 @@ class Cluster:
         total = 0.0
         for k, sign in ((i - 1, 1.0), (i, -1.0)):
             if 0 <= k < len(self.members):
-                gap, branch = self.members[k], self.branches[k]
-                push = watch.force_now(gap, branch)
-                push += sum(link.force(gap.room, gap.rate) for link in gap.links)
-                total += sign * push
+                total += sign * watch.push_now(self.members[k], self.branches[k])
         return total
 
     def _find_ends(self) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from sim.dynamics import watch
 from sim.dynamics.series import Branch
 
 if TYPE_CHECKING:
@@ -25,11 +26,7 @@ def decide(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> None:
 
     `bodies` and `gaps` run from left to right; walls among the bodies are left alone.
     """
-    pushes = [
-        branch.force(-gap.room, -gap.rate)
-        + sum(link.force(gap.room, gap.rate) for link in gap.links)
-        for gap, branch in zip(gaps, branches, strict=True)
-    ]
+    pushes = [watch.push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
     group: list[int] = []
     for i in range(len(bodies)):
         group.append(i)

@@ -47,10 +47,9 @@ def outside(left: Body, right: Body, impulse: float, ledger: Ledger) -> None:
 
 
 STILL = 1e-30
-"""Of the fastest cart at the start. Impacts that follow each other at one instant, ever slower by a
+"""Of the fastest approach so far. Impacts that follow each other at one instant, ever slower by a
 constant factor, never end; once their approach speed is this small, the two go on together. It is
 far below the last bit of any velocity, so no cart that moves is stopped by it."""
-
 
 AT_REST = 1e-12
 """Of the fastest approach so far. Impacts under a force that presses on come ever faster and ever
@@ -101,7 +100,7 @@ def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
 
     What one impact among them leaves of velocity is too little to part them (`AT_REST`).
     """
-    bodies, gaps = component(chain, gap.left if gap.left.carts else gap.right)
+    _, gaps = component(chain, gap.left if gap.left.carts else gap.right)
     resting = [other for other in gaps if other.law is None and other.touching is not None]
     here = resting.index(gap)
     first = last = here
@@ -110,15 +109,14 @@ def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
     while last + 1 < len(resting) and resting[last + 1].left is resting[last].right:
         last += 1
     group = [resting[first].left, *(other.right for other in resting[first : last + 1])]
-    fixed = next((body for body in group if body.mass == math.inf), None)
-    movers = [body for body in bodies if any(body is one for one in group)]
-    mass = math.fsum(body.mass for body in movers)
+    movers = [body for body in group if body.mass < math.inf]
+    fixed = len(movers) < len(group)  # a wall is among them, or a cart that sticks to one
     momentum = math.fsum(body.mass * body.v for body in movers)
-    together = 0.0 if fixed is not None else momentum / mass
+    together = 0.0 if fixed else momentum / math.fsum(body.mass for body in movers)
     for body in movers:
         ledger.warm(0.5 * body.mass * (body.v - together) * (body.v + together))
         body.v = together
-    if fixed is not None:
+    if fixed:
         ledger.push_from_outside(-momentum)
     for other in resting[first : last + 1]:
         other.rate = 0.0

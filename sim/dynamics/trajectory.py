@@ -69,7 +69,8 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
         while upcoming < len(solved) and solved[upcoming].begin <= begin:
             live.append(solved[upcoming])
             upcoming += 1
-        live = [part for part in live if part.end > begin]
+        stopped = begin == end  # at the very start: what holds there is drawn
+        live = [part for part in live if part.end > begin or stopped]
         middle = 0.5 * (begin + end)
         motion = [
             pieces[bisect_right(times, middle) - 1]
@@ -147,16 +148,8 @@ def _row(
     middle: float,
 ) -> list[float]:
     """All columns at t, with the formulas that hold in the interval around `middle`."""
-    row = [t]
-    states = []
-    for piece in motion:
-        tau = (t - piece.start[0]) - piece.start[1]
-        if piece.motion is None:
-            states.append((piece.x + piece.v * tau, piece.v, 0.0))
-        else:
-            shift, v, a = piece.motion.state(piece.side, tau)
-            states.append((piece.x + shift, v, a))
-        row += states[-1]
+    states = [_state(piece, t) for piece in motion]
+    row = [t, *(number for state in states for number in state)]
     forces = dict.fromkeys(gaps, (0.0, 0.0))
     for part in live:
         tau = (t - part.begin) - part.solver.begun[1]
@@ -175,6 +168,15 @@ def _row(
     for gap in gaps:
         row += forces[gap]
     return row + [outer.get(name, 0.0) for name in named]
+
+
+def _state(piece: Piece, t: float) -> tuple[float, float, float]:
+    """x [m], v [m/s], a [m/s²] of a cart whose piece holds at t."""
+    tau = (t - piece.start[0]) - piece.start[1]
+    if piece.motion is None:
+        return piece.x + piece.v * tau, piece.v, 0.0
+    shift, v, a = piece.motion.state(piece.side, tau)
+    return piece.x + shift, v, a
 
 
 def _joint_forces(
@@ -200,13 +202,7 @@ def sample(run: Run, t: float) -> tuple[list[float], list[float]]:
     x, v = [], []
     for pieces in run.record.pieces:
         k = bisect_right(pieces, t, key=lambda piece: piece.start[0]) - 1
-        piece = pieces[max(k, 0)]
-        tau = (t - piece.start[0]) - piece.start[1]
-        if piece.motion is None:
-            x.append(piece.x + piece.v * tau)
-            v.append(piece.v)
-        else:
-            shift, speed, _ = piece.motion.state(piece.side, tau)
-            x.append(piece.x + shift)
-            v.append(speed)
+        place, speed, _ = _state(pieces[max(k, 0)], t)
+        x.append(place)
+        v.append(speed)
     return x, v

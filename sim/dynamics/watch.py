@@ -47,6 +47,12 @@ def force_now(gap: Gap, branch: Branch) -> float:
     return branch.force(-gap.room, -gap.rate)
 
 
+def push_now(gap: Gap, branch: Branch) -> float:
+    """N. All that pushes the two apart just now: the contact, springs and magnets."""
+    linked = sum(link.force(gap.room, gap.rate) for link in gap.links)
+    return force_now(gap, branch) + linked
+
+
 def branch_of(gap: Gap) -> Branch:
     """The linear branch of its law that holds in a gap just after now."""
     if gap.touching is None:

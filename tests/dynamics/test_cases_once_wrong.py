@@ -92,3 +92,61 @@ def test_an_instant_contact_rests_while_a_neighbour_presses_on_it():
     assert finished.outcome.kind == "reached-end"
     assert finished.record.counts["contact"] < 100
     assert finished.ledger.imbalance() < 1e-14
+
+
+def test_a_curved_contact_counts_when_friction_is_judged():
+    """A is stopped and pushed back by B at one instant: it never rests, and nothing is told."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": "0.5", "velocity": "0.4"},
+            "B": {"mass": 1, "position": "0.8"},
+        },
+        "contact": {"law": "hertz", "stiffness": 2000},
+        "effects": [{"friction": {"coefficient": "0.05"}}],
+        "until": 4,
+    }
+    events = run(read_scene(plain)).record.events
+    told = [(event.kind, event.bodies) for event in events if event.kind in ("start", "stop")]
+    assert told == [("start", ("B",)), ("stop", ("A",)), ("stop", ("B",))]
+
+
+def test_carts_come_to_rest_against_one_that_sticks_to_the_wall():
+    """It has infinite mass then, and no momentum to share."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": "0.1"},
+            "B": {"mass": 1, "position": "0.3", "velocity": "-0.1"},
+            "C": {"mass": 1, "position": "0.6", "velocity": "-0.4"},
+        },
+        "track": {"left": "wall"},
+        "contact": {
+            "law": "instant",
+            "restitution": "0.5",
+            "pairs": {"left-A": {"law": "velcro"}},
+        },
+        "effects": [{"incline": {"angle": "-3 deg"}}],
+        "until": 4,
+    }
+    finished = run(read_scene(plain))
+    assert finished.v == (0.0, 0.0, 0.0)
+    assert list(finished.x) == pytest.approx([0.1, 0.3, 0.5], abs=1e-12)
+    assert finished.ledger.imbalance() < 1e-14
+
+
+def test_a_run_that_stops_at_its_start_draws_the_forces_that_act_there():
+    """Impacts of a light cart between two others never end at t = 0; the magnets push all the same."""
+    plain = {
+        "carts": {
+            "A": {"mass": 2, "position": "0.1", "velocity": 1},
+            "B": {"mass": "0.05", "position": "0.3"},
+            "C": {"mass": 1000, "position": "0.5"},
+            "D": {"mass": 1, "position": "0.702"},
+        },
+        "contact": {"law": "instant", "restitution": "0.5"},
+        "effects": [{"magnets": {"between": ["C", "D"], "strength": "1e-6", "power": 1}}],
+        "until": "0.05",
+    }
+    finished = run(read_scene(plain), max_events=300)
+    assert finished.t == 0.0
+    columns = trajectory(finished).columns
+    assert list(columns["F", "C-D"]) == pytest.approx([1e-6 / 0.002], rel=1e-9)
