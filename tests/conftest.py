@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 
 from tests.second_try import (
     pytest_runtest_logreport,
@@ -44,7 +45,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Property tests repeat the same cases in CI; `make fuzz` runs many more, and new ones."""
+    """Property tests repeat the same cases in CI; `make fuzz` runs many more, and new ones.
+
+    Hypothesis also draws constants that it finds in the modules loaded so far: then the cases of a
+    test would depend on which tests ran before it in its process.
+    """
+    assert hasattr(providers, "is_local_module_file")
+    providers.is_local_module_file = lambda _path: False
     common = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
     settings.register_profile("ci", derandomize=True, max_examples=150, **common)
     settings.register_profile("fuzz", max_examples=2_500, print_blob=True, **common)

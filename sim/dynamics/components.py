@@ -9,7 +9,7 @@ brought to that instant, and what the solvers did is booked.
 from __future__ import annotations
 
 from sim.dynamics import booking
-from sim.dynamics.chain import Body, Gap, Motion
+from sim.dynamics.chain import Body, Gap
 from sim.dynamics.clock import Time, elapsed, later
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
@@ -26,22 +26,20 @@ def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledge
 
     The gaps go on touching. `bodies` are whole components, walls left out.
     """
-    solvers: list[Motion] = []
-    for motion in [body.motion for body in bodies] + [gap.solver for gap in gaps]:
-        if motion is not None and not any(motion is other for other in solvers):
-            solvers.append(motion)
+    motions = [*(body.motion for body in bodies), *(gap.solver for gap in gaps)]
+    solvers = {id(motion): motion for motion in motions if motion is not None}
+    pairs = {id(gap.solver): gap for gap in gaps}
     moved = [
         (body, body.motion.shift(body, body.time, now), body.motion.velocity(body, now))
         if body.motion is not None
         else (body, body.v * elapsed(body.time, now), body.v)
         for body in bodies
     ]
-    for solver in solvers:
-        own = [gap for gap in gaps if gap.solver is solver]
+    for solver in solvers.values():
         if isinstance(solver, Flight):
             booking.flight(ledger, solver, solver.body.mass, elapsed(solver.begun, now))
         elif isinstance(solver, PairContact):
-            _settle_pair(own[0], solver, now, record, ledger)
+            _settle_pair(pairs[id(solver)], solver, now, record, ledger)
         else:
             _settle_step(solver, now, record, ledger)
         record.finished(solver, now[0])

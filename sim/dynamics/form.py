@@ -34,9 +34,8 @@ def form(
     if forces is not None:
         for body in bodies:
             body.load = NO_LOAD if body.mass == math.inf else forces.load(body.carts)
-    member = {(id(gap.left), id(gap.right)): gap for gap in gaps if gap.member}
-    by_left = {id(gap.left): gap for gap in member.values()}
-    by_right = {id(gap.right): gap for gap in member.values()}
+    by_left = {id(gap.left): gap for gap in gaps if gap.member}
+    by_right = {id(gap.right): gap for gap in gaps if gap.member}
     solvers: list[Motion] = []
     done: set[int] = set()
     for body in bodies:
@@ -75,7 +74,7 @@ def _solver(
     closed = law is not None and not isinstance(law, Hertz)
     if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
         return pair_contact(gaps[0], now)
-    if len(gaps) == 1 and not gaps[0].joined and _is_linear(row, gaps[0]):
+    if len(gaps) == 1 and _is_linear(row, gaps[0]):
         phase = PairPhase(row, gaps, now, max(elapsed(now, end), 0.0))
         if phase.swings:
             _count(row, gaps, forces, 1)
@@ -98,8 +97,7 @@ def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion |
     """A closed form under the body's own forces; None where it keeps its velocity."""
     load = body.load
     decide([body], [], [])
-    if forces is not None:
-        forces.count(load, (), 1)
+    _count([body], [], forces, 1)
     if body.held or (body.v == 0.0 and not body.sliding):
         return None
     course = flight.course(body.mass, body.v, body.sliding, load)

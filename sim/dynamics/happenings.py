@@ -88,7 +88,8 @@ class Happenings:
     def begin(self, gap: Gap, now: Time) -> None:
         """Two bodies touch."""
         self.happened += 1 if gap.law is None else 2
-        if self.forces is not None or not (gap.left.motion is None and gap.right.motion is None):
+        free = gap.left.motion is None and gap.right.motion is None
+        if self.forces is not None or not free or gap.contact.law == "hertz":
             self.join(gap, now)
             return
         self.around(gap, now)
@@ -98,9 +99,6 @@ class Happenings:
             self.at_once(gap, now, stays=False)
             self.predict(gap, now)
             self.predict_around(gap, now)
-            return
-        if gap.contact.law == "hertz":
-            self.join(gap, now)
             return
         resolve.touch(gap, now, self.record, self.ledger)
         self.solvers["pair-contact"] += 1
@@ -178,20 +176,20 @@ class Happenings:
 
         Returns all their bodies and member gaps, from left to right.
         """
-        row: list[Body] = []
+        row: dict[Body, None] = {}  # by identity, in order
         gaps: list[Gap] = []
         for body in bodies:
-            if body.carts and not any(body is other for other in row):
+            if body.carts and body not in row:
                 more, between = component(self.chain, body)
-                row += more
+                row |= dict.fromkeys(more)
                 gaps += between
         for body in row:
             for index in (body.left, body.right):
                 other = self.chain.gaps[index]
                 if other is not None and other.solver is None:
                     self.chain.advance(other, now)
-        components.settle(row, gaps, now, self.record, self.ledger)
-        return row, gaps
+        components.settle(list(row), gaps, now, self.record, self.ledger)
+        return list(row), gaps
 
     def step(self, body: Body, now: Time) -> None:
         """A cluster's step or a flight is over, or something happened in it."""
@@ -216,8 +214,6 @@ class Happenings:
             gap = self.chain.gaps[burst.gap]
             assert gap is not None
             bodies, gaps = self.settle([gap.left, gap.right], now)
-            if gap.solver is None and not gap.joined:
-                self.chain.advance(gap, now)
             changed = bursts.set_free(self.chain, gap, burst, now, self.record, self.ledger)
             self.happened += changed
             forces.used["release"] += changed

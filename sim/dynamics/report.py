@@ -16,10 +16,10 @@ FORMAT = 1
 def report(run: Run) -> dict[str, Any]:
     """What `carts run --json` prints."""
     names = [cart.name for cart in run.scene.carts]
-    ledger, record = run.ledger, run.record
+    ledger, record, outcome = run.ledger, run.record, run.outcome
     document: dict[str, Any] = {
         "format": FORMAT,
-        "outcome": {"kind": run.outcome.kind, "sentence": run.outcome.sentence},
+        "outcome": {"kind": outcome.kind, "sentence": outcome.sentence},
         "plan": [phase_object(phase) for phase in plan(run)],
     }
     if record.keep_events:
