@@ -134,7 +134,7 @@ def test_carts_come_to_rest_against_one_that_sticks_to_the_wall():
 
 
 def test_a_run_that_stops_at_its_start_draws_the_forces_that_act_there():
-    """Impacts of a light cart between two others never end at t = 0; the magnets push all the same."""
+    """Impacts of a light cart between two others never end at 0 s; the magnets push all along."""
     plain = {
         "carts": {
             "A": {"mass": 2, "position": "0.1", "velocity": 1},
