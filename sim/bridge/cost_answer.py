@@ -5,8 +5,8 @@
 
 The first is answered with both runs over one time grid, column after column: t, x of each cart as
 stepped, x of each cart exactly, energy of motion as stepped and exactly. `parts` is how many steps
-the run's length is divided into; `adaptive` has `rtol` instead. The second is answered with one
-measured row (several for row 0) of about `of`; a page asks for them one by one.
+the run's length is divided into; `rk45` and `adaptive` have `rtol` instead. The second is answered
+with one measured row (several for row 0) of about `of`; a page asks for them one by one.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from sim.dynamics.cost.report import row_object
 from sim.dynamics.ledger import kinetic
 from sim.dynamics.report import finite
 from sim.dynamics.run import run
-from sim.dynamics.stepping.methods import NAMES, Way
+from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.dynamics.trajectory import sample
 from sim.scene import Problem, Scene, SceneError, read_scene
@@ -61,8 +61,8 @@ def _way(scene: Scene, request: Mapping[str, Any]) -> Way:
         raise SceneError(
             [Problem(("method",), "unknown-method", "there is no such method", ", ".join(NAMES))]
         )
-    if method == "adaptive":
-        return Way("adaptive", rtol=min(0.1, max(1e-13, float(request.get("rtol", 1e-9)))))
+    if method in ADAPTIVE:
+        return Way(str(method), rtol=min(0.1, max(1e-13, float(request.get("rtol", 1e-9)))))
     if not isinstance(parts, int) or not 1 <= parts <= MOST_PARTS:
         problem = Problem(("parts",), "range", "too many steps for a page", f"1 to {MOST_PARTS}")
         raise SceneError([problem])

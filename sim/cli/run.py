@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from sim.dynamics.stepping.recorded import SteppedRun
     from sim.scene import Scene
 
-METHODS = ("exact", "euler", "semi-implicit", "verlet", "rk4", "rk4-events", "adaptive")
+ADAPTIVE = ("rk45", "adaptive")
+METHODS = ("exact", "euler", "semi-implicit", "verlet", "rk4", "rk4-events", *ADAPTIVE)
 
 
 @click.command("run")
@@ -39,7 +40,7 @@ METHODS = ("exact", "euler", "semi-implicit", "verlet", "rk4", "rk4-events", "ad
 @click.option(
     "--rtol",
     type=click.FloatRange(min=1e-13, max=0.1),
-    help="Relative tolerance of the method adaptive.  [default: 1e-9]",
+    help="Relative tolerance of the methods rk45 and adaptive.  [default: 1e-9]",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object, for programs.")
 @click.option("--csv", "as_csv", is_flag=True, help="Print the motion as columns: t, x, v, a, F.")
@@ -69,10 +70,10 @@ def command(
     """
     if as_json and as_csv:
         raise click.UsageError("--json and --csv exclude each other.")
-    if step is not None and method in ("exact", "adaptive"):
+    if step is not None and method in ("exact", *ADAPTIVE):
         raise click.UsageError(f"--step does not go with --method {method}: it has no fixed step.")
-    if rtol is not None and method != "adaptive":
-        raise click.UsageError("--rtol goes with --method adaptive.")
+    if rtol is not None and method not in ADAPTIVE:
+        raise click.UsageError("--rtol goes with --method rk45 or adaptive.")
     description = scene_file.read(scene)
     if method != "exact":
         from sim.dynamics.stepping.recorded import stepped_report
@@ -119,7 +120,7 @@ def _stepped(
     from sim.dynamics.stepping.methods import MOST_STEPS, STEP, Way
     from sim.dynamics.stepping.recorded import stepped
 
-    way = Way("adaptive", rtol=rtol or RTOL) if method == "adaptive" else Way(method, step or STEP)
+    way = Way(method, rtol=rtol or RTOL) if method in ADAPTIVE else Way(method, step or STEP)
     if way.step and description.until / way.step > MOST_STEPS:
         raise click.UsageError(
             f"{description.until:g} s in steps of {way.step:g} s are more than {MOST_STEPS} steps. "

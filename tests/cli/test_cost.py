@@ -65,7 +65,7 @@ def test_the_figure_is_an_svg_with_every_method(measured) -> None:  # type: igno
     _, picture = measured
     root = ElementTree.fromstring(picture.read_text(encoding="utf-8"))
     texts = {element.text for element in root.iter("{http://www.w3.org/2000/svg}text")}
-    assert {"exact, closed form", "Euler", "RK4", "adaptive + located touches"} <= texts
+    assert {"exact, closed form", "Euler", "RK4", "adaptive DOP853 + located touches"} <= texts
 
 
 def test_a_run_by_a_method_says_what_it_leaves_open() -> None:

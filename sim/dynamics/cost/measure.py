@@ -20,7 +20,7 @@ from sim.dynamics.finished import Run
 from sim.dynamics.laws import finite_law
 from sim.dynamics.ledger import kinetic
 from sim.dynamics.run import run
-from sim.dynamics.stepping.methods import FIXED, Way, batch, batchable, outcome
+from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, batchable, outcome
 from sim.dynamics.stepping.stepper import Stepper
 from sim.scene.model import Scene
 
@@ -81,7 +81,7 @@ def ways(scene: Scene, *, finest: int = 10_000) -> list[Way]:
         for prime in primes
         if prime <= finest
     ]
-    return listed + [Way("adaptive", rtol=rtol) for rtol in TOLERANCES]
+    return listed + [Way(name, rtol=rtol) for name in ADAPTIVE for rtol in TOLERANCES]
 
 
 def cost(scene: Scene) -> Iterator[CostRow]:

@@ -4,5 +4,5 @@ Nothing of a scene's default run comes from here. One right-hand side (`field`) 
 scene once, with all contact laws and effects; each method is a class of its own:
 
     euler, semi-implicit, verlet, rk4   fixed steps that know nothing of touches, as game engines
-    rk4-events, adaptive                the same scene with every touch located (`located`)
+    rk4-events, rk45, adaptive               the same scene with every touch located (`located`)
 """

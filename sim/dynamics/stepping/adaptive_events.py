@@ -1,9 +1,12 @@
-"""adaptive: Dormand & Prince's embedded method of order 8 (scipy's DOP853), events located.
+"""adaptive, rk45: Dormand & Prince's embedded methods of order 8 and 5 (scipy), events located.
 
-It chooses its own steps so that the error of each stays below a tolerance, 12 evaluations each;
-there is no limit of stability to mind, only of patience. Events are looked for in its dense output
-(degree 7), and the step is taken again up to there. numpy and scipy are imported when used.
-Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.5 and II.6.
+    adaptive   DOP853   order 8, 12 evaluations per step, dense output of degree 7
+    rk45       RK45     order 5, 6 evaluations per step, dense output of degree 4
+
+They choose their own steps so that the error of each stays below a tolerance; there is no limit of
+stability to mind, only of patience. Events are looked for in the dense output, and the step is
+taken again up to there. numpy and scipy are imported when used.
+Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.4 to II.6.
 """
 
 from __future__ import annotations
@@ -24,6 +27,9 @@ RTOL = 1e-9
 QUICK = 0.01
 """s. A way counts as small beside the greatest speed times this."""
 
+SCIPY = {"adaptive": "DOP853", "rk45": "RK45"}
+"""Methods by the name of their class in scipy.integrate."""
+
 LOOKS = 10
 """Steps that a run has at least, so that an event has a chance to be seen."""
 
@@ -33,8 +39,9 @@ class AdaptiveStepper(LocatedStepper):
 
     most_changes = 2_000
 
-    def __init__(self, scene: Scene, rtol: float = RTOL) -> None:
+    def __init__(self, scene: Scene, rtol: float = RTOL, name: str = "adaptive") -> None:
         super().__init__(scene)
+        self.solver = SCIPY[name]
         self.rtol, self.longest = rtol, scene.until / LOOKS
         speeds = [abs(cart.velocity) for cart in scene.carts]
         self.speed = max(*speeds, *(abs(w) for w in scene.approaches if math.isfinite(w)), 1e-3)
@@ -67,12 +74,12 @@ class AdaptiveStepper(LocatedStepper):
                     span = solver.t - begin
                     roots[key] += first_zero(value, span, before[key], after[key])
             if roots:
-                end = min(roots.values())
+                end = float(min(roots.values()))
                 self.s, self.v = self._split(y)
                 self._over(t + begin, end - begin)
                 return end, [key for key, root in roots.items() if root - end <= CLOSE * h]
             ways, (self.s, self.v), before = self.s, (s, v), after
-            first = self._told(t + solver.t, solver.t - begin, ways, solver, first)
+            first = self._told(float(t + solver.t), solver.t - begin, ways, solver, first)
         return h, []
 
     def _along(self, dense: Any, t: float, begin: float, key: Key) -> Callable[[float], float]:
@@ -93,17 +100,17 @@ class AdaptiveStepper(LocatedStepper):
             begin, ways = solver.t, self.s
             self._one(solver)
             self.s, self.v = self._split(solver.y)
-            first = self._told(t + solver.t, solver.t - begin, ways, solver, first)
+            first = self._told(float(t + solver.t), solver.t - begin, ways, solver, first)
 
     def _solver(self, t: float, h: float) -> Any:
-        numpy, dop853 = _scipy()
+        numpy, integrate = _scipy()
         count, field = len(self.s), self.field
 
         def slope(tau: float, y: Any) -> list[float]:
             s, v = self._split(y)
             return [*v, *field.accelerations(t + tau, s, v, h)]
 
-        return dop853(
+        return getattr(integrate, self.solver)(
             slope,
             0.0,
             numpy.array([*self.s, *self.v]),
@@ -140,20 +147,21 @@ class AdaptiveStepper(LocatedStepper):
         return self.field.keep.pop()
 
     def _told(self, t: float, h: float, ways: Row, solver: Any, first: Any) -> Any:
-        """Tell of an accepted step with the weights of its 12 stages; returns its last forces."""
+        """Tell of an accepted step with the weights of its stages; returns its last forces."""
         if self.seen is None or self.field.keep is None:
             return None
-        stages = [first, *self.field.keep[-12:-1]]
+        weights = solver.B.tolist()
+        stages = [first, *self.field.keep[-len(weights) : -1]]
         last = self.field.keep[-1]
         self.field.keep.clear()
-        self.seen(t, h, ways, list(zip(solver.B.tolist(), stages, strict=True)))
+        self.seen(t, h, ways, list(zip(weights, stages, strict=True)))
         return last
 
 
 def _scipy() -> tuple[Any, Any]:
     try:
         import numpy
-        from scipy.integrate import DOP853
+        from scipy import integrate
     except ImportError:
         raise UnsolvedError(
             "this method needs the Python package scipy",
@@ -161,4 +169,4 @@ def _scipy() -> tuple[Any, Any]:
             0.0,
             (),
         ) from None
-    return numpy, DOP853
+    return numpy, integrate

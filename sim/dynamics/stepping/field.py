@@ -71,6 +71,7 @@ class Field:
         self.sliding: dict[int, int] = {}  # by body, likewise: −1, 0 (held) or 1
         self.pull_time: float | None = None  # s, inside a step that no switch falls into
         self.joined: set[int] = set()  # gaps whose bodies move as one
+        self.held: set[int] = set()  # those of them that a pressed bumper keeps, see `held`
         self.bodies = [[k] for k in range(self.count)]
         self.grips = self._grips()
         self.bursts = sorted(
@@ -147,9 +148,13 @@ class Field:
             a = [force * inv for force, inv in zip(total, self.inverse, strict=True)]
             rub: dict[tuple[str, int], float] = {}
         else:
-            a, rub = self._moved(total, v, h)
+            a, rub = self.moved(total, v, h)
         if self.keep is not None:
             outside = self._outside(t, v) | rub
+            if self.held:
+                from sim.dynamics.stepping.held import told  # it imports this module
+
+                push = told(self, push, total, rub, a)
             self.keep.append(Detail(push, links, outside, *self._taken(push, s, v), list(v)))
         return a
 
@@ -216,7 +221,7 @@ class Field:
             bisect_right(self.switches, t if self.pull_time is None else self.pull_time)
         ]
 
-    def _moved(self, total: Row, v: Row, h: Any) -> tuple[Row, dict[tuple[str, int], float]]:
+    def moved(self, total: Row, v: Row, h: Any) -> tuple[Row, dict[tuple[str, int], float]]:
         """Accelerations of bodies that may stick together, and what friction does to each cart."""
         a: Row = [0.0] * self.count
         rub: dict[tuple[str, int], float] = {}

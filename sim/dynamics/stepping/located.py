@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from sim.dynamics.stepping import held
 from sim.dynamics.stepping.contact_force import mode_of
 from sim.dynamics.stepping.field import Field, Row
 from sim.dynamics.stepping.impacts import Impacts
@@ -47,8 +48,12 @@ class Located:
 
     def guards(self, t: float, s: Row, v: Row) -> dict[Key, float]:
         """Every guard by its key."""
-        field, found = self.field, {}
+        field = self.field
+        found: dict[Key, float] = {}
         assert field.modes is not None
+        if field.held:
+            for gap, two in held.guards(field, t, s, v).items():
+                found["gap", gap, 0], found["gap", gap, 1] = two
         for pair in field.pairs:
             gap = pair.gap
             if gap in field.joined:
@@ -57,8 +62,8 @@ class Located:
             if pair.force is None:
                 found["gap", gap, 0] = -d
                 continue
-            held = pair.force.holds(field.modes[gap], d, rate, field.memory[gap])
-            for which, value in enumerate(held):
+            reserves = pair.force.holds(field.modes[gap], d, rate, field.memory[gap])
+            for which, value in enumerate(reserves):
                 found["gap", gap, which] = value
         if field.grips is not None:
             total = field.forces(t, s, v)[2]
@@ -74,8 +79,11 @@ class Located:
         field = self.field
         assert field.modes is not None
         slipping = []
-        for kind, number, _ in keys:
-            if kind == "gap":
+        for kind, number, which in keys:
+            if kind == "gap" and number in field.held:
+                held.let_go(field, number)
+                field.modes[number] = "press" if which else "apart"
+            elif kind == "gap":
                 pair = field.pair_at[number]
                 d, rate = field.overlap(pair, s, v)
                 if pair.force is not None:
@@ -83,6 +91,8 @@ class Located:
                     field.modes[number], field.memory[number] = pair.force.after(
                         mode, d, rate, memory
                     )
+                    if mode == "press" and held.stays_pressed(field, pair, t, s, v):
+                        held.hold(field, pair, v)
                 elif rate > 0.0:
                     self.impacts.strike(pair, v)
             elif field.sliding.get(number, 0):

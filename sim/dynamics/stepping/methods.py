@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 FIXED: dict[str, type[StepMethod]] = {
     method.name: method for method in (ExplicitEuler, SemiImplicitEuler, VelocityVerlet, RK4)
 }
-NAMES = (*FIXED, "rk4-events", "adaptive")
+ADAPTIVE = ("rk45", "adaptive")
+"""They choose their steps themselves, and need numpy and scipy."""
+
+NAMES = (*FIXED, "rk4-events", *ADAPTIVE)
 STEP = 1e-3
 """s, where nobody says otherwise."""
 
@@ -43,7 +46,9 @@ class Way:
     @property
     def order(self) -> int:
         """Where the force is smooth."""
-        return FIXED[self.method].order if self.method in FIXED else 4 if self.step else 8
+        if self.method in FIXED:
+            return FIXED[self.method].order
+        return {"rk45": 5, "adaptive": 8}.get(self.method, 4)
 
 
 def stepper(scene: Scene, way: Way) -> Stepper:
@@ -54,7 +59,7 @@ def stepper(scene: Scene, way: Way) -> Stepper:
         return LocatedStepper(scene)
     from sim.dynamics.stepping.adaptive_events import RTOL, AdaptiveStepper
 
-    return AdaptiveStepper(scene, way.rtol or RTOL)
+    return AdaptiveStepper(scene, way.rtol or RTOL, way.method)
 
 
 def drive(run: Stepper, until: float, h: float, phase: float = 1.0) -> None:

@@ -22,7 +22,7 @@ from sim.dynamics.record import Record
 from sim.dynamics.report import finite, report
 from sim.dynamics.stepping.contact_force import BumperForce, DashpotForce
 from sim.dynamics.stepping.field import Detail, Pair, Row
-from sim.dynamics.stepping.methods import STEP, Way, drive, stepper
+from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.story import Story
 from sim.dynamics.trajectory import Trajectory
 from sim.scene.model import Scene
@@ -65,7 +65,7 @@ class _Recorder:
 
     def __init__(self, scene: Scene, way: Way, keep_events: bool) -> None:
         self.scene, self.way = scene, way
-        self.step = way.step or (scene.until if way.method == "adaptive" else STEP)
+        self.step = way.step or (scene.until if way.method in ADAPTIVE else STEP)
         self.run = stepper(scene, way)
         self.run.watch(self.seen)
         self.record = Record(scene, keep_events, keep_motion=True)
@@ -228,7 +228,7 @@ def stepped_report(result: SteppedRun) -> dict[str, Any]:
             "tier": None,
             "solver": way.method,
             "why": f"asked for: {asked}, for the whole run; it is not exact",
-            "packages": ["numpy", "scipy"] if way.method == "adaptive" else [],
+            "packages": ["numpy", "scipy"] if way.method in ADAPTIVE else [],
         }
     ]
     document["energy"]["imbalance"] = finite(result.lost_energy)

@@ -30,6 +30,7 @@ METHODS = (
     "verlet",
     "rk4",
     "rk4-events",
+    "rk45",
     "adaptive",
 )
 LABELS = {
@@ -40,7 +41,8 @@ LABELS = {
     "verlet": "velocity Verlet",
     "rk4": "RK4",
     "rk4-events": "RK4 + located touches",
-    "adaptive": "adaptive + located touches",
+    "rk45": "adaptive RK45 + located touches",
+    "adaptive": "adaptive DOP853 + located touches",
 }
 MARKS = {
     "exact": "M0-6L1.6-2 6-2 2.5 1 4 6 0 3-4 6-2.5 1-6-2-1.6-2Z",
@@ -50,10 +52,21 @@ MARKS = {
     "verlet": "M0 5L5-4H-5Z",
     "rk4": "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z",
     "rk4-events": "M-5-1.5H-1.5V-5H1.5V-1.5H5V1.5H1.5V5H-1.5V1.5H-5Z",
+    "rk45": "M-5-3.5H5L0 0L5 3.5H-5L0 0Z",
     "adaptive": "M-5 0L-1.5-4H1.5L5 0 1.5 4H-1.5Z",
 }
 """A shape per method, so that no line is told by its colour alone."""
-COLOURS = ("#0072b2", "#0072b2", "#c04a00", "#00805d", "#a8457f", "#8a5f00", "#2779a7", "#555")
+COLOURS = (
+    "#0072b2",
+    "#0072b2",
+    "#c04a00",
+    "#00805d",
+    "#a8457f",
+    "#8a5f00",
+    "#2779a7",
+    "#6b3f7d",
+    "#555",
+)
 """The set of the widget, for a figure that stands alone."""
 
 

@@ -16,6 +16,7 @@ import { Player } from "./player.js";
  */
 
 const PACKAGES = ["numpy", "scipy"];
+const ADAPTIVE = ["rk45", "adaptive"]; // they have a tolerance in place of a step
 
 /** The element class for a client. @param {import("./client.js").Client} client */
 export function costElement(client) {
@@ -84,7 +85,7 @@ export function costElement(client) {
       this.#generation += 1;
       const generation = this.#generation;
       const method = this.#select("method").value;
-      const adaptive = method === "adaptive";
+      const adaptive = ADAPTIVE.includes(method);
       this.#select("step").hidden = adaptive;
       this.#select("rtol").hidden = !adaptive;
       const size = adaptive

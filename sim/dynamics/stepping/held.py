@@ -1,0 +1,91 @@
+"""Bumpers that stay pressed in: with e = 0 and a push behind, two carts go on as one.
+
+Such a bumper takes any force from nothing to k times its overlap without moving. A method that
+only knows “pressing in” and “apart” would leap from one to the other, ever faster; so a located
+method joins the two, and asks for the force that keeps them together:
+
+    m_k a_k = N_k − N_(k+1) + others_k        held while 0 < N < k d
+"""
+
+from __future__ import annotations
+
+from sim.dynamics.stepping.contact_force import BumperForce
+from sim.dynamics.stepping.field import Field, Pair, Row
+
+Rub = dict[tuple[str, int], float]
+"""N of friction, by (kind, cart)."""
+
+
+def stays_pressed(field: Field, pair: Pair, t: float, s: Row, v: Row) -> bool:
+    """Would the two close at once, were it not for their bumper? It has just come to a stop."""
+    force = pair.force
+    if not isinstance(force, BumperForce) or force.back or field.memory[pair.gap] <= 0.0:
+        return False
+    a = field.moved(field.forces(t, s, v)[2], v, 0.0)[0]
+    left = 0.0 if pair.left is None else a[pair.left]
+    right = 0.0 if pair.right is None else a[pair.right]
+    return bool(left - right > 0.0)
+
+
+def hold(field: Field, pair: Pair, v: Row) -> None:
+    """From now on they are one body; what rounding leaves of their rate goes, momentum stays."""
+    field.join(pair.gap)
+    field.held.add(pair.gap)
+    body = next(b for b in field.bodies if (pair.left in b or pair.right in b))
+    if field.fixed(body):
+        common = 0.0
+    else:
+        mass = sum(field.mass[k] for k in body)
+        common = sum(field.mass[k] * v[k] for k in body) / mass
+    for k in body:
+        v[k] = common
+
+
+def let_go(field: Field, gap: int) -> None:
+    """Two bodies again."""
+    field.held.discard(gap)
+    field.join(gap, part=True)
+
+
+def guards(field: Field, t: float, s: Row, v: Row) -> dict[int, tuple[float, float]]:
+    """By gap: the force that it takes, and how much more the bumper would take; both in N."""
+    total = field.forces(t, s, v)[2]
+    a, rub = field.moved(total, v, 0.0)
+    found = {}
+    for gap, push in joint_forces(field, _rubbed(total, rub), a).items():
+        force = field.pair_at[gap].force
+        assert isinstance(force, BumperForce)
+        found[gap] = (push, force.k * field.memory[gap] - push)
+    return found
+
+
+def told(field: Field, push: Row, total: Row, rub: Rub, a: Row) -> Row:
+    """The forces of all contacts, with those that keep two carts together."""
+    between = joint_forces(field, _rubbed(total, rub), a)
+    return [between.get(gap, force) for gap, force in enumerate(push)]
+
+
+def _rubbed(total: Row, rub: Rub) -> Row:
+    """N on each cart, friction included."""
+    found = list(total)
+    for (_, k), friction in rub.items():
+        found[k] += friction
+    return found
+
+
+def joint_forces(field: Field, total: Row, a: Row) -> dict[int, float]:
+    """N in every held gap; `total` [N] is all else that acts on each cart, friction included."""
+    found: dict[int, float] = {}
+    for body in field.bodies:
+        rest = [field.mass[k] * a[k] - total[k] for k in body]
+        at_left_wall = body[0] == 0 and 0 in field.joined
+        push = 0.0
+        if at_left_wall:
+            for k, left_over in zip(reversed(body), reversed(rest), strict=True):
+                push += left_over
+                found[k] = push
+        else:
+            for k, left_over in zip(body, rest, strict=True):
+                push -= left_over
+                found[k + 1] = push
+    return {gap: push for gap, push in found.items() if gap in field.held}
