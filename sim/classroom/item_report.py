@@ -1,0 +1,185 @@
+"""What a class answered: item by item, belief by belief, and the texts that a person reads."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from sim.classroom.item_numbers import corrected_point_biserial, difficulty, discrimination
+from sim.classroom.keyed import KeyedForm, KeyedItem
+from sim.classroom.marked import Answer, Marked
+from sim.classroom.refusal import FEW, FEWEST, RefusalError
+from sim.classroom.sentences import many
+from sim.lesson.mark import is_empty
+
+OFTEN = 2
+"""Items in which a student chose answers of one belief, before it is named."""
+
+
+def item_rows(
+    files: Sequence[Marked], form: KeyedForm | None, counted: Sequence[str]
+) -> list[dict[str, Any]]:
+    """One row for each item of the form; without a key for each that somebody answered."""
+    names = list(form.items) if form else sorted({name for f in files for name in f.answers})
+    totals = [float(f.total(counted)) for f in files]
+    return [
+        _row(name, files, form.items[name] if form else None, totals if name in counted else None)
+        for name in names
+    ]
+
+
+def _row(
+    name: str, files: Sequence[Marked], keyed: KeyedItem | None, totals: list[float] | None
+) -> dict[str, Any]:
+    answers = [f.answers[name] for f in files if name in f.answers and not f.answers[name].foreign]
+    verdicts = Counter(a.mark.verdict for a in answers if a.mark)
+    row: dict[str, Any] = {
+        "id": name,
+        "ask": keyed.ask if keyed else "",
+        "type": keyed.question.KIND if keyed else (answers[0].type if answers else ""),
+        "worth": keyed.worth if keyed else 0,
+        "n": len(answers),
+        "right": verdicts["right"],
+        "partly": verdicts["partly"],
+        "wrong": verdicts["wrong"] + verdicts["unclear"],
+        "unread": verdicts["open"],
+        "empty": verdicts["empty"] if keyed else len(files) - len(answers),
+        "choices": _choices(answers, keyed),
+        "difficulty": None,
+        "discrimination": None,
+        "point_biserial": None,
+        "notes": [],
+    }
+    if keyed and totals is not None and row["worth"]:
+        marks = [float(a.marks) for a in answers]
+        _add(row, "difficulty", lambda: _difficulty(marks, row["worth"]))
+        _add(row, "discrimination", lambda: discrimination(marks, totals, row["worth"]))
+        _add(row, "point_biserial", lambda: corrected_point_biserial(marks, totals))
+    row["sentence"] = _sentence(row)
+    return row
+
+
+def _difficulty(marks: list[float], of: int) -> float:
+    if len(marks) < FEWEST:
+        raise RefusalError(f"{len(marks)} students: at least {FEWEST} are needed")
+    return difficulty(marks, of)
+
+
+def _add(row: dict[str, Any], name: str, statistic: Callable[[], float]) -> None:
+    try:
+        row[name] = statistic()
+    except RefusalError as refused:
+        note = f"{name.replace('_', '-')}: {refused}"
+        row["notes"].append(note)
+
+
+def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[str, Any]]:
+    """Each option with how many chose it, and what students who choose it often think."""
+    kind = keyed.question.KIND if keyed else ""
+    if not keyed or kind not in ("single", "multiple"):
+        if keyed:
+            return []
+        counts = Counter(
+            a.value for a in answers if a.type == "single" and isinstance(a.value, str)
+        )
+        return [{"option": o, "text": "", "count": counts[o]} for o in sorted(counts)]
+    key = keyed.question.key()
+    rows = []
+    for option in keyed.question.asked()["options"]:
+        chose = [
+            a
+            for a in answers
+            if a.value == option or (isinstance(a.value, (list, tuple)) and option in a.value)
+        ]
+        belief = key["beliefs"].get(option, "")
+        rows.append(
+            {
+                "option": option,
+                "text": keyed.texts.get(f"option-{option}", ""),
+                "correct": option in key["correct"],
+                "count": len(chose),
+                "sure": sum(a.sure == "sure" for a in chose),
+                "belief": belief,
+                "says": keyed.beliefs.get(belief, ""),
+            }
+        )
+    return rows
+
+
+def _sentence(row: dict[str, Any]) -> str:
+    if not row["worth"] or not row["n"]:
+        return ""
+    text = f"{row['right']} of {row['n']} answered it right"
+    if row["n"] >= FEW:
+        text += f" ({100 * row['right'] / row['n']:.0f} %)"
+    text += f", {row['empty']} left it open." if row["empty"] else "."
+    wrong = [c for c in row["choices"] if not c.get("correct") and c["count"] > 1]
+    if wrong:
+        most = max(wrong, key=lambda c: c["count"])
+        chose = f"{most['count']} chose {most['option'].upper()}"
+        if most.get("says"):
+            text += f" {chose}; students who choose it often think: “{most['says']}”"
+        else:
+            text += f" {chose}."
+    if row["discrimination"] is not None:
+        text += (
+            f" Rough: upper minus lower part of the class {row['discrimination']:+.2f}".replace(
+                "-", "−"
+            )
+            + "."
+        )
+    return text
+
+
+def belief_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[str, Any]]:
+    """Beliefs that a student chose in two items or more, and how many students did."""
+    if not form:
+        return []
+    says = {tag: text for item in form.items.values() for tag, text in item.beliefs.items()}
+    often: Counter[str] = Counter()
+    sure: Counter[str] = Counter()
+    asked = any(item.question.common.sure for item in form.items.values())
+    for file in files:
+        chosen: Counter[str] = Counter()
+        surely: Counter[str] = Counter()
+        for answer in file.answers.values():
+            for tag in set(answer.mark.beliefs if answer.mark else ()):
+                chosen[tag] += 1
+                surely[tag] += answer.sure == "sure"
+        often.update(tag for tag, count in chosen.items() if count >= OFTEN)
+        sure.update(tag for tag, count in surely.items() if count >= OFTEN)
+    rows = []
+    for tag, count in often.most_common():
+        students = many(count, "student")
+        text = f"{students} chose answers in two items or more that go with: “{says[tag]}”"
+        if asked:
+            text += f" {sure[tag]} of them were sure of two or more."
+        rows.append({"belief": tag, "says": says[tag], "students": count,
+                     "sure": sure[tag] if asked else None, "sentence": text})  # fmt: skip
+    return rows
+
+
+def word_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[str, Any]]:
+    """Questions that a person reads: every answer of the class, with the marks given so far."""
+    if not form:
+        return []
+    rows = []
+    for name, keyed in form.items.items():
+        question = keyed.question
+        if question.KIND != "long" and not (
+            question.KIND == "short" and not question.key()["accept"]
+        ):
+            continue
+        answers = [
+            {
+                "student": f.file.student,
+                "text": f.answers[name].value,
+                "marks": f.answers[name].mark.marks,  # type: ignore[union-attr]
+            }
+            for f in files
+            if isinstance(f.answers[name].value, str) and not is_empty(f.answers[name].value)
+        ]
+        rows.append({"id": name, "ask": keyed.ask, "worth": keyed.worth,
+                     "rubric": dict(keyed.rubric), "answers": answers})  # fmt: skip
+    return rows

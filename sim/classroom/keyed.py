@@ -1,0 +1,173 @@
+"""Questions made again from a teacher's key file, so that the files of a class can be marked.
+
+A key file holds every question as data. Here it becomes the question itself: what marks a practice
+form in the lesson and what marks an exam here is then the same code.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sim.classroom.refusal import RefusalError
+from sim.lesson.key_file import FORMAT, KIND
+from sim.lesson.kinds.arrange import Matching, Ordering
+from sim.lesson.kinds.choice import Multiple, Option, Single
+from sim.lesson.kinds.number import Number, Wrong
+from sim.lesson.kinds.run import Drawn, Reading
+from sim.lesson.kinds.sure import Confidence
+from sim.lesson.kinds.words import Long, Short
+from sim.lesson.question import Common, Question
+
+MOST_CHARACTERS = 5_000_000
+MOST_ITEMS = 500
+
+
+class KeyFileError(ValueError):
+    """This is no key file that can be used; the message is for the teacher."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KeyedItem:
+    """A question with what the teacher reads beside it."""
+
+    question: Question
+    hash: str
+    ask: str
+    texts: Mapping[str, str]
+    beliefs: Mapping[str, str]
+    rubric: Mapping[str, str]
+
+    @property
+    def worth(self) -> int:
+        """The most marks; 0 where there is nothing to mark."""
+        return self.question.mark(None).of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KeyedForm:
+    """The items of one form of a lesson by id, in their order."""
+
+    site: str
+    lesson: str
+    form: str
+    hash: str
+    options: tuple[tuple[str, int], ...]
+    items: Mapping[str, KeyedItem]
+
+
+def read_key_file(text: str) -> tuple[KeyedForm, ...]:
+    """The forms in a key file; raises `KeyFileError`."""
+    if len(text) > MOST_CHARACTERS:
+        raise KeyFileError("this file is too large to be a key file")
+    try:
+        content = json.loads(text.removeprefix("\ufeff"))
+    except (ValueError, RecursionError):
+        raise KeyFileError("this file is damaged, or it is no key file") from None
+    if not isinstance(content, dict) or content.get("kind") != KIND:
+        raise KeyFileError("this is no key file; `carts key` writes them")
+    if content.get("format") != FORMAT:
+        raise KeyFileError("this key file comes from another version of Newton's Carts")
+    try:
+        return tuple(
+            _form(part, str(content["site"]), str(content["lesson"])) for part in content["forms"]
+        )
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError):
+        raise KeyFileError("this key file is damaged: write it again with `carts key`") from None
+
+
+def _form(part: Mapping[str, Any], site: str, lesson: str) -> KeyedForm:
+    rows = part["items"]
+    if len(rows) > MOST_ITEMS:
+        raise ValueError
+    return KeyedForm(
+        site=site,
+        lesson=lesson,
+        form=str(part["form"]),
+        hash=str(part["hash"]),
+        options=tuple((str(name), int(count)) for name, count in part["options"]),
+        items={str(row["id"]): keyed_item(row) for row in rows},
+    )
+
+
+def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
+    """One item of a key file; raises KeyError, TypeError or ValueError where it is damaged."""
+    common = Common(
+        id=str(row["id"]),
+        ask=str(row["ask"]),
+        marks=int(row["marks"]),
+        sure=bool(row.get("sure")),
+        topics=tuple(map(str, row.get("topics", ()))),
+    )
+    return KeyedItem(
+        question=_question(row, common),
+        hash=str(row["hash"]),
+        ask=common.ask,
+        texts={str(k): str(v) for k, v in row.get("texts", {}).items()},
+        beliefs={str(k): str(v) for k, v in row.get("beliefs", {}).items()},
+        rubric={str(k): str(v) for k, v in row.get("rubric", {}).items()},
+    )
+
+
+def _question(row: Mapping[str, Any], common: Common) -> Question:
+    kind, key, texts = str(row["type"]), row["key"], row.get("texts", {})
+    if kind in ("single", "multiple"):
+        options = tuple(
+            Option(
+                id=str(name),
+                text=str(texts.get(f"option-{name}", "")),
+                correct=name in key["correct"],
+                belief=str(key["beliefs"].get(name, "")),
+            )
+            for name in row["options"]
+        )
+        return (Single if kind == "single" else Multiple)(common=common, options=options)
+    if kind == "number":
+        wrong = tuple(
+            Wrong(value=float(w["value"]), tolerance=float(w["tolerance"]), belief=w["belief"])
+            for w in key["wrong"]
+        )
+        units = {str(name): float(factor) for name, factor in row["units"].items()}
+        return Number(
+            common=common, answer=float(key["answer"]), tolerance=float(key["tolerance"]),
+            unit=str(row["unit"]), units=units, wrong=wrong,
+        )  # fmt: skip
+    if kind in ("short", "long"):
+        rubric = {int(marks): str(text) for marks, text in row.get("rubric", {}).items()}
+        rubric = rubric or {common.marks: ""}
+        if kind == "long":
+            return Long(common=common, rubric=rubric)
+        known = tuple((tuple(w["texts"]), str(w["belief"]), "") for w in key["wrong"])
+        return Short(common=common, rubric=rubric, accept=tuple(key["accept"]), wrong=known)
+    if kind == "ordering":
+        return Ordering(common=common, order=tuple(texts[f"line-{k}"] for k in key["order"]))
+    if kind == "matching":
+        return _matching(row, common)
+    if kind == "reading":
+        return Reading(
+            common=common, scene=str(row["scene"]), quantity=str(row["quantity"]),
+            at=row["at"], unit=str(row["unit"]), units={}, per=float(row["per"]),
+            tolerance=float(key["tolerance"]), relative=bool(key["relative"]),
+        )  # fmt: skip
+    if kind == "confidence":
+        return Confidence(common=common)
+    if kind == "drawn":
+        return Drawn(common=common, scene=str(row["scene"]))
+    raise ValueError(kind)
+
+
+def _matching(row: Mapping[str, Any], common: Common) -> Matching:
+    """The pairs in their order, then what belongs to nothing."""
+    pairs, texts = row["key"]["pairs"], row["texts"]
+    letters = [pairs[number] for number in row["left"]]
+    others = [letter for letter in row["right"] if letter not in letters]
+    question = Matching(
+        common=common,
+        left=tuple(texts[f"left-{number}"] for number in row["left"]),
+        right=tuple(texts[f"right-{letter}"] for letter in (*letters, *others)),
+    )
+    if question.key()["pairs"] != pairs:
+        raise RefusalError("the letters of this item are not those of the page")
+    return question

@@ -1,0 +1,113 @@
+"""Flags are questions, and nothing is silently counted."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sim.classroom.reading import Reading, Source
+from sim.classroom.report import Asked, class_report
+from tests.classroom.makers import answers, bank, keys, random_class, sources
+
+BANK = bank(6)
+ALL = {f"item-{k}": "ab"[k % 2] for k in range(6)}
+
+
+def report(*files: dict[str, Any], key: str = keys(BANK), **asked: Any) -> dict[str, Any]:
+    named = [Source(f"{k}.json", source.content) for k, source in enumerate(sources(files))]
+    reading = Reading.of([*named, Source("key.json", key.encode())])
+    return class_report(
+        [(file, "class") for file in reading.files], reading.keys, reading.refused, Asked(**asked)
+    )
+
+
+def codes(made: dict[str, Any]) -> list[str]:
+    return [flag["code"] for flag in made["flags"]]
+
+
+def test_an_ordinary_class_raises_no_flag() -> None:
+    made = report(*random_class(bank(12), 20), key=keys(bank(12)))
+    assert codes(made) == []
+    assert made["files"]["counted"] == 40
+
+
+def test_every_flag_is_a_question() -> None:
+    one = answers(BANK, "FOX", "pre", ALL)
+    made = report(
+        one,
+        {**one, "student": "OWL"},
+        answers(BANK, "FOX", "pre", {"item-0": "c"}, day=3),
+        answers(BANK, "BEE", "pre", ALL, saved="2019-01-01T00:00:00Z"),
+        answers(BANK, "CAT", "pre", ALL, site="another"),
+        answers(BANK, "DOG", "pre", ALL, lessonHash="ffffffffffff"),
+    )
+    assert {"doubled-id", "equal-files", "impossible-times", "foreign-site", "other-version"} <= (
+        set(codes(made))
+    )
+    for flag in made["flags"]:
+        assert "?" in flag["sentence"] or "Ask before" in flag["sentence"]
+        assert flag["files"]
+
+
+def test_equal_files_are_counted_and_asked_about() -> None:
+    made = report(answers(BANK, "FOX", "pre", ALL), answers(BANK, "OWL", "pre", ALL, start=5))
+    (flag,) = made["flags"]
+    assert flag["sentence"].startswith("Same answers in two files. Partners and good students do")
+    assert flag["files"] == ("0.json", "1.json")
+    assert made["files"]["counted"] == 2
+
+
+def test_a_copy_with_equal_times_is_asked_about_as_such() -> None:
+    made = report(answers(BANK, "FOX", "pre", ALL), answers(BANK, "OWL", "pre", ALL))
+    assert "times are equal as well" in made["flags"][0]["sentence"]
+
+
+def test_the_same_file_twice_counts_once() -> None:
+    one = answers(BANK, "FOX", "pre", ALL)
+    made = report(one, one)
+    assert codes(made) == ["same-file"]
+    assert made["files"]["counted"] == 1
+    assert made["files"]["set_aside"] == ["1.json"]
+
+
+def test_of_two_saves_the_later_one_counts() -> None:
+    early = answers(BANK, "FOX", "pre", {"item-0": "a"}, saved="2026-09-01T09:00:00Z")
+    late = answers(BANK, "fox ", "pre", ALL, saved="2026-09-01T10:00:00Z")
+    made = report(late, early)
+    assert codes(made) == ["saved-again"]
+    assert made["files"]["set_aside"] == ["1.json"]
+
+
+def test_two_students_with_one_code_word_are_both_left_out() -> None:
+    made = report(
+        answers(BANK, "FOX", "pre", ALL, day=1),
+        answers(BANK, "FOX", "pre", {"item-0": "b"}, day=2),
+        answers(BANK, "OWL", "pre", {"item-0": "b"}),
+    )
+    assert codes(made) == ["doubled-id"]
+    assert made["files"]["counted"] == 1
+    assert "None of them is counted" in made["flags"][0]["sentence"]
+
+
+def test_answers_to_another_wording_are_not_counted() -> None:
+    other = answers(BANK, "FOX", "pre", ALL)
+    for item in other["items"]:
+        item["hash"] = "ffffffffffff"
+    made = report(other, *[answers(BANK, f"OWL-{k}", "pre", {"item-0": "a"}) for k in range(5)])
+    assert "foreign-version" in codes(made)
+    form = made["lessons"][0]["forms"][0]
+    assert form["groups"][0]["n"] == 5
+    (student,) = [row for row in form["students"] if row["student"] == "FOX"]
+    assert student["total"] is None
+    assert len(student["foreign"]) == 6
+
+
+def test_clocks_and_haste_are_asked_about() -> None:
+    ahead = answers(BANK, "FOX", "pre", ALL)
+    assert codes(report(ahead, now="2026-08-01T00:00:00Z")) == ["impossible-times"]
+    fast = answers(BANK, "OWL", "pre", ALL)
+    for item in fast["items"]:
+        item["first"] = item["last"] = "2026-09-01T08:05:00.000Z"
+    assert codes(report(fast)) == ["in-haste"]
+    early = answers(BANK, "BEE", "post", ALL, day=1)
+    late = answers(BANK, "BEE", "pre", ALL, day=2)
+    assert codes(report(early, late)) == ["post-before-pre"]

@@ -1,0 +1,207 @@
+"""The report of a class: who counts, what is computed, what is refused, and how it is worded."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Any
+
+import pytest
+from scipy import stats
+
+from sim.classroom.codes import read_codes
+from sim.classroom.reading import Reading, Source
+from sim.classroom.report import Asked, class_report
+from sim.lesson.handin import encode
+from tests.classroom.makers import answers, bank, form, keys, random_class, sources
+
+BANK = bank(10)
+
+
+def made(
+    *groups: tuple[str, list[dict[str, Any]]], source: Any = BANK, **asked: Any
+) -> dict[str, Any]:
+    reading = Reading.of([Source("key.json", keys(source).encode())])
+    files = []
+    for name, answer_files in groups:
+        files += [(read, name) for read in Reading.of(sources(answer_files)).files]
+    names = tuple(name for name, _ in groups)
+    return class_report(files, reading.keys, [], Asked(groups=names, **asked))
+
+
+def test_totals_are_those_counted_by_hand() -> None:
+    students = random_class(BANK, 12)
+    report = made(("class", students))
+    for table in report["lessons"][0]["forms"]:
+        by_hand = {
+            f["student"]: sum(
+                i["value"] == BANK.items[i["id"]].key()["correct"][0] for i in f["items"]
+            )
+            for f in students
+            if f["form"] == table["form"]
+        }
+        assert {row["student"]: row["total"] for row in table["students"]} == by_hand
+        assert table["of"] == 10
+
+
+def test_open_answers_are_listed_by_student_and_by_item() -> None:
+    report = made(("class", [answers(BANK, "FOX", "pre", {"item-3": "a"})]))
+    table = report["lessons"][0]["forms"][0]
+    assert table["students"][0]["open"] == [f"item-{k}" for k in range(10) if k != 3]
+    assert [row["empty"] for row in table["items"]] == [1, 1, 1, 0, 1, 1, 1, 1, 1, 1]
+
+
+def test_distractors_are_counted_with_their_beliefs() -> None:
+    files = [answers(BANK, f"FOX-{k}", "pre", {"item-0": "b" if k < 4 else "a"}) for k in range(6)]
+    item = made(("class", files))["lessons"][0]["forms"][0]["items"][0]
+    counts = {choice["option"]: choice["count"] for choice in item["choices"]}
+    assert counts == {"a": 2, "b": 4, "c": 0, "d": 0}
+    assert item["choices"][1]["says"] == "The one that moves or acts pushes harder."
+    assert "students who choose it often think" in item["sentence"]
+    assert "%" not in item["sentence"]  # fewer than ten students: counts
+
+
+def test_a_belief_is_named_from_two_items_on() -> None:
+    once = [answers(BANK, "FOX", "pre", {"item-0": "b"})]
+    twice = [answers(BANK, "OWL", "pre", {"item-0": "b", "item-2": "b"})]
+    assert made(("class", once))["lessons"][0]["forms"][0]["beliefs"] == []
+    (row,) = made(("class", twice))["lessons"][0]["forms"][0]["beliefs"]
+    assert (row["belief"], row["students"], row["sure"]) == ("mover-pushes-more", 1, 1)
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 4])
+def test_small_classes_get_no_statistics(count: int) -> None:
+    report = made(("class", random_class(BANK, count)))
+    for lesson in report["lessons"]:
+        assert all("mean" not in group for table in lesson["forms"] for group in table["groups"])
+        assert all("gain" not in gain for gain in lesson["gains"])
+        assert all("no statistics" in gain["sentences"][0] for gain in lesson["gains"])
+    json.dumps(report, allow_nan=False)
+
+
+def test_a_class_where_all_are_equal_is_refused_in_words() -> None:
+    values = {f"item-{k}": "a" for k in range(10)}
+    files = [
+        answers(BANK, f"FOX-{k}", name, values, day=day, start=k)
+        for k in range(8)
+        for name, day in (("pre", 1), ("post", 9))
+    ]
+    report = made(("class", files))
+    gain = report["lessons"][0]["gains"][0]
+    assert gain["gain"] == 0
+    assert gain["change"] is None
+    assert gain["d"] is None
+    assert any("no spread" in reason for reason in gain["refusals"])
+
+
+def test_pairs_are_made_by_pseudonym_and_who_is_missing_is_listed() -> None:
+    files = random_class(BANK, 8)
+    report = made(("class", [f for f in files if (f["student"], f["form"]) != ("FOX-3", "post")]))
+    gain = report["lessons"][0]["gains"][0]
+    assert gain["n"] == 7
+    assert gain["without_after"] == ["FOX-3"]
+    assert "FOX-3" not in gain["students"]
+
+
+def test_the_numbers_of_a_gain_are_those_of_scipy() -> None:
+    gain = made(("class", random_class(BANK, 30)))["lessons"][0]["gains"][0]
+    theirs = stats.ttest_rel(gain["after"], gain["before"])
+    assert gain["change"]["p"] == pytest.approx(theirs.pvalue, rel=1e-12)
+    before, after = sum(gain["before"]) / 30, sum(gain["after"]) / 30
+    assert gain["gain"] == pytest.approx((after - before) / (10 - before), rel=1e-12)
+
+
+def two(**asked: Any) -> dict[str, Any]:
+    one = random_class(BANK, 25, seed=1, gain=0.35, prefix="FOX")
+    other = random_class(BANK, 22, seed=2, gain=0.1, prefix="OWL")
+    return made(("new", one), ("usual", other), **asked)["lessons"][0]["comparison"]
+
+
+def test_the_baseline_stands_before_any_claim() -> None:
+    sentences = two()["sentences"]
+    assert sentences[0].startswith("Before teaching: new minus usual")
+    assert sentences[1].startswith("Adjusted for the start")
+
+
+def test_groups_that_start_apart_are_said_to() -> None:
+    one = random_class(BANK, 25, seed=1, prefix="FOX")
+    low = random_class(bank(10), 25, seed=3, gain=0.5, prefix="OWL")
+    for file in low:
+        if file["form"] == "pre":
+            file["items"] = file["items"][:3]
+    comparison = made(("new", one), ("usual", low))["lessons"][0]["comparison"]
+    assert abs(comparison["baseline"]["z"]) > 1
+    assert "A group that starts low tends to rise by itself" in comparison["sentences"][0]
+
+
+def test_with_one_class_in_each_group_no_p_is_told() -> None:
+    one_class = two()
+    assert not one_class["p_shown"]
+    told = " ".join(one_class["sentences"])
+    assert "30 students in one room are not 30 independent experiments" in told
+    assert "p =" not in told
+    assert "p <" not in told
+    several = two(classes={"new": 2, "usual": 2})
+    assert several["p_shown"]
+    assert "This is not the chance that teaching worked" in " ".join(several["sentences"])
+
+
+def test_the_interval_stands_before_p() -> None:
+    for sentence in two(classes={"new": 2, "usual": 2})["sentences"]:
+        p = re.search(r"p [=<]", sentence)
+        if p:
+            assert 0 <= sentence.find("would fit") < p.start()
+
+
+def test_without_scipy_there_are_means_and_gains_and_no_tests() -> None:
+    report = made(("class", random_class(BANK, 20)), inference=False)
+    lesson = report["lessons"][0]
+    assert lesson["forms"][0]["groups"][0]["mean"] > 0
+    assert lesson["gains"][0]["gain"] is not None
+    assert "change" not in lesson["gains"][0]
+
+
+def test_texts_are_read_and_marked_by_the_teacher() -> None:
+    source = bank(3, words=1)
+    files = random_class(source, 6)
+    before = made(("class", files), source=source)["lessons"][0]["forms"][0]
+    assert before["of"] == 3
+    assert before["unread"] == ["why-0"]
+    assert len(before["words"][0]["answers"]) >= 5
+    given = {("carts", "pre", row["student"], "why-0"): 2 for row in before["students"]}
+    after = made(("class", files), source=source, given=given)["lessons"][0]["forms"][0]
+    assert after["of"] == 5
+    assert after["unread"] == []
+    assert [a["marks"] for a in after["words"][0]["answers"]] == [2] * len(
+        after["words"][0]["answers"]
+    )
+
+
+def test_typed_codes_stand_beside_files() -> None:
+    reading = Reading.of([Source("key.json", keys(BANK, ["pre"]).encode())])
+    pre = form("pre", BANK)
+    code = encode([4] * 10, [1, 2, 3, 4, 1, 2, 3, 4, 0, 2], pre.hash)
+    text = f"BLUE-FOX {code}\n\nRED-OWL pre {code.lower().replace('-', ' ')}\nBEE {code[:-1]}Z\nx"
+    read, refused = read_codes(text, reading.keys)
+    assert [r.answers.student for r in read] == ["BLUE-FOX", "RED-OWL"]
+    report = class_report([(r, "class") for r in read], reading.keys, refused, Asked())
+    rows = report["lessons"][0]["forms"][0]["students"]
+    assert [row["total"] for row in rows] == [9, 9]
+    assert [row["open"] for row in rows] == [["item-8"], ["item-8"]]
+    assert len(refused) == 2
+
+
+def test_a_code_that_fits_two_forms_asks_which() -> None:
+    reading = Reading.of([Source("key.json", keys(BANK).encode())])
+    code = encode([4] * 10, [1] * 10, form("pre", BANK).hash)
+    read, refused = read_codes(f"FOX {code}", reading.keys)
+    assert not read
+    assert "pre or post" in refused[0].reason
+    assert read_codes(f"FOX post {code}", reading.keys)[0][0].answers.form == "post"
+
+
+def test_hostile_names_stay_text() -> None:
+    name = "<img src=x onerror=alert(1)>\u202e=1+1"
+    report = made(("class", [answers(BANK, name, "pre", {"item-0": "a"})]))
+    assert report["lessons"][0]["forms"][0]["students"][0]["student"] == name
+    json.dumps(report, allow_nan=False)
