@@ -31,7 +31,7 @@ _COMMON = {
     "script-src": "'self' 'wasm-unsafe-eval'",
     "style-src": "'self'",
     "img-src": "'self' data:",
-    "font-src": "'self'",
+    "font-src": "'self' data:",
     "connect-src": "'none'",
     "worker-src": "blob:",
     "base-uri": "'none'",

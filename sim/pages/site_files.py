@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import re
+from base64 import b64encode
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -19,11 +20,9 @@ SEARCH_FROM_DISK = ASSETS + "iframe-worker.js"  # a name that keeps the theme fr
 _WEB = Path(sim.__file__).parent / "web"
 _ROBOTO = "@fontsource-variable/roboto/files/roboto-{}.woff2"
 _MONO = "@fontsource/roboto-mono/files/roboto-mono-{}.woff2"
-FONTS = (
-    *(_ROBOTO.format(face) for face in ("latin-wght-normal", "latin-wght-italic")),
-    _ROBOTO.format("latin-ext-wght-normal"),
-    *(_MONO.format(face) for face in ("latin-400-normal", "latin-ext-400-normal")),
-)
+# Within the style sheet, so that no line moves when they come: browsers have them at once.
+FONTS_INSIDE = (_ROBOTO.format("latin-wght-normal"), _MONO.format("latin-400-normal"))
+FONTS = (_ROBOTO.format("latin-ext-wght-normal"), _MONO.format("latin-ext-400-normal"))
 # Fallbacks for browsers that cannot run our pages anyway; without them no file is missing.
 _OLD_FONT = re.compile(r',\s*url\([^)]*\.(?:woff|ttf)\)\s*format\("[^"]*"\)')
 
@@ -51,8 +50,8 @@ def search_from_disk(worker: str) -> str:
 
 
 def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
-    for name in ("site.css", "formulas.js"):
-        yield name, _read(_WEB / "site" / name, "git restore sim/web/site")
+    yield "site.css", _style_sheet(node_modules)
+    yield "formulas.js", _read(_WEB / "site" / "formulas.js", "git restore sim/web/site")
     yield "answers.js", _read(_WEB / "dist" / "answers.js", "make bundle")
     yield "carts.css", b"\n".join(path.read_bytes() for path in sorted(_WEB.glob("css/*.css")))
     for font in FONTS:
@@ -64,6 +63,15 @@ def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     yield "katex/katex.min.css", _OLD_FONT.sub("", css).encode()
     for face in sorted((katex / "fonts").glob("*.woff2")):
         yield f"katex/fonts/{face.name}", face.read_bytes()
+
+
+def _style_sheet(node_modules: Path) -> bytes:
+    sheet = _read(_WEB / "site" / "site.css", "git restore sim/web/site")
+    for font in FONTS_INSIDE:
+        path = node_modules / font
+        inside = b"data:font/woff2;base64," + b64encode(_read(path, "make site"))
+        sheet = sheet.replace(f"fonts/{path.name}".encode(), inside)
+    return sheet
 
 
 def _read(path: Path, remedy: str) -> bytes:

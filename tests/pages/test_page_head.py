@@ -54,7 +54,7 @@ def test_only_scripts_that_run_are_allowed_and_each_by_its_hash() -> None:
 def test_the_offline_policy_is_the_one_in_the_interfaces() -> None:
     assert policy("offline") == (
         "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; "
-        "img-src 'self' data:; font-src 'self'; connect-src 'none'; worker-src blob:; "
+        "img-src 'self' data:; font-src 'self' data:; connect-src 'none'; worker-src blob:; "
         "base-uri 'none'; form-action 'none'"
     )
 
