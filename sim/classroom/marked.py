@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.classroom.keyed import KeyedForm, KeyedItem
+from sim.classroom.marks_file import Given, pseudonym
 from sim.classroom.reading import Read
 from sim.lesson.answer_file import AnswerFile, Item
 from sim.lesson.mark import Mark, Verdict, is_empty
-
-Given = Mapping[tuple[str, str, str, str], int]
-"""The teacher's own marks: (lesson, form, student, item) -> marks."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,11 +78,6 @@ class Marked:
     def total(self, items: Sequence[str]) -> int:
         """Marks in these items."""
         return sum(self.answers[name].marks for name in items)
-
-
-def pseudonym(text: str) -> str:
-    """A code word as it is compared: capitals and spaces around it do not count."""
-    return " ".join(text.split()).upper()
 
 
 def mark_file(read: Read, group: str, form: KeyedForm | None, given: Given) -> Marked:

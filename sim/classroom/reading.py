@@ -11,9 +11,11 @@ import io
 import zipfile
 import zlib
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sim.classroom.keyed import KeyedForm, KeyFileError, read_key_file
+from sim.classroom.marks_file import KIND as MARKS
+from sim.classroom.marks_file import Given, MarksFileError, read_marks
 from sim.lesson.answer_file import MOST_BYTES, AnswerFile, AnswerFileError, read_answer_file
 
 MOST_FILES = 20_000
@@ -52,27 +54,28 @@ class Refused:
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """A file of answers under the name it came with."""
+    """A file of answers under the name it came with. Of texts beside the answers only `sure`."""
 
     name: str
     answers: AnswerFile
 
 
-Outcome = Read | Refused | tuple[KeyedForm, ...]
+Outcome = Read | Refused | tuple[KeyedForm, ...] | Given
 
 
 @dataclass(slots=True)
 class Reading:
-    """Everything that was read: answers, keys, and what was refused."""
+    """Everything that was read: answers, keys, a teacher's own marks, and what was refused."""
 
     files: list[Read]
     keys: list[KeyedForm]
     refused: list[Refused]
+    given: dict[tuple[str, str, str, str], int]
 
     @staticmethod
     def of(sources: Iterable[Source]) -> Reading:
         """Reads all sources, in their order."""
-        reading = Reading([], [], [])
+        reading = Reading([], [], [], {})
         for outcome in outcomes(sources):
             reading.add(outcome)
         return reading
@@ -83,8 +86,10 @@ class Reading:
             self.files.append(outcome)
         elif isinstance(outcome, Refused):
             self.refused.append(outcome)
-        else:
+        elif isinstance(outcome, tuple):
             self.keys += outcome
+        else:
+            self.given |= outcome
 
 
 def outcomes(sources: Iterable[Source]) -> Iterator[Outcome]:
@@ -124,12 +129,30 @@ def of_file(name: str, content: bytes) -> Outcome:
     except UnicodeDecodeError:
         return Refused(name, "this is no text file, so it holds no answers")
     try:
-        return Read(name, read_answer_file(text))
+        return Read(name, _slim(read_answer_file(text)))
     except AnswerFileError as error:
-        try:
-            return read_key_file(text)
-        except KeyFileError as key_error:
-            return Refused(name, str(key_error if '"newtons-carts-key"' in text else error))
+        return _of_teacher(name, text, str(error))
+
+
+def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:
+    """A key or marks, or the reason why the file is no file of answers either."""
+    try:
+        return read_marks(text) if f'"{MARKS}"' in text else read_key_file(text)
+    except MarksFileError as error:
+        return Refused(name, str(error))
+    except KeyFileError as error:
+        return Refused(name, str(error) if '"newtons-carts-key"' in text else otherwise)
+
+
+def _slim(answers: AnswerFile) -> AnswerFile:
+    """Without what no statistic looks at, such as the text of every question: of 5,000 files."""
+    return replace(
+        answers,
+        items=tuple(
+            replace(item, more={"sure": item.more["sure"]} if "sure" in item.more else {})
+            for item in answers.items
+        ),
+    )
 
 
 def _of_zip(source: Source) -> Iterator[Outcome]:

@@ -15,7 +15,8 @@ from sim.classroom.flags import ORDER, sort_out
 from sim.classroom.gain_report import comparison_table, gain_table, only_after_table
 from sim.classroom.item_report import belief_rows, item_rows, word_rows
 from sim.classroom.keyed import KeyedForm
-from sim.classroom.marked import Given, Marked, counted_items, mark_file, worth
+from sim.classroom.marked import Marked, counted_items, mark_file, worth
+from sim.classroom.marks_file import Given
 from sim.classroom.pairing import Pairs, pair_up
 from sim.classroom.reading import MOST_NAMED, Read, Refused
 from sim.classroom.refusal import FEWEST
@@ -115,7 +116,10 @@ def _form(
         "of": worth(good, counted),
         "unread": unread,
         "groups": [_group(group, good, counted, asked) for group in asked.groups],
-        "students": [_student(file, counted, has_key=key is not None) for file in files],
+        "students": [
+            _student(file, counted, has_key=key is not None)
+            for file in sorted(files, key=lambda file: (file.group, file.student))
+        ],
         "items": item_rows(files, key, counted),
         "beliefs": belief_rows(files, key),
         "words": word_rows(files, key),

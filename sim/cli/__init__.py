@@ -13,6 +13,7 @@ import click
 # name: (module, one line for the overview); the module holds a click command called `command`.
 COMMANDS = {
     "build": ("sim.cli.build", "Build the site and print the file to double-click."),
+    "class": ("sim.cli.class_results", "Say what a class answered and learned."),
     "check": ("sim.cli.check", "Look for mistakes in lessons and scene files."),
     "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),

@@ -1,0 +1,73 @@
+"""The marks that a teacher gave to answers in words, kept in a file of the teacher's own.
+
+`{"format": 1, "kind": "newtons-carts-marks", marks: [{lesson, form, student, item, marks}]}`
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from sim.lesson.opening import FORMS
+
+FORMAT = 1
+KIND = "newtons-carts-marks"
+MOST = 200_000
+MOST_CHARACTERS = 30_000_000
+ALLOWED = range(10)
+PLACE = ("lesson", "form", "student", "item")
+
+Given = Mapping[tuple[str, str, str, str], int]
+"""(lesson, form, student, item) -> marks."""
+
+
+class MarksFileError(ValueError):
+    """This is no file of marks that can be used; the message is for the teacher."""
+
+
+def pseudonym(text: str) -> str:
+    """A code word as it is compared: capitals and spaces around it do not count."""
+    return " ".join(text.split()).upper()
+
+
+def read_marks(text: str) -> Given:
+    """The marks in a file; raises `MarksFileError`."""
+    if len(text) > MOST_CHARACTERS:
+        raise MarksFileError("this file is too large to be a file of marks")
+    try:
+        content = json.loads(text.removeprefix("\ufeff"))
+    except (ValueError, RecursionError):
+        raise MarksFileError("this file of marks is damaged") from None
+    if not isinstance(content, dict) or content.get("kind") != KIND:
+        raise MarksFileError("this is no file of marks")
+    if content.get("format") != FORMAT:
+        raise MarksFileError("this file of marks comes from another version of Newton's Carts")
+    return given_marks(content.get("marks"))
+
+
+def given_marks(rows: object) -> Given:
+    """The marks in a list of rows; raises `MarksFileError`."""
+    if not isinstance(rows, list) or len(rows) > MOST:
+        raise MarksFileError("this file of marks is damaged")
+    return dict(map(_row, rows))
+
+
+def _row(row: object) -> tuple[tuple[str, str, str, str], int]:
+    if isinstance(row, dict):
+        lesson, form, student, item = (row.get(name) for name in PLACE)
+        marks = row.get("marks")
+        texts = (lesson, form, student, item)
+        good = all(isinstance(text, str) and len(text) <= 200 for text in texts) and form in FORMS
+        if good and isinstance(marks, int) and not isinstance(marks, bool) and marks in ALLOWED:
+            return (str(lesson), str(form), pseudonym(str(student)), str(item)), marks
+    raise MarksFileError("a mark in this file is damaged")
+
+
+def marks_file(given: Given) -> dict[str, Any]:
+    """The same as plain values, to be written."""
+    rows = [
+        {**dict(zip(PLACE, place, strict=True)), "marks": marks}
+        for place, marks in sorted(given.items())
+    ]
+    return {"format": FORMAT, "kind": KIND, "marks": rows}

@@ -1,0 +1,42 @@
+"""Which files `carts class` reads, in which order, and to which group each belongs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fnmatch import fnmatchcase
+from pathlib import Path, PurePosixPath
+
+from sim.classroom.reading import MOST_UNPACKED, Source
+
+ENDINGS = (".json", ".zip")
+MOST_ZIP = MOST_UNPACKED
+
+
+def sources(paths: Iterable[Path]) -> Iterator[Source]:
+    """Files as they are named, folders with all answer files and zips in them."""
+    for path in paths:
+        if path.is_dir():
+            inside = (p for p in sorted(path.rglob("*")) if p.suffix.lower() in ENDINGS)
+            yield from (_source(p) for p in inside if p.is_file())
+        else:
+            yield _source(path)
+
+
+def _source(path: Path) -> Source:
+    """At most what may be looked at: what is larger is refused by its size."""
+    try:
+        with path.open("rb") as file:
+            return Source(path.as_posix(), file.read(MOST_ZIP + 1)[: MOST_ZIP + 1])
+    except OSError as error:
+        return Source(f"{path.as_posix()} ({error.strerror})", b"")
+
+
+def group_of(name: str, groups: Sequence[tuple[str, str]]) -> str:
+    """The first group whose pattern fits the name, its end, or its file name; empty: none."""
+    path = PurePosixPath(name)
+    ends = ["/".join(path.parts[k:]) for k in range(len(path.parts))]
+    for group, pattern in groups:
+        wanted = pattern.removeprefix("./").rstrip("/")
+        if any(fnmatchcase(end, wanted) or fnmatchcase(end, f"{wanted}/*") for end in ends):
+            return group
+    return ""

@@ -1,0 +1,121 @@
+"""`carts class`: what a class answered and learned, from the students' answer files."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import click
+
+from sim.classroom.class_csv import items_csv, students_csv
+from sim.classroom.codes import read_codes
+from sim.classroom.reading import Read, Reading, Refused, outcomes
+from sim.classroom.report import WHOLE, Asked, class_report
+from sim.classroom.standalone import standalone
+from sim.cli.class_files import group_of, sources
+from sim.cli.class_text import report_as_text
+
+FILE = click.Path(dir_okay=False, path_type=Path)
+EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
+
+
+@click.command("class")
+@click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, path_type=Path))
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object, for programs.")
+@click.option("--html", type=FILE, help="Write the report as one HTML file, to keep and to print.")
+@click.option("--csv", "csv_file", type=FILE, help="Write marks by student as a table.")
+@click.option("--items", "items_file", type=FILE, help="Write numbers by question as a table.")
+@click.option("--key", "keys", type=EXISTING, multiple=True, help="Key file of `carts key`.")
+@click.option("--marks", type=EXISTING, help="Your marks for answers in words, a file of the page.")
+@click.option("--codes", type=EXISTING, help="Typed hand-in codes, a line each: WORD FORM CODE.")
+@click.option(
+    "--group",
+    "groups",
+    multiple=True,
+    metavar="NAME=GLOB",
+    help="Put files into a group; the same name again is another class of it. With two groups "
+    "the first is compared with the second.",
+)
+@click.pass_context
+def command(
+    ctx: click.Context,
+    files: tuple[Path, ...],
+    as_json: bool,
+    html: Path | None,
+    csv_file: Path | None,
+    items_file: Path | None,
+    keys: tuple[Path, ...],
+    marks: Path | None,
+    codes: Path | None,
+    groups: tuple[str, ...],
+) -> None:
+    """Say what a class answered and learned, from its answer files.
+
+    FILES are answer files, folders with answer files in them, zips, and key files. A file that
+    cannot be used is named on standard error with the reason; the others are analysed. Nothing is
+    sent anywhere.
+    """
+    named = [_group(text) for text in groups]
+    reading = Reading.of([])
+    given = [*files, *keys, *([marks] if marks else [])]
+    for outcome in outcomes(sources(given)):
+        reading.add(outcome)
+    if codes:
+        typed, bad = read_codes(codes.read_text(encoding="utf-8-sig"), reading.keys)
+        reading.files += typed
+        reading.refused += bad
+    report = class_report(*_sorted(reading, named), _asked(reading, named))
+    if html:
+        html.write_text(standalone(report), encoding="utf-8")
+    if csv_file:
+        csv_file.write_text(students_csv(report), encoding="utf-8", newline="")
+    if items_file:
+        items_file.write_text(items_csv(report), encoding="utf-8", newline="")
+    for row in reading.refused:
+        click.echo(f"{row.name}: {row.reason}", err=True)
+    if as_json:
+        click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
+    else:
+        click.echo(report_as_text(report))
+        for path in filter(None, (html, csv_file, items_file)):
+            click.echo(f"Written: {path}")
+    if reading.refused or not reading.files:
+        ctx.exit(1)
+
+
+def _group(text: str) -> tuple[str, str]:
+    name, equals, pattern = text.partition("=")
+    if not (name.strip() and equals and pattern):
+        raise click.UsageError(f"--group {text}: write NAME=GLOB, for example new='class-7a/*'")
+    return name.strip(), pattern
+
+
+def _sorted(
+    reading: Reading, groups: list[tuple[str, str]]
+) -> tuple[list[tuple[Read, str]], Any, list[Refused]]:
+    """Files with their groups; what is in no group is refused in words."""
+    if not groups:
+        return [(file, WHOLE) for file in reading.files], reading.keys, reading.refused
+    placed = [(file, group_of(file.name, groups)) for file in reading.files]
+    reading.refused += [
+        Refused(file.name, "this file is in none of the groups")
+        for file, group in placed
+        if not group
+    ]
+    return [(f, group) for f, group in placed if group], reading.keys, reading.refused
+
+
+def _asked(reading: Reading, groups: list[tuple[str, str]]) -> Asked:
+    """Each pattern that has files is a class of its own."""
+    names = tuple(dict.fromkeys(name for name, _ in groups)) or (WHOLE,)
+    patterns = {
+        (name, pattern)
+        for name, pattern in groups
+        if any(group_of(file.name, [(name, pattern)]) for file in reading.files)
+    }
+    classes = Counter(name for name, _ in patterns)
+    now = datetime.now(UTC).isoformat(timespec="seconds")
+    return Asked(groups=names, classes=classes, given=reading.given, now=now)

@@ -1,0 +1,72 @@
+"""A report on a class as text for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sim.classroom.sentences import number
+from sim.cli.tables import table
+
+
+def report_as_text(report: Mapping[str, Any]) -> str:
+    """What `carts class` prints for people: counts, questions, means, gains, items."""
+    return "\n\n".join(part for part in _parts(report) if part)
+
+
+def _parts(report: Mapping[str, Any]) -> Iterator[str]:
+    files = report["files"]
+    yield f"{files['counted']} of {files['read']} files of answers are counted."
+    yield "\n".join(f"? {_safe(f['sentence'])}\n  {', '.join(f['files'][:8])}"
+                    for f in report["flags"])  # fmt: skip
+    for lesson in report["lessons"]:
+        yield f"{lesson['lesson']}\n{'=' * len(lesson['lesson'])}"
+        yield _means(lesson)
+        says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
+        yield _lines(says)
+        if lesson["comparison"]:
+            yield _lines([*lesson["comparison"]["sentences"], *lesson["comparison"]["refusals"]])
+        for row in lesson["gains"]:
+            yield f"Before and after, {_safe(row['group'])}:"
+            yield _lines([*row["sentences"], *row["refusals"]])
+        for form in lesson["forms"]:
+            yield _items(form)
+    yield _lines(report["notes"])
+
+
+def _lines(sentences: list[str]) -> str:
+    return "\n".join(f"- {_safe(sentence)}" for sentence in sentences)
+
+
+def _means(lesson: Mapping[str, Any]) -> str:
+    rows = [
+        (form["form"], _safe(group["group"]), str(group["n"]), number(group["mean"]),
+         number(group["sd"]), str(form["of"]))
+        for form in lesson["forms"]
+        for group in form["groups"]
+        if "mean" in group
+    ]  # fmt: skip
+    return table(("form", "group", "students", "mean", "sd", "of"), rows) if rows else ""
+
+
+def _items(form: Mapping[str, Any]) -> str:
+    rows = [
+        (
+            item["id"],
+            *(str(item[name]) for name in ("right", "wrong", "empty", "unread")),
+            *("–" if item[name] is None else number(item[name])
+              for name in ("difficulty", "discrimination", "point_biserial")),
+            " ".join(f"{c['option']}{'*' if c.get('correct') else ''}:{c['count']}"
+                     for c in item["choices"]),
+        )
+        for item in form["items"]
+    ]  # fmt: skip
+    head = ("item", "right", "wrong", "open", "to read", "difficulty", "discr.", "r", "chosen")
+    made = f"Form {form['form']}:\n{table(head, rows)}" if rows else ""
+    beliefs = _lines([row["sentence"] for row in form["beliefs"]])
+    return f"{made}\n{beliefs}" if beliefs else made
+
+
+def _safe(text: object) -> str:
+    """No control character of a file reaches the terminal."""
+    return "".join(c if c.isprintable() else "·" for c in str(text))

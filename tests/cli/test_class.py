@@ -1,0 +1,129 @@
+"""`carts class`: exit codes, groups, keys, and what stands in the files it writes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from sim.classroom.marks_file import marks_file
+from sim.cli import main
+from tests.classroom.makers import bank, keys, random_class, sources, zipped
+
+BANK = bank(6, words=1)
+
+
+@pytest.fixture
+def school(tmp_path: Path) -> Path:
+    for folder, seed, gain in (("7a", 1, 0.3), ("7b", 2, 0.1)):
+        (tmp_path / folder).mkdir()
+        for source in sources(random_class(BANK, 12, seed=seed, gain=gain, prefix=folder)):
+            (tmp_path / folder / source.name).write_bytes(source.content)
+    (tmp_path / "carts.key.json").write_text(keys(BANK), encoding="utf-8")
+    return tmp_path
+
+
+def carts(*words: object) -> Result:
+    return CliRunner().invoke(main, ["class", *map(str, words)])
+
+
+def as_json(*words: object) -> dict[str, Any]:
+    result = carts(*words, "--json")
+    assert result.exit_code == 0, result.output
+    report: dict[str, Any] = json.loads(result.stdout)
+    return report
+
+
+def test_a_folder_is_analysed_and_marked_with_the_key(school: Path) -> None:
+    report = as_json(school / "7a", "--key", school / "carts.key.json")
+    assert report["files"]["counted"] == 24
+    assert [form["of"] for form in report["lessons"][0]["forms"]] == [6, 6]
+    assert report["lessons"][0]["gains"][0]["n"] == 12
+
+
+def test_without_a_key_answers_are_counted_and_nothing_is_marked(school: Path) -> None:
+    (pre, post) = as_json(school / "7a")["lessons"][0]["forms"]
+    assert pre["has_key"] is post["has_key"] is False
+    assert pre["of"] == 0
+    assert sum(choice["count"] for choice in pre["items"][0]["choices"]) > 5
+
+
+def test_a_zip_gives_the_same_report_as_its_folder(school: Path) -> None:
+    files = sources(random_class(BANK, 12, seed=1, gain=0.3, prefix="7a"))
+    (school / "class.zip").write_bytes(zipped(files))
+    key = ("--key", school / "carts.key.json")
+    folder, packed = as_json(school / "7a", *key), as_json(school / "class.zip", *key)
+    assert folder["lessons"][0]["gains"] == packed["lessons"][0]["gains"]
+
+
+def test_groups_are_globs_and_the_same_name_again_is_another_class(school: Path) -> None:
+    one = as_json(school, "--group", "new=7a/*", "--group", "usual=7b")
+    assert one["groups"] == ["new", "usual"]
+    comparison = one["lessons"][0]["comparison"]
+    assert comparison["n"] == [12, 12]
+    assert comparison["p_shown"] is False
+    both = as_json(school, "--group", "all=7a/*", "--group", "all=7b/*")
+    assert both["lessons"][0]["gains"][0]["n"] == 24
+
+
+def test_a_file_in_no_group_is_named(school: Path) -> None:
+    result = carts(school, "--group", "new=7a/*", "--json")
+    assert result.exit_code == 1
+    assert "in none of the groups" in result.stderr
+    assert json.loads(result.stdout)["files"]["counted"] == 24
+
+
+def test_a_bad_file_is_named_with_the_reason_and_the_others_are_analysed(school: Path) -> None:
+    (school / "7a" / "bad.json").write_text("{", encoding="utf-8")
+    result = carts(school / "7a", "--json")
+    assert result.exit_code == 1
+    assert "bad.json: this file is damaged" in result.stderr
+    assert json.loads(result.stdout)["files"]["counted"] == 24
+
+
+def test_marks_of_the_page_count(school: Path) -> None:
+    key = ("--key", school / "carts.key.json")
+    table = as_json(school / "7a", *key)["lessons"][0]["forms"][0]
+    given = {("carts", "pre", row["student"], "why-0"): 1 for row in table["students"]}
+    (school / "marks.json").write_text(json.dumps(marks_file(given)), encoding="utf-8")
+    after = as_json(school / "7a", *key, "--marks", school / "marks.json")
+    assert after["lessons"][0]["forms"][0]["of"] == table["of"] + 2
+
+
+def test_the_html_report_has_no_script_and_no_address(school: Path) -> None:
+    target = school / "report.html"
+    as_json(school, "--html", target)
+    page = target.read_text(encoding="utf-8")
+    assert "default-src 'none'" in page
+    assert "<script" not in page
+    assert "http://" not in page.replace("http://www.w3.org/2000/svg", "")
+    assert "https://" not in page
+
+
+def test_tables_are_written_for_spreadsheets(school: Path) -> None:
+    marks, items = school / "marks.csv", school / "items.csv"
+    as_json(school, "--csv", marks, "--items", items)
+    assert len(marks.read_text(encoding="utf-8-sig").splitlines()) == 49
+    assert items.read_bytes().startswith(b"\xef\xbb\xbflesson,form,item")
+
+
+def test_hostile_names_are_escaped_in_the_report(school: Path) -> None:
+    (school / "x").mkdir()
+    hostile = random_class(BANK, 6, prefix="<script>alert(1)</script>\"'&")
+    for file in hostile:
+        file["lesson"] = "<b>lesson</b>"
+    for k, source in enumerate(sources(hostile)):
+        (school / "x" / f"{k}.json").write_bytes(source.content)
+    carts(school / "x", "--html", school / "r.html")
+    page = (school / "r.html").read_text(encoding="utf-8")
+    assert "<script>" not in page
+    assert "<b>" not in page
+    assert "&lt;script&gt;alert(1)" in page
+
+
+@pytest.mark.parametrize("words", [(), ("no-such-file",), (".", "--group", "a")])
+def test_a_wrong_call_exits_with_2(words: tuple[str, ...]) -> None:
+    assert carts(*words).exit_code == 2
