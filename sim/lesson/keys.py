@@ -3,11 +3,12 @@ JSON Schemas are made from them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from sim.scene.problem import Path, Problem
+from sim.scene.tables import mapping, unknown_keys
 
 TEXT: Mapping[str, Any] = {"type": "string", "minLength": 1}
 NUMBER_OR_TEXT: Mapping[str, Any] = {"type": ["number", "string"]}
@@ -58,6 +59,27 @@ def needed(
     if found is None and name not in table:
         problems.append(Problem(path, "missing", f"{name} is missing", hint))
     return found or ""
+
+
+def tables(
+    table: Mapping[str, Any],
+    name: str,
+    known: tuple[Key, ...],
+    path: Path,
+    problems: list[Problem],
+    hint: str,
+) -> Iterator[tuple[Path, Mapping[str, Any]]]:
+    """The tables of a list that may be left out, each with the place where it stands."""
+    listed = table.get(name, [])
+    if not isinstance(listed, (list, tuple)):
+        problems.append(Problem((*path, name), "not-a-list", f"{name} is a list", hint))
+        return
+    for k, entry in enumerate(listed):
+        here = (*path, name, k)
+        row = mapping(entry, here, problems, hint)
+        if row is not None:
+            unknown_keys(row, names(known), here, problems)
+            yield here, row
 
 
 def texts(

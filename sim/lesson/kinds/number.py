@@ -16,7 +16,6 @@ from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import Dimension, QuantityError, read_quantity, unit_of
-from sim.scene.tables import mapping, unknown_keys
 
 FIGURES = 3  # what pages show and students type
 WRONG_KEYS = (
@@ -205,18 +204,9 @@ def _wrong(
     problems: list[Problem],
 ) -> tuple[Wrong, ...]:
     unit, dimension = measured
-    listed = table.get("wrong", [])
     hint = "wrong:\n    - {value: 0.60 m/s, feedback: That is the speed before.}"
-    if not isinstance(listed, (list, tuple)):
-        problems.append(Problem((*path, "wrong"), "not-a-list", "wrong is a list", hint))
-        return ()
     found = []
-    for k, entry in enumerate(listed):
-        here: Path = (*path, "wrong", k)
-        row = mapping(entry, here, problems, hint)
-        if row is None:
-            continue
-        unknown_keys(row, keys.names(WRONG_KEYS), here, problems)
+    for here, row in keys.tables(table, "wrong", WRONG_KEYS, path, problems, hint):
         value = read_number(row, "value", dimension, here, problems)
         tolerance = (
             read_tolerance(row, value, dimension, here, problems)

@@ -14,7 +14,7 @@ from sim.lesson.kinds.choice import read_belief
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
-from sim.scene.tables import mapping, unknown_keys
+from sim.scene.tables import mapping
 
 RUBRIC = Key(
     "rubric",
@@ -180,18 +180,10 @@ def _rubric(
 def _wrong(
     table: Mapping[str, Any], path: Path, problems: list[Problem]
 ) -> tuple[tuple[tuple[str, ...], str, str], ...]:
-    listed = table.get("wrong", [])
     hint = "wrong:\n    - {text: A pushes harder, belief: mover-pushes-more}"
-    if not isinstance(listed, (list, tuple)):
-        problems.append(Problem((*path, "wrong"), "not-a-list", "wrong is a list", hint))
-        return ()
     found = []
-    for k, entry in enumerate(listed):
-        here: Path = (*path, "wrong", k)
-        row = mapping(entry, here, problems, hint)
-        if row is not None:
-            unknown_keys(row, keys.names(_WRONG_KEYS), here, problems)
-            texts = keys.texts(row, "text", here, problems, hint)
-            given = keys.text(row, "feedback", here, problems) or ""
-            found.append((texts, read_belief(row, here, problems), given))
+    for here, row in keys.tables(table, "wrong", _WRONG_KEYS, path, problems, hint):
+        texts = keys.texts(row, "text", here, problems, hint)
+        given = keys.text(row, "feedback", here, problems) or ""
+        found.append((texts, read_belief(row, here, problems), given))
     return tuple(found)

@@ -10,22 +10,18 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from functools import cache
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
-
 from sim.pages.cost.block import CostBlock
 from sim.pages.cost.figure import LABELS, METHODS, figure
+from sim.pages.templates import script_json, templates
 from sim.pages.widget.numbers import fixed, short
 
 MEASURED = Path(__file__).parent / "measured"
 FIRST_METHOD, FIRST_PARTS = "euler", 103
 PARTS = (19, 61, 103, 211, 499, 997, 9973)
 TOLERANCES = (1e-6, 1e-9, 1e-12)
-UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
 MANY, HUGE = 1000, 10_000
 
 
@@ -58,7 +54,7 @@ def render_cost(block: CostBlock) -> str:
             }
         ),
     }
-    return str(_templates().get_template("cost.html.j2").render(view))
+    return str(templates("sim.pages.cost").get_template("cost.html.j2").render(view))
 
 
 def baked_run(plain: Mapping[str, Any]) -> dict[str, Any]:
@@ -128,20 +124,3 @@ def cells(row: Mapping[str, Any], until: float) -> list[str]:
 def tolerance(rtol: float) -> str:
     """A power of ten as it is typed at a command line."""
     return f"tolerance 1e{round(math.log10(rtol))}"
-
-
-def script_json(value: Mapping[str, Any]) -> Markup:
-    """JSON that can stand in a script element whatever the texts in it say."""
-    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Markup(text.translate(UNSAFE))
-
-
-@cache
-def _templates() -> Environment:
-    return Environment(
-        loader=PackageLoader("sim.pages.cost"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )

@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping, Sequence
-from functools import cache
 from typing import Any
-
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
 
 from sim.pages.map import figure as drawing
 from sim.pages.map.bake import MapRun
 from sim.pages.map.palette import NONE, ZERO
 from sim.pages.map.scale import scale_for
+from sim.pages.templates import script_json, templates
 from sim.pages.widget.numbers import decimals_of, fixed
 from sim.pages.widget.panel import plain
 from sim.scene.controls import Control
 from sim.scene.map import Map
 
-UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
 TABLE_COLUMNS, TABLE_ROWS = 6, 11
 
 
@@ -45,9 +40,9 @@ def render_map(described: Map, written: Mapping[str, Any], run: MapRun) -> str:
         "controls": [_control(control) for control in described.controls],
         "table": table(described, run),
         "why": run.why,
-        "baked": _script_json(_facts(described, written, run, here, run.values[at])),
+        "baked": script_json(_facts(described, written, run, here, run.values[at])),
     }
-    return str(_templates().get_template("map.html.j2").render(view))
+    return str(templates("sim.pages.map").get_template("map.html.j2").render(view))
 
 
 def sentence_case(text: str) -> str:
@@ -136,6 +131,18 @@ def _control(control: Control) -> dict[str, Any]:
     }
 
 
+def _range(control: Control) -> dict[str, Any]:
+    """What is set, between which two values as the reader sees them."""
+    return {
+        "set": control.set,
+        "label": control.label,
+        "unit": control.unit,
+        "per": control.per,
+        "low": control.shown(control.low),
+        "high": control.shown(control.high),
+    }
+
+
 def _facts(
     described: Map, written: Mapping[str, Any], run: MapRun, here: Sequence[int], at: float
 ) -> dict[str, Any]:
@@ -151,12 +158,7 @@ def _facts(
         "decimals": drawing.most_decimals(run),
         "axes": [
             {
-                "set": c.set,
-                "label": c.label,
-                "unit": c.unit,
-                "per": c.per,
-                "low": c.shown(c.low),
-                "high": c.shown(c.high),
+                **_range(c),
                 "decimals": axis_decimals(c, values),
                 "values": values,
             }
@@ -166,12 +168,7 @@ def _facts(
         "at": None if math.isnan(at) else at,
         "controls": [
             {
-                "set": c.set,
-                "label": c.label,
-                "unit": c.unit,
-                "per": c.per,
-                "low": c.shown(c.low),
-                "high": c.shown(c.high),
+                **_range(c),
                 "step": c.shown(c.step),
                 "value": c.shown(c.value),
             }
@@ -190,20 +187,3 @@ def _facts(
         "plot": [drawing.LEFT, drawing.TOP, drawing.RIGHT, drawing.BOTTOM],
         "size": [drawing.WIDTH, drawing.HEIGHT_OF_CURVE if len(here) == 1 else drawing.HEIGHT],
     }
-
-
-def _script_json(value: Mapping[str, Any]) -> Markup:
-    """JSON that can stand in a script element whatever the texts in it say."""
-    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Markup(text.translate(UNSAFE))
-
-
-@cache
-def _templates() -> Environment:
-    return Environment(
-        loader=PackageLoader("sim.pages.map"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )

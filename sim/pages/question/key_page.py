@@ -13,8 +13,9 @@ from sim.pages.fence_scan import scan
 from sim.pages.question.block import read_question_block
 from sim.pages.question.inside import to_html, to_inline
 from sim.pages.question.quiz import read_quiz_block
-from sim.pages.question.render import FORM_NAMES, templates
+from sim.pages.question.render import FORM_NAMES
 from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.templates import templates
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +45,9 @@ def lesson_key(text: str, lesson: Lesson, name: str, site: str) -> Key | None:
     parts = [("Worksheet", tuple(own))] if own else []
     parts += [(form.title or FORM_NAMES[form.form], form.items) for form in forms]
     rows = [(title, [_row(item, k) for k, item in enumerate(part, 1)]) for title, part in parts]
-    page = templates().get_template("key.html.j2").render(lesson=name, parts=rows)
+    page = (
+        templates("sim.pages.question").get_template("key.html.j2").render(lesson=name, parts=rows)
+    )
     return Key(key_file(site, name, own, forms), str(page))
 
 

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from sim.lesson import Question
 from sim.lesson.form import Form
 from sim.lesson.question import CERTAINTY
 from sim.pages.question.inside import to_html, to_inline
+from sim.pages.templates import script_json, templates
 
 LINES = {"short": 1, "long": 5, "number": 1, "reading": 1}
-UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
 LEVELS = {"core": "", "support": "a bit of help", "stretch": "for more"}
 FORM_NAMES = {"pre": "Before", "post": "After", "delayed": "Some time later"}
 SURE = {"guess": "a guess", "think": "I think so", "sure": "I am sure"}
@@ -52,7 +48,7 @@ def render_question(
         "certainty": [(word, SURE[word]) for word in CERTAINTY],
         "sure": common.sure and question.KIND != "confidence",
     }
-    return str(templates().get_template("question.html.j2").render(view))
+    return str(templates("sim.pages.question").get_template("question.html.j2").render(view))
 
 
 def render_quiz(form: Form) -> str:
@@ -74,7 +70,7 @@ def render_quiz(form: Form) -> str:
             for k, item in enumerate(form.items, start=1)
         ],
     }
-    return str(templates().get_template("quiz.html.j2").render(view))
+    return str(templates("sim.pages.question").get_template("quiz.html.j2").render(view))
 
 
 def _feedback(question: Question) -> dict[str, Markup]:
@@ -82,21 +78,3 @@ def _feedback(question: Question) -> dict[str, Markup]:
     if question.common.explain:
         texts["explain"] = question.common.explain
     return {name: Markup(to_html(text)) for name, text in texts.items()}
-
-
-def script_json(value: Mapping[str, Any]) -> Markup:
-    """JSON that can stand in a script element whatever the texts in it say."""
-    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Markup(text.translate(UNSAFE))
-
-
-@cache
-def templates() -> Environment:
-    """The templates of questions and forms."""
-    return Environment(
-        loader=PackageLoader("sim.pages.question"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )

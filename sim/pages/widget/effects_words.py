@@ -8,16 +8,9 @@ from typing import Any
 
 from sim.pages.widget.effects_forces import agent, linked_pairs
 from sim.pages.widget.numbers import short
+from sim.pages.widget.words import EFFECTS
 
-LEFT_OUT = {
-    "friction": "friction",
-    "incline": "a slope",
-    "drag": "air resistance",
-    "push": "pushes from outside",
-    "spring": "springs between the carts",
-    "magnets": "magnets",
-    "release": "exploders",
-}
+LEFT_OUT = EFFECTS | {"release": "exploders"}
 
 
 def acting_sentences(header: Mapping[str, Any], *, numbers: bool) -> str:

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
-from functools import cache
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
-
+from sim.pages.templates import script_json, templates
 from sim.pages.widget.layout import lay_out
 from sim.pages.widget.run import Run, from_wire
 from sim.pages.widget.scale_of import read_scales
@@ -20,7 +16,6 @@ from sim.pages.widget.view import scene_view
 DIGITS, FEWER_DIGITS, LONG = 11, 7, 1500
 # Parts of a header that tell of the run; a page without a prediction may know them at once.
 TELLING = ("final", "energy", "momentum", "work", "evaluations", "outcome")
-UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
 
 
 def render(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> str:
@@ -42,7 +37,7 @@ def render(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> s
         for kind in ("wide", "narrow")
     ]
     view = scene_view(fence, header, run, scales, layouts, told=told)
-    view["baked"] = _script_json(
+    view["baked"] = script_json(
         {
             **header,
             "numbers": run.as_dict(digits),
@@ -58,7 +53,7 @@ def render(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> s
             },
         }
     )
-    return str(_templates().get_template("scene.html.j2").render(view))
+    return str(templates("sim.pages.widget").get_template("scene.html.j2").render(view))
 
 
 def _untold(header: Mapping[str, Any]) -> dict[str, Any]:
@@ -110,20 +105,3 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
             "options": list(predict.options),
         },
     }
-
-
-def _script_json(value: Mapping[str, Any]) -> Markup:
-    """JSON that can stand in a script element whatever the texts in it say."""
-    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Markup(text.translate(UNSAFE))
-
-
-@cache
-def _templates() -> Environment:
-    return Environment(
-        loader=PackageLoader("sim.pages.widget"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )

@@ -2,21 +2,13 @@
 
 import { agent } from "./effects-forces.js";
 import { short } from "./numbers.js";
-import { body } from "./words.js";
+import { body, EFFECTS } from "./words.js";
 
 /** @typedef {import("./types.js").Header} Header */
 /** @typedef {import("./types.js").Effect} Effect */
 
 /** @type {Record<string, string>} */
-const LEFT_OUT = {
-  friction: "friction",
-  incline: "a slope",
-  drag: "air resistance",
-  push: "pushes from outside",
-  spring: "springs between the carts",
-  magnets: "magnets",
-  release: "exploders",
-};
+const LEFT_OUT = { ...EFFECTS, release: "exploders" };
 
 /** @param {Header} header @param {boolean} numbers false: they would tell a force @returns {string} in and out of the model */
 export function actingSentences(header, numbers) {

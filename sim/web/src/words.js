@@ -17,7 +17,7 @@ export const QUANTITIES = {
   energy: ["Kinetic energy", "E", "J"],
 };
 /** @type {Record<string, string>} */
-const EFFECTS = {
+export const EFFECTS = {
   friction: "friction",
   incline: "a slope",
   drag: "air resistance",
