@@ -6,8 +6,8 @@
 
 is answered by a header (JSON) and one array of float64, column after column. The header of a
 refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
-what a reader or an author typed. The other kinds of request are `map` and `cost`, see `map_answer`
-and `cost_answer`.
+what a reader or an author typed. The other kinds of request have modules of their own: `map`,
+`cost` and `how`, see `map_answer`, `cost_answer` and `how_answer`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.plan import not_simulated
 from sim.dynamics.report import report
 from sim.dynamics.run import run
-from sim.dynamics.trajectory import PER_STRETCH, trajectory
+from sim.dynamics.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.read_effects import listed_effects
 
@@ -38,10 +38,8 @@ Answer = tuple[dict[str, Any], "array[float]"]
 def answer(request: Mapping[str, Any]) -> Answer:
     """Answer one request."""
     identity = request.get("id")
-    if request.get("kind") == "map":
-        return _map(request)
-    if request.get("kind") == "cost":
-        return _cost(request)
+    if request.get("kind") in ("map", "cost", "how"):
+        return _other(request)
     if request.get("kind") != "run":
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
         return refusal(identity, [problem])
@@ -54,25 +52,20 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return refusal(identity, [Problem((), "unsolved", error.message, error.hint)])
     samples = request.get("samples")
     header, numbers = describe(finished, samples if isinstance(samples, int) else PER_STRETCH)
-    header["effects"] = _effects(plain, finished.scene)
+    header["effects"] = effects_of(plain, finished.scene)
     return {"id": identity, "ok": True, **header}, numbers
 
 
-def _map(request: Mapping[str, Any]) -> Answer:
-    from sim.bridge.map_answer import map_answer  # only where a map is asked for
-
+def _other(request: Mapping[str, Any]) -> Answer:
+    """What is loaded only where it is asked for."""
     try:
-        header, numbers = map_answer(request)
-    except SceneError as error:
-        return refusal(request.get("id"), error.problems)
-    return {"id": request.get("id"), "ok": True, **header}, numbers
-
-
-def _cost(request: Mapping[str, Any]) -> Answer:
-    from sim.bridge.cost_answer import cost_answer  # only where it is asked for
-
-    try:
-        header, numbers = cost_answer(request)
+        if request.get("kind") == "map":
+            from sim.bridge.map_answer import map_answer as asked
+        elif request.get("kind") == "cost":
+            from sim.bridge.cost_answer import cost_answer as asked
+        else:
+            from sim.bridge.how_answer import how_answer as asked
+        header, numbers = asked(request)
     except SceneError as error:
         return refusal(request.get("id"), error.problems)
     except UnsolvedError as error:
@@ -92,8 +85,12 @@ def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> 
 
 def describe(finished: Run, per_stretch: int = PER_STRETCH) -> Answer:
     """Header and numbers of a finished run."""
+    return wire(finished, trajectory(finished, max(1, per_stretch)), report(finished))
+
+
+def wire(finished: Run, samples: Trajectory, told: dict[str, Any]) -> Answer:
+    """The same of a run with its samples and its report, whoever made them."""
     scene = finished.scene
-    samples = trajectory(finished, max(1, per_stretch))
     numbers = array("d")
     for column in samples.columns.values():
         numbers.extend(column)
@@ -111,7 +108,7 @@ def describe(finished: Run, per_stretch: int = PER_STRETCH) -> Answer:
         "rows": samples.rows,
         "columns": [list(name) for name in samples.columns],
         "notSimulated": list(not_simulated(scene)),
-        **report(finished),
+        **told,
     }
     return header, numbers
 
@@ -130,7 +127,7 @@ def _bodies(scene: Scene) -> list[dict[str, Any]]:
     ]
 
 
-def _effects(plain: Mapping[str, Any], scene: Scene) -> list[dict[str, Any]]:
+def effects_of(plain: Mapping[str, Any], scene: Scene) -> list[dict[str, Any]]:
     """Everything that the scene lists, with what is switched off: SI numbers, carts, agents."""
     names = [cart.name for cart in scene.carts]
     return [

@@ -71,7 +71,8 @@ class _Recorder:
         self.record = Record(scene, keep_events, keep_motion=True)
         self.story = Story(self.run.field, self.record)
         self.ledger = Ledger(scene)
-        self.columns = _empty(scene, [p.gap for p in self.run.field.pairs])
+        self.outside = _outside(scene)
+        self.columns = _empty(scene, [p.gap for p in self.run.field.pairs], self.outside)
         self.every = max(1, math.ceil(scene.until / self.step / MOST_ROWS))
         self.count = 0
         self.held: dict[int, float] = {}
@@ -159,6 +160,9 @@ class _Recorder:
                 linked for (_, gap), linked in detail.links.items() if gap == pair.gap
             )
             columns[("F", "-".join(self.scene.names_at(pair.gap)))].append(force)
+        for kind, k in self.outside:
+            name = self.scene.carts[k].name
+            columns[("E", kind, name)].append(detail.outside.get((kind, k), 0.0))
 
     def _stored(self, push: Row) -> float:
         """J in the contacts that push."""
@@ -208,11 +212,21 @@ def _stored(pair: Pair, d: float, rate: float, memory: float) -> float:
     return law.stored(d, rate, memory) if law is not None and d > 0.0 else 0.0
 
 
-def _empty(scene: Scene, gaps: list[int]) -> dict[tuple[str, ...], array[float]]:
+def _outside(scene: Scene) -> list[tuple[str, int]]:
+    """Kind and cart of every effect that acts on single carts."""
+    place = {cart.name: k for k, cart in enumerate(scene.carts)}
+    acting = (effect for effect in scene.effects if effect.between is None)
+    return list({(one.kind, place[name]): None for one in acting for name in one.carts})
+
+
+def _empty(
+    scene: Scene, gaps: list[int], outside: list[tuple[str, int]]
+) -> dict[tuple[str, ...], array[float]]:
     columns: dict[tuple[str, ...], array[float]] = {("t",): array("d")}
     for cart in scene.carts:
         columns.update({(kind, cart.name): array("d") for kind in ("x", "v", "a")})
     columns.update({("F", "-".join(scene.names_at(gap))): array("d") for gap in gaps})
+    columns.update({("E", kind, scene.carts[k].name): array("d") for kind, k in outside})
     return columns
 
 

@@ -165,15 +165,15 @@
   // src/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
-    const made2 = document.createElementNS(SVG, tag);
-    for (const [name2, value] of Object.entries(attributes)) made2.setAttribute(name2, String(value));
-    return made2;
+    const made3 = document.createElementNS(SVG, tag);
+    for (const [name2, value] of Object.entries(attributes)) made3.setAttribute(name2, String(value));
+    return made3;
   }
   function html(tag, className = "", text = "") {
-    const made2 = document.createElement(tag);
-    if (className) made2.className = className;
-    if (text) made2.textContent = text;
-    return made2;
+    const made3 = document.createElement(tag);
+    if (className) made3.className = className;
+    if (text) made3.textContent = text;
+    return made3;
   }
   function put(element, name2, value) {
     if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
@@ -368,11 +368,11 @@
         return svg("rect", { class: name2, rx: 3, ...box2 });
       };
       const group2 = (k) => {
-        const made2 = svg("g", { class: `carts-b${k % 8}` });
+        const made3 = svg("g", { class: `carts-b${k % 8}` });
         const name2 = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
         name2.textContent = bodies[k]?.name ?? "";
-        made2.append(shape(k, "carts-box"), name2);
-        return made2;
+        made3.append(shape(k, "carts-box"), name2);
+        return made3;
       };
       this.carts = bodies.map((_, k) => group2(k));
       this.ghosts = bodies.map((_, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
@@ -517,8 +517,8 @@
   var BEFORE = 0.15;
   var AFTER = 0.25;
   var RATES = [0.5, 0.2, 0.1];
-  function rateFor(duration) {
-    const wanted = duration / WATCH;
+  function rateFor(duration2) {
+    const wanted = duration2 / WATCH;
     for (let power = 1; power > 1e-12; power /= 10) {
       for (const rate of RATES) if (rate * power <= wanted) return rate * power;
     }
@@ -527,10 +527,10 @@
   function slowParts(touches2) {
     const parts = [];
     for (const { start, end } of touches2) {
-      const duration = end - start;
-      const rate = rateFor(duration);
+      const duration2 = end - start;
+      const rate = rateFor(duration2);
       if (rate >= 1) continue;
-      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
+      const part = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
       const last = parts.at(-1);
       if (last && part.from <= last.to) {
         last.to = Math.max(last.to, part.to);
@@ -654,6 +654,7 @@
 
   // src/cost-element.js
   var PACKAGES = ["numpy", "scipy"];
+  var ADAPTIVE = ["rk45", "adaptive"];
   function costElement(client) {
     return class CartsCost extends HTMLElement {
       /** @type {CostFacts | null} */
@@ -720,7 +721,7 @@
         this.#generation += 1;
         const generation = this.#generation;
         const method = this.#select("method").value;
-        const adaptive = method === "adaptive";
+        const adaptive = ADAPTIVE.includes(method);
         this.#select("step").hidden = adaptive;
         this.#select("rtol").hidden = !adaptive;
         const size = adaptive ? { rtol: Number(this.#select("rtol").value) } : { parts: Number(this.#select("step").value) };
@@ -1211,6 +1212,388 @@
       return values.size === 1 ? [...values][0] ?? null : null;
     }
     return effectValue(header, target);
+  }
+
+  // src/how-words.js
+  var LOCKED = "Make your prediction and lock it first. Then you can see how the run is computed.";
+  var PLAN = "The plan, found before anything moves:";
+  var MEASURING = "Measuring on this computer …";
+  var NO_PYTHON = "Python does not run here, so nothing can be measured.";
+  var SWITCH = "What if a program went step by step? The run then plays as that method computes it. Dashed: exact.";
+  var LOADING = "Python’s scipy is being loaded …";
+  var METHOD = "method";
+  var STEP2 = "step";
+  var TOLERANCE = "tolerance";
+  var EXACT = "exact (as always)";
+  var FAILED = "The exact run is shown.";
+  var METHODS = {
+    euler: "Euler",
+    "semi-implicit": "semi-implicit Euler",
+    verlet: "velocity Verlet",
+    rk4: "RK4",
+    "rk4-events": "RK4 + located touches",
+    rk45: "adaptive RK45 + located touches",
+    adaptive: "adaptive DOP853 + located touches"
+  };
+  var SOLVERS = {
+    "free-flight": "free flight, exact",
+    flight: "flight with forces, exact",
+    "pair-contact": "one contact at a time, exact",
+    "power-series": "several forces at once, exact to rounding",
+    adaptive: "no formula: an adaptive method with located touches"
+  };
+  var USED = {
+    "free-flight": "free flights",
+    flight: "flights",
+    "pair-contact": "contacts",
+    "pair-phase": "contacts with other forces",
+    "power-series": "series for several forces",
+    adaptive: "steps of an adaptive method",
+    instant: "impacts"
+  };
+  function phaseWords({ from, until, solver, why }, decimals) {
+    const times = `${fixed(from, decimals)} to ${fixed(until, decimals)} s`;
+    return [times, SOLVERS[solver] ?? solver, `${(why[0] ?? "").toUpperCase()}${why.slice(1)}.`];
+  }
+  function duration(seconds) {
+    if (seconds >= 1) return `${short(seconds, 2)} s`;
+    if (seconds >= 1e-3) return `${short(1e3 * seconds, 2)} ms`;
+    return `${short(1e6 * seconds, 2)} µs`;
+  }
+  function formulasWords(solvers) {
+    const used = Object.entries(solvers).map(([name2, count2]) => `${USED[name2] ?? name2}: ${count2}`);
+    return used.length ? `Formulas worked out, ${used.join(", ")}.` : "";
+  }
+  function costWords({ cost }) {
+    const all = cost.solution + cost.points;
+    return `On this computer, just now: ${duration(all)}, of which ${duration(cost.solution)} for the motion and ${duration(cost.points)} for the points of the curves.`;
+  }
+  function sizeWords({ step, rtol, steps }) {
+    if (rtol) return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+    return `${steps} steps of ${duration(Number(step))}`;
+  }
+  function stepWords(until, parts) {
+    return `${duration(until / parts)} (run / ${parts})`;
+  }
+  function toleranceWords(rtol) {
+    return `1e${Math.round(Math.log10(rtol))}`;
+  }
+  function signWords(how) {
+    return `Step by step: ${METHODS[how.method]}, ${sizeWords(how)}. Not exact. Dashed: exact.`;
+  }
+  var BEYOND = "beyond all numbers";
+  var MANY2 = 10;
+  function comparedWords(how) {
+    const { error, energy, seconds, evaluations, blown } = how;
+    const told2 = [
+      ["largest error of a velocity at the end", `${amount(error.v)} m/s`],
+      ["largest error of a position at the end", `${amount(error.x)} m`],
+      ["energy made from nothing", made(energy)],
+      ["times that all forces were computed", String(evaluations)],
+      ["time on this computer", ratioWords(seconds)]
+    ];
+    if (blown !== null) {
+      told2.unshift(["the numbers blow up", `at ${fixed(blown, 2)} s; drawn up to there`]);
+    }
+    return told2;
+  }
+  function amount(value) {
+    return value === null ? BEYOND : short(value, 2);
+  }
+  function made({ made: joules, initial }) {
+    if (joules === null) return BEYOND;
+    if (!initial) return `${short(joules, 2)} J`;
+    const part = joules / initial;
+    const of = Math.abs(part) < MANY2 ? `${short(100 * part, 2)} % of` : `${short(part, 2)} times`;
+    return `${short(joules, 2)} J, ${of} the energy at the start`;
+  }
+  function ratioWords({ stepped, exact }) {
+    const ratio = stepped / exact;
+    if (ratio >= 1)
+      return `${duration(stepped)}, ${short(ratio, 2)} times the exact run’s ${duration(exact)}`;
+    return `${duration(stepped)}; the exact run takes ${short(1 / ratio, 2)} times as long, ${duration(exact)}`;
+  }
+
+  // src/how-panel.js
+  var EXACT2 = "exact";
+  var PARTS = [19, 37, 61, 103, 211, 499, 997, 1999, 4999];
+  var OPENS_AT = 3;
+  var TOLERANCES = [1e-3, 1e-6, 1e-9, 1e-12];
+  var ADAPTIVE2 = ["rk45", "adaptive"];
+  var HowPanel = class {
+    /**
+     * @param {HTMLElement} place @param {boolean} scipy whether the page can have it
+     * @param {() => void} changed when the reader chooses a method or a step
+     */
+    constructor(place3, scipy, changed) {
+      this.until = 1;
+      this.plan = html("ol", "carts-how-plan");
+      this.cost = html("p", "carts-how-cost");
+      this.method = document.createElement("select");
+      this.method.className = "carts-how-method";
+      this.method.append(option(EXACT2, EXACT));
+      for (const [name2, label] of Object.entries(METHODS)) {
+        if (scipy || !ADAPTIVE2.includes(name2)) this.method.append(option(name2, label));
+      }
+      this.slider = document.createElement("input");
+      this.slider.type = "range";
+      this.slider.className = "carts-how-step";
+      this.slider.min = "0";
+      this.size = html("output");
+      this.kind = html("span");
+      this.stepRow = html("label");
+      this.stepRow.append(this.kind, " ", this.slider, " ", this.size);
+      const methodRow = html("label", "", `${METHOD} `);
+      methodRow.append(this.method);
+      const row = html("div", "carts-how-switch");
+      row.append(methodRow, this.stepRow);
+      this.note = html("p", "carts-how-note");
+      this.note.setAttribute("role", "status");
+      const table = html("table", "carts-table carts-how-told");
+      this.told = html("tbody");
+      table.append(this.told);
+      this.table = html("div", "carts-scroll");
+      this.table.append(table);
+      place3.replaceChildren(
+        html("p", "carts-how-head", PLAN),
+        this.plan,
+        this.cost,
+        html("p", "carts-how-head", SWITCH),
+        row,
+        this.note,
+        this.table
+      );
+      this.method.addEventListener("change", () => {
+        this.#range();
+        changed();
+      });
+      this.slider.addEventListener("input", () => {
+        this.#size();
+        changed();
+      });
+      this.reset();
+    }
+    /** @returns {Choice | null} null: exact */
+    get choice() {
+      const method = this.method.value;
+      if (method === EXACT2) return null;
+      const place3 = this.slider.valueAsNumber;
+      return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place3] ?? 1e-9 } : { method, parts: PARTS[place3] ?? 103 };
+    }
+    reset() {
+      this.method.value = EXACT2;
+      this.#range();
+      this.tell([]);
+      say(this.note, "");
+    }
+    /** The plan of the exact run. @param {Run} run @param {number} decimals */
+    show({ header }, decimals) {
+      this.until = header.until;
+      this.#size();
+      const lines2 = header.plan.map((phase) => {
+        const [times, how, why] = phaseWords(phase, decimals);
+        const line = html("li");
+        line.append(html("b", "", times), ` ${how}. `, html("span", "carts-quiet", why));
+        return line;
+      });
+      this.plan.replaceChildren(...lines2);
+    }
+    /** @param {[string, string][]} lines what is told of a stepped run */
+    tell(lines2) {
+      this.table.hidden = lines2.length === 0;
+      const rows = lines2.map(([head, value]) => {
+        const row = html("tr");
+        const first = html("th", "", head);
+        first.setAttribute("scope", "row");
+        row.append(first, html("td", "", value));
+        return row;
+      });
+      this.told.replaceChildren(...rows);
+    }
+    /** The slider fits the method. */
+    #range() {
+      const adaptive = ADAPTIVE2.includes(this.method.value);
+      const kind = adaptive ? TOLERANCE : STEP2;
+      if (this.kind.textContent !== kind) {
+        this.slider.max = String((adaptive ? TOLERANCES : PARTS).length - 1);
+        this.slider.value = String(adaptive ? 1 : OPENS_AT);
+      }
+      say(this.kind, kind);
+      this.stepRow.hidden = this.method.value === EXACT2;
+      this.#size();
+    }
+    #size() {
+      const chosen = this.choice;
+      if (!chosen) return;
+      const text = "rtol" in chosen ? toleranceWords(chosen.rtol) : stepWords(this.until, chosen.parts);
+      say(this.size, text);
+      this.slider.setAttribute("aria-valuetext", text);
+    }
+  };
+  function option(value, text) {
+    const made3 = html("option", "", text);
+    made3.setAttribute("value", value);
+    return made3;
+  }
+
+  // src/waiting.js
+  function frame() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  async function drawn(scene, at, detail) {
+    await frame();
+    performance.measure("carts:update", { start: at, end: performance.now() });
+    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+  }
+  function deferred() {
+    const made3 = {};
+    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
+    return made3;
+  }
+  function refusal2(problems) {
+    const [first] = problems;
+    if (!first) return new Error("This value does not work.");
+    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+  }
+
+  // src/how.js
+  var PACKAGES2 = ["numpy", "scipy"];
+  var REST = 400;
+  var How = class {
+    /** @type {HowPanel | null} */
+    #panel = null;
+    /** @type {Run | null} */
+    #exact = null;
+    /** @type {HTMLElement | null} */
+    #sign = null;
+    #turn = 0;
+    #timer = 0;
+    #measuring = {};
+    // an owner of its own: a measurement is no newer run
+    /**
+     * @param {HTMLElement} root @param {import("./scene-view.js").SceneView} view
+     * @param {import("./client.js").Client} client
+     * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
+     */
+    constructor(root, view, client, message) {
+      this.root = root;
+      this.view = view;
+      this.client = client;
+      this.message = message;
+      this.details = /** @type {HTMLDetailsElement} */
+      need(root, ".carts-how");
+      this.details.addEventListener("toggle", () => this.#opened());
+    }
+    /** A new exact run: it is shown, or its scene step by step. @param {Run} run */
+    async follow(run) {
+      this.#exact = run;
+      this.#turn += 1;
+      this.#opened();
+      if (this.#panel?.choice) await this.#step();
+      else this.#showExact();
+    }
+    /** Back to exact, from the next run on. */
+    reset() {
+      this.#panel?.reset();
+      this.#turn += 1;
+    }
+    #showExact() {
+      this.#sign?.remove();
+      this.#sign = null;
+      if (this.#exact) this.view.show(this.#exact);
+    }
+    /** Where it is open, it tells of the run that is there now. */
+    #opened() {
+      clearTimeout(this.#timer);
+      const run = this.#exact ?? this.view.run;
+      if (!this.details.open) return;
+      const place3 = need(this.details, ".carts-how-body");
+      if (!isTold(run)) {
+        this.#panel = null;
+        place3.replaceChildren(html("p", "", LOCKED));
+        return;
+      }
+      this.#panel ??= new HowPanel(place3, canHaveScipy(), () => void this.#chosen());
+      this.#panel.show(run, this.view.baked.view.decimals.t ?? 2);
+      if (this.#panel.choice) return;
+      say(this.#panel.cost, this.client.state === "failed" ? NO_PYTHON : MEASURING);
+      this.#timer = setTimeout(() => void this.#measure(), this.view.player.playing ? REST : 0);
+    }
+    async #measure() {
+      const turn = this.#turn;
+      try {
+        const { header } = await this.client.ask(this.#measuring, () => this.message({}));
+        if (turn !== this.#turn || !this.#panel) return;
+        const answer = (
+          /** @type {any} */
+          header
+        );
+        const used = (
+          /** @type {any} */
+          this.#exact?.header?.evaluations?.solvers ?? {}
+        );
+        const formulas = formulasWords(used);
+        if (header.ok) say(this.#panel.cost, `${formulas} ${costWords(answer)}`.trim());
+      } catch {
+        if (this.#panel) say(this.#panel.cost, NO_PYTHON);
+      }
+    }
+    /** The reader chose a method or a step. */
+    async #chosen() {
+      this.#turn += 1;
+      if (this.#panel?.choice) return this.#step();
+      this.#panel?.reset();
+      this.#showExact();
+      this.#opened();
+    }
+    async #step() {
+      const panel = this.#panel;
+      const exact = this.#exact ?? this.view.run;
+      this.#exact = exact;
+      const turn = this.#turn;
+      if (!panel?.choice) return;
+      try {
+        if ("rtol" in panel.choice && !pageHasScipy()) {
+          say(panel.note, LOADING);
+          await this.client.need(PACKAGES2);
+        }
+        const { header, numbers } = await this.client.ask(
+          this,
+          () => this.message({ ...panel.choice })
+        );
+        if (turn !== this.#turn) return;
+        if (!header.ok) throw refusal2(header.problems ?? []);
+        const how = (
+          /** @type {any} */
+          header.how
+        );
+        this.view.show({ header, trajectory: fromWire(header, numbers) }, exact);
+        panel.tell(comparedWords(how));
+        say(panel.note, "");
+        this.#tellBeside(signWords(how));
+      } catch (error) {
+        if (turn !== this.#turn) return;
+        this.#showExact();
+        panel.tell([]);
+        say(panel.note, `${/** @type {Error} */
+        error.message} ${FAILED}`);
+      }
+    }
+    /** @param {string} text below the carts */
+    #tellBeside(text) {
+      if (!this.#sign) {
+        this.#sign = html("p", "carts-how-sign");
+        this.#sign.setAttribute("role", "status");
+        need(this.root, ".carts-world").append(this.#sign);
+      }
+      say(this.#sign, text);
+    }
+  };
+  function pageHasScipy() {
+    return document.querySelector('carts-scene[data-packages~="scipy"]') !== null;
+  }
+  function canHaveScipy() {
+    return pageHasScipy() || document.querySelector("carts-cost") !== null;
   }
 
   // src/answers/outline.js
@@ -1742,7 +2125,7 @@
 
   // src/predict-curve.js
   var LEFT2 = 40;
-  var STEP2 = 77.5;
+  var STEP3 = 77.5;
   var BOTTOM2 = 130;
   var PER_HEIGHT = 12;
   var HIGHEST = 10;
@@ -1807,7 +2190,7 @@
       });
       const top = Math.max(...forces2) || 1;
       const points = forces2.map((force, k) => {
-        const x = LEFT2 + 4 * STEP2 * k / FINE;
+        const x = LEFT2 + 4 * STEP3 * k / FINE;
         return `${px(x)} ${px(BOTTOM2 - HIGHEST * PER_HEIGHT * force / top)}`;
       });
       put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
@@ -1835,7 +2218,7 @@
     #point(event) {
       const frame3 = this.pad.getBoundingClientRect();
       const scale = 360 / frame3.width;
-      const k = Math.round(((event.clientX - frame3.left) * scale - LEFT2) / STEP2);
+      const k = Math.round(((event.clientX - frame3.left) * scale - LEFT2) / STEP3);
       const height = (BOTTOM2 - (event.clientY - frame3.top) * scale) / PER_HEIGHT;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
@@ -1852,7 +2235,7 @@
         if (knob) put(knob, "cy", y);
         const box2 = this.boxes[k];
         if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
-        return `${px(LEFT2 + STEP2 * k)} ${y}`;
+        return `${px(LEFT2 + STEP3 * k)} ${y}`;
       });
       put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
     }
@@ -2442,15 +2825,7 @@
   }
 
   // src/effects-words.js
-  var LEFT_OUT = {
-    friction: "friction",
-    incline: "a slope",
-    drag: "air resistance",
-    push: "pushes from outside",
-    spring: "springs between the carts",
-    magnets: "magnets",
-    release: "exploders"
-  };
+  var LEFT_OUT = { ...EFFECTS, release: "exploders" };
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
@@ -2786,6 +3161,65 @@
     return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
   }
 
+  // src/how-ghost.js
+  var Ghost = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {SVGElement | null} */
+    #group = null;
+    /** @param {import("./stage.js").Stage} stage */
+    constructor(stage) {
+      this.stage = stage;
+    }
+    /** @param {Run | null} run the exact one; null: none */
+    show(run) {
+      this.#run = run;
+      this.#group?.remove();
+      this.#group = null;
+      if (!run) return;
+      const { layout, view, root } = this.stage;
+      const group2 = svg("g", { class: "carts-ghosts", "aria-hidden": "true" });
+      for (const body2 of run.header.bodies) {
+        const half = body2.length * layout.scale / 2;
+        const { height } = box(body2, view, layout, 0);
+        const shape = {
+          x: px(-half),
+          y: px(-height),
+          width: px(2 * half),
+          height: px(height),
+          rx: 3
+        };
+        group2.append(svg("rect", { class: "carts-ghost", ...shape }));
+      }
+      const first = root.querySelector(".carts-cart");
+      first?.parentNode?.insertBefore(group2, first);
+      this.#group = group2;
+    }
+    /** @param {number} t in s */
+    at(t) {
+      if (!this.#run || !this.#group) return;
+      const { header, trajectory } = this.#run;
+      const { layout, camera } = this.stage;
+      header.bodies.forEach(({ name: name2 }, i) => {
+        const [x, v] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
+        const place3 = layout.origin + (valueAt(trajectory.t, x, v, t) - camera * t) * layout.scale;
+        const at = `translate(${px(place3)} ${px(layout.track)})`;
+        this.#group?.children[i]?.setAttribute("transform", at);
+      });
+    }
+  };
+  function ghostCurves(plot2, curves, times, plane) {
+    const found2 = plot2.querySelector('[data-part="ghost"]');
+    if (!curves.length) return found2?.remove();
+    const front = plot2.querySelector('[data-part="curves"]');
+    const clip = front?.getAttribute("clip-path") ?? "none";
+    const group2 = found2 ?? svg("g", { "data-part": "ghost", "clip-path": clip });
+    if (!found2) front?.before(group2);
+    group2.replaceChildren(
+      ...curves.filter(({ over }) => !over).map((curve) => svg("path", { class: "carts-pale", d: path(curve, times, plane) }))
+    );
+  }
+
   // src/markers.js
   var MARKERS = {
     b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
@@ -2939,10 +3373,10 @@
         outline2(-1)
       );
       const impulse = area(run, touch.pair, touch.start, end);
-      const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const [names, amount2] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
       const parts = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(({ name: name2, change: change2 }) => `m Δv of ${name2}: ${fixed(change2 ?? 0, this.decimals)}`);
       const whole = t >= touch.end ? "" : " so far";
-      const all = [`${names}, shaded area${whole}: ${amount}`, ...parts].join("; ");
+      const all = [`${names}, shaded area${whole}: ${amount2}`, ...parts].join("; ");
       say(this.note, `${all}, all in N s.`);
     }
   };
@@ -3173,7 +3607,7 @@
   // src/table.js
   var ROWS = 10;
   var MOST_EVENTS = 24;
-  var REST = 250;
+  var REST2 = 250;
   var Table = class {
     /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
@@ -3190,7 +3624,7 @@
     show(run, curves) {
       this.#waiting = { run, curves };
       clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
+      this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST2);
     }
     fill() {
       if (!this.#waiting) return;
@@ -3245,6 +3679,8 @@
     #plane = planeFor([0, 1], [0, 1]);
     /** @type {Element[]} */
     #dots = [];
+    /** @type {Run | null} a run that is drawn pale behind the one that is shown */
+    behind = null;
     #pressed = false;
     // “with sign”, “as a ledger”
     /** @type {[number, number] | null} */
@@ -3335,7 +3771,8 @@
       );
       const { header, trajectory } = run;
       this.#curves = this.#curvesOf(run);
-      const values = extent(this.#curves);
+      const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
+      const values = extent([...this.#curves, ...behind]);
       const first = extent(this.#first ? this.#curvesOf(this.#first) : []);
       const reached2 = reached(first, this.reach, this.#signed);
       const both = (
@@ -3357,6 +3794,7 @@
         put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
         put(line, "d", path(curve, trajectory.t, this.#plane));
       });
+      ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
       this.#cursor();
       if (this.#stacked) this.ledger?.draw(trajectory.t, this.#plane);
       else {
@@ -4724,6 +5162,8 @@
     run;
     /** @type {Touch[]} */
     #windows = [];
+    /** @type {Run | null} */
+    behind = null;
     /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
     constructor(root, baked) {
       this.root = root;
@@ -4739,6 +5179,7 @@
         root.querySelectorAll(".carts-stage")
       );
       this.stages = [...stages].map((stage) => new Stage(stage, baked));
+      this.ghosts = this.stages.map((stage) => new Ghost(stage));
       this.player.halting = baked.fence.slow === "stops";
       this.seek = seek;
       const graphs = (
@@ -4768,9 +5209,20 @@
         for (const graph of this.graphs) graph.show(this.run, this.player.time);
       });
     }
-    /** Puts a run on the page, at the time that is shown now. @param {Run} run */
-    show(run) {
+    /** @returns {{run: Run, t: number, quantities: string[]}} what is seen */
+    get now() {
+      const quantities = this.graphs.map((graph) => graph.quantity);
+      return { run: this.run, t: this.player.time, quantities };
+    }
+    /**
+     * Puts a run on the page, at the time that is shown now.
+     * @param {Run} run @param {Run | null} behind another run, seen pale behind it
+     */
+    show(run, behind = null) {
       this.run = run;
+      this.behind = behind;
+      for (const ghost of this.ghosts) ghost.show(behind);
+      for (const graph of this.graphs) graph.behind = behind;
       const { header } = run;
       this.#windows = touches(header.events, header.until);
       this.player.until = header.until;
@@ -4815,6 +5267,7 @@
     #moved(before, forward) {
       const t = this.player.time;
       for (const stage of this.stages) stage.at(t);
+      for (const ghost of this.ghosts) ghost.at(t);
       for (const graph of this.graphs) graph.at(t);
       this.views.at(t);
       this.readouts.at(t);
@@ -4835,6 +5288,7 @@
       place3.insertBefore(graph.root, need(place3, ".carts-story"));
       this.graphs.push(graph);
       graph.enable();
+      graph.behind = this.behind;
       graph.show(this.run, this.player.time);
       this.#zoom();
     }
@@ -4855,9 +5309,9 @@
       const chosen = this.zoom.selectedIndex;
       const options = this.#windows.map(({ bodies, start }, i) => {
         const names = bodies.map(brief).join("–");
-        const option = html("option", "", `${names} at ${fixed(start, 2)} s`);
-        option.setAttribute("value", String(i));
-        return option;
+        const option2 = html("option", "", `${names} at ${fixed(start, 2)} s`);
+        option2.setAttribute("value", String(i));
+        return option2;
       });
       while (this.zoom.options.length > 1) this.zoom.remove(1);
       this.zoom.append(...options);
@@ -5089,19 +5543,19 @@ ${lines2.join("\n")}
     ];
     from.forEach((part, i) => {
       const style = getComputedStyle(part);
-      const made2 = (
+      const made3 = (
         /** @type {Element} */
         to[i]
       );
       if (style.display === "none" && part.closest("defs") === null)
-        made2.setAttribute("display", "none");
+        made3.setAttribute("display", "none");
       for (const property of PROPERTIES) {
         const value = style.getPropertyValue(property);
         const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part.tagName !== "rect" || made2.hasAttribute(property))) continue;
-        if (value && value !== "auto") made2.setAttribute(property, value.replaceAll('"', "'"));
+        if (geometry && (part.tagName !== "rect" || made3.hasAttribute(property))) continue;
+        if (value && value !== "auto") made3.setAttribute(property, value.replaceAll('"', "'"));
       }
-      made2.removeAttribute("class");
+      made3.removeAttribute("class");
     });
     return copy;
   }
@@ -5157,11 +5611,11 @@ ${lines2.join("\n")}
         row.append(button);
       }
       place3.append(row, note, text);
-      const offer = async (made2, what) => {
+      const offer = async (made3, what) => {
         text.hidden = false;
-        text.value = made2;
+        text.value = made3;
         text.select();
-        const copied = await navigator.clipboard?.writeText(made2).then(
+        const copied = await navigator.clipboard?.writeText(made3).then(
           () => true,
           () => false
         );
@@ -5267,26 +5721,6 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/waiting.js
-  function frame() {
-    return new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  async function drawn(scene, at, detail) {
-    await frame();
-    performance.measure("carts:update", { start: at, end: performance.now() });
-    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
-  }
-  function deferred() {
-    const made2 = {};
-    made2.promise = new Promise((resolve, reject) => Object.assign(made2, { resolve, reject }));
-    return made2;
-  }
-  function refusal2(problems) {
-    const [first] = problems;
-    if (!first) return new Error("This value does not work.");
-    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
-  }
-
   // src/element.js
   var ASK_FIRST = "Make your prediction and lock it first.";
   function sceneElement(client) {
@@ -5299,6 +5733,8 @@ ${lines2.join("\n")}
       #controls = null;
       /** @type {Predict | null} */
       #predict = null;
+      /** @type {How | null} */
+      #how = null;
       /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
       #values = new Values();
@@ -5331,12 +5767,10 @@ ${lines2.join("\n")}
         const { controls, switches } = baked.fence;
         const change2 = (target, value, at) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
         this.#controls = new Controls(this, controls, change2, switches);
-        new TakeAlong(this, baked, () => ({
-          run: view.run,
-          settings: this.#values.good,
-          t: view.player.time,
-          quantities: view.graphs.map((graph) => graph.quantity)
-        }));
+        new TakeAlong(this, baked, () => ({ ...view.now, settings: this.#values.good }));
+        this.#how = new How(this, view, client, (more) => {
+          return { kind: "how", scene: baked.fence.scene, set: { ...this.#values.good }, ...more };
+        });
         this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
         this.querySelector(".carts-undo")?.addEventListener("click", () => this.#undo());
         for (const button of this.querySelectorAll(".carts-preset")) {
@@ -5363,7 +5797,7 @@ ${lines2.join("\n")}
             () => void this.#startAgain()
           );
         } else this.#lesson = baked.run;
-        view.show(baked.run);
+        void this.#how.follow(baked.run);
         view.enable(!this.#predict);
         this.#controls.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
@@ -5418,7 +5852,7 @@ ${lines2.join("\n")}
         }
         if (generation !== this.#generation) return;
         this.#values.good = reply.sent.set;
-        this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
+        await this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
         await drawn(this, at, { ...this.#values.good });
       }
       get #told() {
@@ -5447,16 +5881,18 @@ ${lines2.join("\n")}
         note.hidden = !message;
         say(note, message);
       }
-      /** @param {Run} run */
+      /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
-        this.#view?.show(run);
+        const shown2 = this.#how?.follow(run);
         this.#controls?.show(this.#values.good, run.header);
         const undo = this.querySelector(".carts-undo");
         if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
+        return shown2;
       }
       #reset() {
         this.#generation += 1;
         this.#values.reset();
+        this.#how?.reset();
         this.#view?.player.pause();
         if (this.#lesson) this.#draw(this.#lesson);
         this.#view?.player.seek(0);
@@ -6148,7 +6584,7 @@ ${lines2.join("\n")}
     );
     button.disabled = false;
     const bar2 = html("p", "carts-project-bar");
-    const [reveal, next] = [made("carts-button", "Reveal"), made("carts-button", "Next scene")];
+    const [reveal, next] = [made2("carts-button", "Reveal"), made2("carts-button", "Next scene")];
     bar2.append(reveal, " ", next);
     need(scene, ".carts-frame").append(bar2);
     button.addEventListener("click", () => void project(scene, !isOn(scene)));
@@ -6172,7 +6608,7 @@ ${lines2.join("\n")}
       if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
       if (event.key === "Escape" && isOn(scene)) void project(scene, false);
     });
-    for (const option of scene.querySelectorAll(".carts-options label")) count(scene, option);
+    for (const option2 of scene.querySelectorAll(".carts-options label")) count(scene, option2);
   }
   document.addEventListener("fullscreenchange", () => {
     if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
@@ -6199,18 +6635,18 @@ ${lines2.join("\n")}
     document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
     scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
   }
-  function count(scene, option) {
+  function count(scene, option2) {
     const line = html("span", "carts-hands");
     const box2 = document.createElement("input");
     box2.type = "number";
     box2.min = "0";
     box2.max = String(MOST_HANDS);
-    box2.setAttribute("aria-label", `hands for: ${option.textContent?.trim()}`);
+    box2.setAttribute("aria-label", `hands for: ${option2.textContent?.trim()}`);
     const bar2 = document.createElement("meter");
     bar2.setAttribute("aria-hidden", "true");
     const part = html("span");
     line.append(box2, bar2, part);
-    option.after(line);
+    option2.after(line);
     box2.addEventListener("input", () => {
       const boxes = (
         /** @type {NodeListOf<HTMLInputElement>} */
@@ -6233,7 +6669,7 @@ ${lines2.join("\n")}
       }
     });
   }
-  function made(className, text) {
+  function made2(className, text) {
     const button = document.createElement("button");
     button.type = "button";
     button.className = className;

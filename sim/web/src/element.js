@@ -3,6 +3,7 @@
 import { readBaked } from "./baked.js";
 import { Controls, valueIn } from "./controls.js";
 import { need, say } from "./dom.js";
+import { How } from "./how.js";
 import { Predict } from "./predict.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./share.js";
@@ -27,6 +28,8 @@ export function sceneElement(client) {
     #controls = null;
     /** @type {Predict | null} */
     #predict = null;
+    /** @type {How | null} */
+    #how = null;
     /** @type {Run | null} the run that “reset” goes back to */
     #lesson = null;
     #values = new Values();
@@ -63,12 +66,10 @@ export function sceneElement(client) {
         /** @type {number} */ at,
       ) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
       this.#controls = new Controls(this, controls, change, switches);
-      new TakeAlong(this, baked, () => ({
-        run: view.run,
-        settings: this.#values.good,
-        t: view.player.time,
-        quantities: view.graphs.map((graph) => graph.quantity),
-      }));
+      new TakeAlong(this, baked, () => ({ ...view.now, settings: this.#values.good }));
+      this.#how = new How(this, view, client, (more) => {
+        return { kind: "how", scene: baked.fence.scene, set: { ...this.#values.good }, ...more };
+      });
       this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
       this.querySelector(".carts-undo")?.addEventListener("click", () => this.#undo());
       for (const button of this.querySelectorAll(".carts-preset")) {
@@ -92,7 +93,7 @@ export function sceneElement(client) {
           () => void this.#startAgain(),
         );
       } else this.#lesson = baked.run;
-      view.show(baked.run);
+      void this.#how.follow(baked.run);
       view.enable(!this.#predict);
       this.#controls.enable(!this.#predict);
       this.#restored = this.#predict?.restore() ?? Promise.resolve();
@@ -157,7 +158,7 @@ export function sceneElement(client) {
       }
       if (generation !== this.#generation) return;
       this.#values.good = reply.sent.set;
-      this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
+      await this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
       await drawn(this, at, { ...this.#values.good });
     }
 
@@ -192,17 +193,19 @@ export function sceneElement(client) {
       say(note, message);
     }
 
-    /** @param {Run} run */
+    /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
     #draw(run) {
-      this.#view?.show(run);
+      const shown = this.#how?.follow(run);
       this.#controls?.show(this.#values.good, run.header);
       const undo = this.querySelector(".carts-undo");
       if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
+      return shown;
     }
 
     #reset() {
       this.#generation += 1;
       this.#values.reset();
+      this.#how?.reset();
       this.#view?.player.pause();
       if (this.#lesson) this.#draw(this.#lesson);
       this.#view?.player.seek(0);

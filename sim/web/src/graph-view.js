@@ -3,6 +3,7 @@
 import { need, put, say, svg } from "./dom.js";
 import { forceName } from "./effects-words.js";
 import * as g from "./graph.js";
+import { ghostCurves } from "./how-ghost.js";
 import { ImpulseLayer } from "./impulse-layer.js";
 import { hasLedger, LedgerLayer } from "./ledger-layer.js";
 import { MARKERS } from "./markers.js";
@@ -26,6 +27,8 @@ export class GraphView {
   #plane = g.planeFor([0, 1], [0, 1]);
   /** @type {Element[]} */
   #dots = [];
+  /** @type {Run | null} a run that is drawn pale behind the one that is shown */
+  behind = null;
   #pressed = false; // “with sign”, “as a ledger”
   /** @type {[number, number] | null} */
   #window = null;
@@ -123,7 +126,8 @@ export class GraphView {
     const run = /** @type {Run} */ (this.#run);
     const { header, trajectory } = run;
     this.#curves = this.#curvesOf(run);
-    const values = g.extent(this.#curves);
+    const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
+    const values = g.extent([...this.#curves, ...behind]);
     const first = g.extent(this.#first ? this.#curvesOf(this.#first) : []);
     const reached = g.reached(first, this.reach, this.#signed);
     const both = /** @type {[number, number]} */ ([
@@ -139,6 +143,7 @@ export class GraphView {
       put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
       put(line, "d", g.path(curve, trajectory.t, this.#plane));
     });
+    ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
     this.#cursor();
     if (this.#stacked) this.ledger?.draw(trajectory.t, this.#plane);
     else {

@@ -6,6 +6,7 @@ import { html, need, put, say } from "./dom.js";
 import { Drag } from "./drag.js";
 import { actingSentences, pushMarks } from "./effects-words.js";
 import { GraphView } from "./graph-view.js";
+import { Ghost } from "./how-ghost.js";
 import { fixed } from "./numbers.js";
 import { Player } from "./player.js";
 import { Readouts } from "./readouts.js";
@@ -29,6 +30,8 @@ export class SceneView {
   run;
   /** @type {Touch[]} */
   #windows = [];
+  /** @type {Run | null} */
+  behind = null;
 
   /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
   constructor(root, baked) {
@@ -42,6 +45,7 @@ export class SceneView {
     };
     const stages = /** @type {NodeListOf<SVGElement>} */ (root.querySelectorAll(".carts-stage"));
     this.stages = [...stages].map((stage) => new Stage(stage, baked));
+    this.ghosts = this.stages.map((stage) => new Ghost(stage));
     this.player.halting = baked.fence.slow === "stops";
     this.seek = seek;
     const graphs = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-graph"));
@@ -68,9 +72,21 @@ export class SceneView {
     });
   }
 
-  /** Puts a run on the page, at the time that is shown now. @param {Run} run */
-  show(run) {
+  /** @returns {{run: Run, t: number, quantities: string[]}} what is seen */
+  get now() {
+    const quantities = this.graphs.map((graph) => graph.quantity);
+    return { run: this.run, t: this.player.time, quantities };
+  }
+
+  /**
+   * Puts a run on the page, at the time that is shown now.
+   * @param {Run} run @param {Run | null} behind another run, seen pale behind it
+   */
+  show(run, behind = null) {
     this.run = run;
+    this.behind = behind;
+    for (const ghost of this.ghosts) ghost.show(behind);
+    for (const graph of this.graphs) graph.behind = behind;
     const { header } = run;
     this.#windows = touches(header.events, header.until);
     this.player.until = header.until;
@@ -120,6 +136,7 @@ export class SceneView {
   #moved(before, forward) {
     const t = this.player.time;
     for (const stage of this.stages) stage.at(t);
+    for (const ghost of this.ghosts) ghost.at(t);
     for (const graph of this.graphs) graph.at(t);
     this.views.at(t);
     this.readouts.at(t);
@@ -141,6 +158,7 @@ export class SceneView {
     place.insertBefore(graph.root, need(place, ".carts-story"));
     this.graphs.push(graph);
     graph.enable();
+    graph.behind = this.behind;
     graph.show(this.run, this.player.time);
     this.#zoom();
   }

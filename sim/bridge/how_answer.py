@@ -1,0 +1,135 @@
+"""“How is this computed?”: what the exact run costs here and now, or the same scene step by step.
+
+    {"id": 8, "kind": "how", "scene": {...}, "set": {...}}
+    {"id": 9, "kind": "how", "scene": {...}, "set": {...}, "method": "euler", "parts": 103}
+
+The first is answered by `cost`: seconds of the solution, and of the points to draw. The second
+by a run like any other (see `protocol`), and under `how` by what it took and how wrong it is; the
+method's number is `parts`, into which the run's length is divided, or `rtol`.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from array import array
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, wire
+from sim.dynamics.finished import Run
+from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.report import finite
+from sim.dynamics.run import run
+from sim.dynamics.stepping.drawn import Drawn, drawn
+from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
+from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
+from sim.dynamics.trajectory import trajectory
+from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
+
+MOST_PARTS = 5_000
+"""Steps of a run that a widget may ask for: it has to answer while a slider is moved."""
+
+LONG_ENOUGH = 0.02
+"""s that are measured at once, by as many runs as fill them: a browser's clock may be coarse."""
+
+TRIES = 2
+
+
+def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
+    """Header and numbers; raises SceneError or UnsolvedError for what cannot be done."""
+    plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
+    scene = read_scene(plain)
+    if "method" not in request:
+        return {"cost": _cost(scene)}, array("d")
+    way = way_of(scene, request)
+    try:
+        result = stepped(scene, way)
+        solved = _exact(scene)
+        shown = drawn(result, solved)
+        header, numbers = wire(result.run, shown.samples, stepped_report(result))
+        header["events"] = [
+            e for e in header["events"] if shown.blown is None or e["t"] < shown.blown
+        ]
+        header["effects"] = effects_of(plain, scene)
+        header["how"] = finite(_compared(scene, way, result, solved, shown))
+    except (OverflowError, ValueError):
+        raise UnsolvedError(
+            "the numbers of this method grow beyond all bounds", "a shorter step", 0.0, ()
+        ) from None
+    return header, numbers
+
+
+def way_of(scene: Scene, request: Mapping[str, Any]) -> Way:
+    """The method that a page asks for; raises SceneError."""
+    method, parts = request.get("method"), request.get("parts", 0)
+    if method not in NAMES:
+        problem = Problem(("method",), "unknown-method", "no such method", ", ".join(NAMES))
+        raise SceneError([problem])
+    if method in ADAPTIVE:
+        return Way(str(method), rtol=min(0.1, max(1e-13, float(request.get("rtol") or 1e-9))))
+    if not isinstance(parts, int) or not 1 <= parts <= MOST_PARTS:
+        problem = Problem(("parts",), "range", "no such number of steps", f"1 to {MOST_PARTS}")
+        raise SceneError([problem])
+    return Way(str(method), step=scene.until / parts)
+
+
+def _exact(scene: Scene, *, kept: bool = True) -> Run:
+    return run(
+        scene,
+        keep_events=kept,
+        keep_motion=kept,
+        max_events=MOST_EVENTS_DRAWN,
+        max_steps=MOST_STEPS_DRAWN,
+    )
+
+
+def _cost(scene: Scene) -> dict[str, float]:
+    """Seconds: all, of which the solution; the rest are the points of the curves."""
+    solved = _exact(scene)
+    solution = seconds(lambda: _exact(scene))
+    return {"solution": solution, "points": seconds(lambda: trajectory(solved))}
+
+
+def _compared(
+    scene: Scene, way: Way, result: SteppedRun, solved: Run, shown: Drawn
+) -> dict[str, Any]:
+    """What it took, and how far it is from the truth at the end; SI."""
+    whole = solved.t == scene.until
+    books = result.run.ledger
+    return {
+        "method": way.method,
+        "step": way.step,
+        "rtol": way.rtol,
+        "steps": result.steps,
+        "evaluations": result.evaluations,
+        "blown": shown.blown,
+        "seconds": {
+            "stepped": seconds(lambda: outcome(scene, way)),
+            "exact": seconds(lambda: _exact(scene, kept=False)),
+        },
+        "error": {
+            "v": _far(result.run.v, solved.v) if whole else None,
+            "x": _far(result.run.x, solved.x) if whole else None,
+        },
+        "energy": {"made": result.lost_energy, "initial": books.energy_initial},
+    }
+
+
+def _far(got: tuple[float, ...], true: tuple[float, ...]) -> float:
+    return max(abs(a - b) for a, b in zip(got, true, strict=True))
+
+
+def seconds(call: Callable[[], object]) -> float:
+    """Of one call: the best of some tries, each long enough for a coarse clock."""
+    best = math.inf
+    for _ in range(TRIES):
+        many, spent, start = 0, 0.0, time.perf_counter()
+        while spent < LONG_ENOUGH:
+            call()
+            many += 1
+            spent = time.perf_counter() - start
+        best = min(best, spent / many)
+        if many == 1:
+            break  # a long run: once is enough
+    return best

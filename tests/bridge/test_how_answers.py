@@ -1,0 +1,108 @@
+"""What “How is this computed?” is answered with."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from typing import Any
+
+import pytest
+
+from sim.bridge.protocol import answer
+from tests import registry
+
+FIXED = ["euler", "semi-implicit", "verlet", "rk4", "rk4-events"]
+
+
+def ask(name: str, **more: Any) -> tuple[dict[str, Any], dict[tuple[str, ...], list[float]]]:
+    request = {"id": 4, "kind": "how", "scene": registry.plain(name), **more}
+    header, numbers = answer(request)
+    json.dumps(header, allow_nan=False)
+    rows = header.get("rows", 0)
+    columns = {
+        tuple(column): list(numbers[k * rows : (k + 1) * rows])
+        for k, column in enumerate(header.get("columns", []))
+    }
+    return header, columns
+
+
+def test_a_page_that_asks_for_runs_never_loads_a_stepping_method() -> None:
+    code = (
+        "import sys, json; from sim.bridge.protocol import answer; from tests import registry\n"
+        "answer({'id': 1, 'kind': 'run', 'scene': registry.plain('touching-row')})\n"
+        "print(json.dumps([name for name in sys.modules if 'stepping' in name or 'how_' in name]))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout) == []
+
+
+def test_the_cost_is_that_of_the_solution_and_of_the_points() -> None:
+    header, _ = ask("paper-two-carts")
+    assert header["ok"] and set(header["cost"]) == {"solution", "points"}
+    assert all(0.0 < value < 1.0 for value in header["cost"].values())
+
+
+@pytest.mark.parametrize("method", FIXED)
+@pytest.mark.parametrize("name", ["paper-two-carts", "off-the-wall", "instant", "incline-bounce"])
+def test_errors_are_what_lies_between_the_stepped_run_and_the_exact_one(
+    name: str, method: str
+) -> None:
+    exact, _ = answer({"id": 1, "kind": "run", "scene": registry.plain(name)})
+    header, columns = ask(name, method=method, parts=499)
+    how = header["how"]
+    for kind in ("x", "v"):
+        last = {body: columns[kind, body][-1] for body in exact["final"][kind]}
+        far = max(abs(last[body] - true) for body, true in exact["final"][kind].items())
+        assert how["error"][kind] == pytest.approx(far, abs=1e-15)
+    assert how["steps"] == 499
+    assert how["evaluations"] >= 499
+    assert header["plan"][0]["solver"] == method
+
+
+@pytest.mark.parametrize("name", ["paper-two-carts", "friction-and-bumper"])
+def test_within_a_step_the_drawn_velocity_changes_evenly(name: str) -> None:
+    _, columns = ask(name, method="verlet", parts=211)
+    times = columns["t",]
+    body = next(key[1] for key in columns if key[0] == "v")
+    v, a = columns["v", body], columns["a", body]
+    for k in range(0, len(times), 2):
+        step = times[k + 1] - times[k]
+        assert v[k + 1] - v[k] == pytest.approx(a[k] * step, abs=1e-12)
+        assert a[k] == a[k + 1]
+    assert all(times[k] == times[k + 1] for k in range(1, len(times) - 1, 2))
+
+
+def test_a_run_that_blows_up_is_drawn_as_far_as_there_is_something_to_see() -> None:
+    header, columns = ask("stiff-and-soft", method="euler", parts=103)
+    blown = header["how"]["blown"]
+    assert 0.0 < blown < header["until"]
+    assert columns["t",][-1] < blown
+    assert all(event["t"] < blown for event in header["events"])
+    assert max(map(abs, columns["v", "A"])) < 100
+
+
+def test_forces_of_effects_are_drawn_too() -> None:
+    _, columns = ask("incline-bounce", method="rk4", parts=499)
+    assert min(columns["E", "incline", "A"]) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ({"method": "magic"}, "no such method"),
+        ({"method": "euler"}, "no such number of steps"),
+        ({"method": "euler", "parts": 10**9}, "no such number of steps"),
+        ({"method": "euler", "parts": 103, "set": {"A.mass": -1}}, "mass"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(more: dict[str, Any], said: str) -> None:
+    header, _ = ask("paper-two-carts", **more)
+    assert not header["ok"]
+    assert said in json.dumps(header["problems"])
+
+
+def test_numbers_beyond_all_bounds_are_a_sentence() -> None:
+    header, _ = ask("hertz-cradle", method="euler", parts=103)
+    assert not header["ok"]
+    assert header["problems"][0]["hint"] == "a shorter step"
