@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from sim.pages.bake import bake
+from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
 from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
@@ -35,6 +36,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
                 _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))
             elif block.name == "cost":
                 read_cost_block(block, lesson, ids, first_line=1)
+            elif block.name == "evidence":
+                evidence_block(block, lesson, first_line=1)
             else:
                 _read(block, lesson, ids, items)
         except AuthorError as error:

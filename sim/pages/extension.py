@@ -167,12 +167,20 @@ def _cost(block: Block, page: Page) -> str:
     return render_cost(read).replace("<carts-cost", "<carts-cost data-search-exclude", 1)
 
 
+def _evidence(block: Block, page: Page) -> str:
+    """An `evidence` block: a table of the paper."""
+    from sim.pages.classroom.evidence import evidence_block
+
+    return evidence_block(block, page.lesson, first_line=page.first_line)
+
+
 MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "scene": _scene,
     "map": _map,
     "cost": _cost,
     "question": _question,
     "quiz": _quiz,
+    "evidence": _evidence,
 }
 
 
