@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import pytest
 
+from sim.bridge.end_state import read
 from sim.dynamics.report import report
 from sim.dynamics.run import run
+from sim.pages.hard_cases import ALL, HardCase
+from sim.pages.hard_cases.collisions import pi_billiard, pi_digits
 from sim.scene import read_scene
-from tests.hard_cases import COLLISIONS, HardCase, pi_billiard, pi_digits, read
-from tests.hard_cases_effects import UNDER_EFFECTS
 
-ROWS = (*COLLISIONS, *UNDER_EFFECTS)
 COUNTED = {"keep_events": False, "keep_motion": False}
 
 
-@pytest.mark.parametrize("case", ROWS, ids=lambda case: case.name)
+@pytest.mark.parametrize("case", ALL, ids=lambda case: case.name)
 def test_a_hard_case_ends_as_its_source_says(case: HardCase) -> None:
     found = report(run(read_scene(case.plain), keep_events=case.events, keep_motion=case.events))
     for expected in case.expected:
@@ -23,7 +23,7 @@ def test_a_hard_case_ends_as_its_source_says(case: HardCase) -> None:
 
 
 def test_every_row_has_a_name_of_its_own() -> None:
-    names = [case.name for case in ROWS]
+    names = [case.name for case in ALL]
     assert len(names) == len(set(names)) >= 40
 
 

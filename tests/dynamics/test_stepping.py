@@ -139,7 +139,7 @@ PUSHED_TOGETHER = {
 def test_a_bumper_that_is_held_pressed_in_takes_few_events(way: Way) -> None:
     scene = read_scene(PUSHED_TOGETHER)
     done = stepped(scene, way)
-    assert done.evaluations < 13_000  # 4 per step, and a few for events; it was half a million, or an error
+    assert done.evaluations < 13_000  # 4 per step and some more; it was half a million
     assert done.run.v == pytest.approx((0, 0), abs=1e-9)
     assert done.run.x == pytest.approx(run(scene).x, abs=2e-6)
     # The push of 2 N goes through both contacts into the wall, and nothing else is left over.

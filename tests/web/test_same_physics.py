@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
+from sim.bridge.end_state import read
 from sim.bridge.protocol import answer
+from sim.pages.hard_cases import ALL
 from tests import registry
-from tests.hard_cases import COLLISIONS, read
-from tests.hard_cases_effects import UNDER_EFFECTS
 from tests.web.boot_site import build_site
 from tests.web.conftest import OpenPage
 
@@ -68,7 +68,7 @@ def test_hard_cases_end_in_the_page_as_their_sources_say(
     """One start of Python for all rows; only the header crosses, no drawing."""
     page = open_page(case_site / "index.html")
     page.evaluate("window.booted")
-    rows = [case for case in (*COLLISIONS, *UNDER_EFFECTS) if case.for_a_page]
+    rows = [case for case in ALL if case.for_a_page]
     assert len(rows) >= 40
     for case in rows:
         header = page.evaluate(

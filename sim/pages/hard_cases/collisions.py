@@ -1,95 +1,23 @@
-"""Hard cases as rows: what breaks step-by-step engines, with what must come out and why.
-
-One row is a scene in plain values and measures of its end state; tests run all of them natively
-and inside the page. Sources are named in `why`; tolerances are absolute, in the measure's unit.
-"""
+"""Hard cases of carts that only meet: what breaks step-by-step engines, what must come out, why."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
-G = 9.81
-ULP = 2.220446049250313e-16
-
-
-@dataclass(frozen=True)
-class Expected:
-    """`what` to read of a run's report: "v.A", "v.B-A", "x.A", "warmed", "energy", "work.push",
-    "count.contact", or "last.contact" (s, the time of the last one)."""
-
-    what: str
-    value: float
-    tolerance: float
-
-
-@dataclass(frozen=True)
-class HardCase:
-    name: str
-    sentence: str
-    plain: dict[str, Any]
-    expected: tuple[Expected, ...]
-    why: str
-    events: bool = True  # False: only counted
-
-    @property
-    def for_a_page(self) -> bool:
-        """Few enough events to be drawn, and no scipy needed."""
-        return self.events and self.plain.get("contact", {}).get("law") != "hertz"
-
-
-def read(report: dict[str, Any], what: str) -> float:
-    """One number of a report, as `carts run --json` gives it."""
-    kind, _, name = what.partition(".")
-    if kind in ("x", "v"):
-        values: dict[str, float] = report["final"][kind]
-        if "-" in name:
-            last, first = name.split("-")
-            return values[last] - values[first]
-        return math.fsum(values[part] for part in name.split("+"))
-    if kind in ("count", "last"):
-        if "event_counts" in report:
-            return float(report["event_counts"][name])
-        times = [event["t"] for event in report["events"] if event["kind"] == name]
-        return float(len(times) if kind == "count" else max(times))
-    totals = {"energy": report["energy"]["final"], "warmed": report["energy"]["warmed"]}
-    return float(report["work"][name] if kind == "work" else totals[kind])
-
-
-def at(position: Any, velocity: Any = 0, mass: Any = 1, length: Any = "0.2") -> dict[str, Any]:
-    return {"mass": mass, "position": position, "velocity": velocity, "length": length}
-
-
-def scene(carts: dict[str, Any], until: Any, *effects: dict[str, Any], **more: Any) -> Any:
-    return {"carts": carts, "until": until, "effects": list(effects), **more}
-
-
-def row(
-    speeds: list[Any], until: Any, *effects: dict[str, Any], gap: str = "0", **more: Any
-) -> Any:
-    """Equal carts A, B, C … of 0.2 m, the first at 0.5 m."""
-    step = 0.2 + float(gap)
-    names = "ABCDE"[: len(speeds)]
-    carts = {
-        n: at(f"{0.5 + k * step:.12g}", v)
-        for k, (n, v) in enumerate(zip(names, speeds, strict=True))
-    }
-    return scene(carts, until, *effects, **more)
+from sim.pages.hard_cases.row import ULP, Expected, HardCase, at, row, scene, speeds
 
 
 def pi_billiard(digits: int, **contact: Any) -> dict[str, Any]:
     """A light cart at rest between a wall and a cart 100^digits times as heavy that comes in."""
     carts = {"light": at(1, 0, 1, 0), "heavy": at(2, -1, 100**digits, 0)}
-    return scene(carts, 1e6, track={"left": "wall"}, contact=contact)
+    made: dict[str, Any] = scene(carts, 1e6, track={"left": "wall"}, contact=contact)
+    return made
 
 
 def pi_digits(digits: int) -> int:
+    """Impacts before a wall."""
     return math.ceil(math.pi / math.atan(10.0**-digits)) - 1
-
-
-def speeds(*values: float, within: float, names: str = "ABCDE") -> tuple[Expected, ...]:
-    return tuple(Expected(f"v.{n}", v, within) for n, v in zip(names, values, strict=False))
 
 
 PI = [
@@ -116,6 +44,7 @@ PI = [
 
 
 def ratio(big: float) -> HardCase:
+    """Very unequal masses."""
     e, u = 0.8, 1.0
     centre = big * u / (big + 1)
     return HardCase(

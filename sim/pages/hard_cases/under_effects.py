@@ -6,7 +6,7 @@ import math
 import random
 from typing import Any
 
-from tests.hard_cases import ULP, Expected, G, HardCase, at, row, scene, speeds
+from sim.pages.hard_cases.row import ULP, Expected, G, HardCase, at, row, scene, speeds
 
 BITS = 16 * ULP
 """A closed form evaluated twice, in two orders of operations, for numbers of about 1."""
@@ -16,10 +16,12 @@ SIN, COS = math.sin(SLOPE), math.cos(SLOPE)
 
 
 def incline(angle: Any = SLOPE) -> dict[str, Any]:
+    """One entry of the list of effects."""
     return {"incline": {"angle": angle}}
 
 
 def friction(coefficient: float, static: float | None = None) -> dict[str, Any]:
+    """One entry of the list of effects."""
     body = {"coefficient": coefficient}
     return {"friction": body if static is None else body | {"static": static}}
 
