@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
+
+from jinja2 import Template
+from markupsafe import Markup
 
 from sim.pages.templates import script_json, templates
 from sim.pages.widget.layout import lay_out
@@ -22,8 +26,25 @@ def render(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> s
     """HTML of the element: still picture, panel, graphs, tables and the baked run as JSON.
 
     `header` and `numbers` are a good answer of `sim.bridge.protocol.answer`. Where the fence asks
-    for a prediction, nothing of the run but its start state gets into the HTML.
+    for a prediction, nothing of the run but its start state gets into the HTML. Where it hides the
+    forces, a second inside that shows them waits in a template until the reader has found one.
     """
+    view, baked = _view(fence, header, numbers)
+    view |= {"baked": script_json(baked), "shown": None, "found": False}
+    view["find"] = fence.forces == "hidden" and any(c["stiffness"] for c in header["contacts"])
+    if view["find"]:
+        open_fence = replace(fence, forces="shown", show=(*fence.show, "F"))
+        inside, all_baked = _view(open_fence, header, numbers)
+        differs = {key: value for key, value in all_baked.items() if baked.get(key) != value}
+        html = _template("inside").render(inside | {"find": False, "found": True})
+        view["shown"] = {"inside": Markup(html), "baked": str(script_json(differs))}
+    return str(_template("scene").render(view))
+
+
+def _view(
+    fence: Any, header: Mapping[str, Any], numbers: Sequence[float]
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What the template writes out, and what the page's scripts get to know."""
     told = fence.predict is None
     camera = fence.view_speed
     digits = DIGITS if len(numbers) <= LONG else FEWER_DIGITS
@@ -36,24 +57,25 @@ def render(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> s
         lay_out(header, scales, kind=kind, camera=camera, forces=forces)
         for kind in ("wide", "narrow")
     ]
-    view = scene_view(fence, header, run, scales, layouts, told=told)
-    view["baked"] = script_json(
-        {
-            **header,
-            "numbers": run.as_dict(digits),
-            "fence": _fence_facts(fence),
-            "view": {
-                "perHeight": scales.per_height,
-                "tallest": scales.tallest,
-                "force": scales.force,
-                "velocity": scales.velocity,
-                "decimals": scales.decimals,
-                "reach": {q: reach.as_list() for q, reach in scales.reach.items()},
-                "layouts": [layout.as_dict() for layout in layouts],
-            },
-        }
-    )
-    return str(templates("sim.pages.widget").get_template("scene.html.j2").render(view))
+    baked = {
+        **header,
+        "numbers": run.as_dict(digits),
+        "fence": _fence_facts(fence),
+        "view": {
+            "perHeight": scales.per_height,
+            "tallest": scales.tallest,
+            "force": scales.force,
+            "velocity": scales.velocity,
+            "decimals": scales.decimals,
+            "reach": {q: reach.as_list() for q, reach in scales.reach.items()},
+            "layouts": [layout.as_dict() for layout in layouts],
+        },
+    }
+    return scene_view(fence, header, run, scales, layouts, told=told), baked
+
+
+def _template(name: str) -> Template:
+    return templates("sim.pages.widget").get_template(f"{name}.html.j2")
 
 
 def _untold(header: Mapping[str, Any]) -> dict[str, Any]:

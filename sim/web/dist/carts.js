@@ -405,7 +405,7 @@
       const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x = (t) => left + t / until * (right - left);
       const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
-      const parts = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
+      const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
         const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
         label.textContent = `${short(tick)} %`;
         return [
@@ -419,7 +419,7 @@
       first.textContent = "0";
       this.cursor = svg("path", { class: "carts-cost-cursor" });
       this.energy.replaceChildren(
-        ...parts,
+        ...parts2,
         first,
         last,
         svg("path", {
@@ -525,30 +525,30 @@
     return wanted;
   }
   function slowParts(touches2) {
-    const parts = [];
+    const parts2 = [];
     for (const { start, end } of touches2) {
       const duration2 = end - start;
       const rate = rateFor(duration2);
       if (rate >= 1) continue;
       const part = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
-      const last = parts.at(-1);
+      const last = parts2.at(-1);
       if (last && part.from <= last.to) {
         last.to = Math.max(last.to, part.to);
         last.rate = Math.min(last.rate, rate);
-      } else parts.push(part);
+      } else parts2.push(part);
     }
-    return parts;
+    return parts2;
   }
-  function slowAt(parts, t) {
-    return parts.find((part) => t >= part.from && t < part.to);
+  function slowAt(parts2, t) {
+    return parts2.find((part) => t >= part.from && t < part.to);
   }
-  function advance(t, seconds, speed, parts, until) {
+  function advance(t, seconds, speed, parts2, until) {
     let now = t;
     let left = seconds;
     while (left > 0 && now < until) {
-      const inside = slowAt(parts, now);
+      const inside = slowAt(parts2, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const edge = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
       const next = Math.min(edge, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
@@ -901,30 +901,30 @@
   // src/trajectory.js
   function fromWire(header, numbers) {
     const { rows, columns, events } = header;
-    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
+    const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
     columns.forEach(([quantity, ...key], k) => {
       const column = numbers.subarray(k * rows, (k + 1) * rows);
       const name2 = String(quantity);
-      if (!key.length) parts[name2] = column;
+      if (!key.length) parts2[name2] = column;
       else {
-        parts[name2] ??= {};
-        parts[name2][key.join(" ")] = column;
+        parts2[name2] ??= {};
+        parts2[name2][key.join(" ")] = column;
       }
     });
-    return parts;
+    return parts2;
   }
   function fromBaked(numbers, events) {
-    const parts = { t: Float64Array.from(numbers.t), events };
+    const parts2 = { t: Float64Array.from(numbers.t), events };
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts[quantity] = {};
+      parts2[quantity] = {};
       for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key] = Float64Array.from(
+        parts2[quantity][key] = Float64Array.from(
           /** @type {number[]} */
           column
         );
       }
     }
-    return parts;
+    return parts2;
   }
   function isTold({ trajectory }) {
     return trajectory.t.length > 1;
@@ -1214,6 +1214,555 @@
     return effectValue(header, target);
   }
 
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
+    }
+    return found ?? null;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function isCurrent(entry) {
+    const item = itemOf(entry);
+    return !item || !entry.hash || entry.hash === item.hash;
+  }
+  function stamped(entry) {
+    const page2 = outline();
+    const item = itemOf(entry);
+    if (!page2 || !item) return entry;
+    return {
+      form: item.form,
+      lesson: page2.lesson,
+      lessonHash: page2.hash,
+      hash: item.hash,
+      ...entry
+    };
+  }
+
+  // src/storage.js
+  var STORE = "answers";
+  var PATIENCE = 2e4;
+  var STUDENT = "student";
+  var SETTLED = "settled";
+  var SETTLE_AFTER = 400;
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(indexed(await reopening(`carts:${site}`)));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
+  }
+  function open(name2) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name2, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+    });
+  }
+  async function reopening(name2) {
+    let base = await open(name2);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name2);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  function indexed(begin) {
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
+    return {
+      kind: "kept",
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: (key, value, alone3 = false) => write(begin, (answers) => {
+        if (alone3) {
+          answers.put(value, key);
+          answers.transaction.commit();
+          return;
+        }
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+      }),
+      remove: (key) => write(begin, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
+    };
+  }
+  var settling;
+  async function write(begin, act) {
+    await transaction(begin, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark2, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
+    return new Promise((resolve, reject) => {
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
+  }
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
+    };
+  }
+  function shelter() {
+    const page2 = (
+      /** @type {any} */
+      globalThis
+    );
+    const name2 = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page2[name2] ??= /* @__PURE__ */ new Map();
+    return page2[name2];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value, alone3) => {
+        try {
+          await store.put(key, value, alone3);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
+  function memory() {
+    const kept = shelter();
+    return {
+      kind: "memory",
+      how: "memory",
+      get: async (key) => kept.get(key),
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
+    };
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
+    const path2 = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path2
+    };
+  }
+
+  // src/windows.js
+  function touches(events, until) {
+    const open2 = /* @__PURE__ */ new Map();
+    const peaks = /* @__PURE__ */ new Map();
+    const found2 = [];
+    for (const event of events) {
+      const pair = event.bodies.join("-");
+      const touch = open2.get(pair);
+      if (event.kind === "contact" && !event.impulse) {
+        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "peak") {
+        peaks.set(pair, event.t);
+      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
+        open2.delete(pair);
+        found2.push({ ...touch, end: event.t });
+      }
+    }
+    for (const touch of open2.values()) {
+      const peak = peaks.get(touch.pair) ?? until;
+      found2.push({ ...touch, end: peak > touch.start ? peak : until });
+    }
+    return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+  function latestTouch(windows, t) {
+    return windows.findLast((touch) => touch.start <= t);
+  }
+
+  // src/words.js
+  var QUANTITIES = {
+    x: ["Position", "x", "m"],
+    v: ["Velocity", "v", "m/s"],
+    a: ["Acceleration", "a", "m/s²"],
+    F: ["Contact force", "F", "N"],
+    p: ["Momentum", "p", "kg m/s"],
+    energy: ["Kinetic energy", "E", "J"]
+  };
+  var EFFECTS = {
+    friction: "friction",
+    incline: "a slope",
+    drag: "air resistance",
+    push: "pushes from outside",
+    spring: "springs between the carts",
+    magnets: "magnets",
+    release: "a release between the carts"
+  };
+  var BOTH_FORCES = "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.";
+  var IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”";
+  var JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw";
+  function isWall(name2) {
+    return name2 === "left" || name2 === "right";
+  }
+  function body(name2) {
+    return isWall(name2) ? `the ${name2} wall` : name2;
+  }
+  function brief(name2) {
+    return isWall(name2) ? `${name2} wall` : name2;
+  }
+  function motion(velocity2, decimals, scale) {
+    if (Math.abs(velocity2) < 1e-9 * scale) return "at rest";
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return `${speed} to the ${velocity2 > 0 ? "right" : "left"}`;
+  }
+  function lawsOf(contacts) {
+    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  }
+  function eventSentence(event, telling, laws) {
+    const { decimals, scale, camera, forces: forces2 } = telling;
+    const names = event.bodies;
+    const pair = capital(names.map(body).join(" and "));
+    const impulse = event.impulse ?? 0;
+    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
+    const shown2 = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
+    switch (event.kind) {
+      case "contact": {
+        if (impulse && laws[names.join("-")] === "velcro") {
+          return `${pair} hit and stay together.${shown2}${after}`;
+        }
+        if (impulse && joined(event, scale)) {
+          return `${pair} hit and ${goOn(event, telling)}.${shown2}`;
+        }
+        if (impulse) return `${pair} hit each other and part at once.${shown2}${after}`;
+        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
+        return `${mover} reaches ${body(String(other))}.`;
+      }
+      case "peak":
+        if (forces2 && event.force) {
+          const size = fixed(event.force, decimals.F ?? 2);
+          return `${pair}: bumpers squeezed the most, ${size} N on each.`;
+        }
+        return `${pair}: bumpers squeezed the most.`;
+      case "separate":
+        if (joined(event, scale)) {
+          const who = names.map(body).join(" and ");
+          const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+          const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
+          return `The push between ${who} has ended; ${left}.${shown2}${rest ? after : ""}`;
+        }
+        return `${pair} separate.${shown2}${after}`;
+      case "stick":
+        return `${pair} stay together.${after}`;
+      case "stop":
+        return names[1] ? `${pair} stop: the track holds them.` : `${pair} stops: the track holds it.`;
+      case "start":
+        return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
+      case "release":
+        return `The exploder between ${pair} releases.${shown2}${after}`;
+      case "end":
+        return "End of the run.";
+      default:
+        return `${event.kind}: ${pair}.`;
+    }
+  }
+  function joined({ bodies, after }, scale) {
+    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
+    return Math.abs(Number(left) - Number(right)) < 1e-9 * scale;
+  }
+  function goOn({ bodies, after }, { decimals, scale, camera }) {
+    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
+    const seen = motion(Number(after[cart]) - camera, decimals.v ?? 2, scale);
+    return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
+  }
+  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return `${name2} leaves the picture on the ${side}, still ${speed}.`;
+  }
+  function graphNote(quantity, events, curves) {
+    const struck = events.some((event) => event.kind === "contact" && event.impulse);
+    if (struck && quantity === "F") return IMPULSE_ONLY;
+    if (struck && quantity === "a") return JUMP_ONLY;
+    return quantity === "F" && !curves ? "no contact force in this run" : "";
+  }
+  function modelSentences(header) {
+    const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
+    const told2 = header.plan.length > 0;
+    if (told2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
+    const last = leftOut.pop();
+    if (last !== void 0) {
+      const listed2 = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
+      sentences.push(`Left out of this model: ${listed2}.`);
+    }
+    return sentences;
+  }
+  function capital(text) {
+    return text.slice(0, 1).toUpperCase() + text.slice(1);
+  }
+  function sentence(text) {
+    const capitalised = capital(text);
+    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
+  }
+
+  // src/find-forces.js
+  var NEAR = 0.05;
+  var MANY2 = 3;
+  var TYPE = "found-force";
+  var FindForces = class {
+    /** @type {Mean[]} */
+    #means = [];
+    /** @type {Run | null} */
+    #run = null;
+    #tries = 0;
+    /** @param {HTMLElement} root @param {string} id of the scene @param {() => void} found what to do then */
+    constructor(root, id, found2) {
+      this.id = `${id}-forces`;
+      this.found = found2;
+      this.which = /** @type {HTMLSelectElement} */
+      need(root, ".carts-find-which");
+      this.box = /** @type {HTMLInputElement} */
+      need(root, ".carts-find-value input");
+      this.button = /** @type {HTMLButtonElement} */
+      need(root, ".carts-find-form button");
+      this.note = need(root, ".carts-find-note");
+      need(root, ".carts-find-form").addEventListener("submit", (event) => {
+        event.preventDefault();
+        void this.#check();
+      });
+    }
+    /** @param {Run} run a run that may be told */
+    show(run) {
+      this.#run = run;
+      this.#means = meanForces(run);
+      const names = this.#means.map(({ cart, other }) => `${cart}, while it touches ${body(other)}`);
+      const same = [...this.which.options].map((one) => one.text).join() === names.join();
+      if (!same) this.which.replaceChildren(...names.map((name2) => new Option(name2)));
+      for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
+      say(this.note, names.length ? "" : "In this run no two touch for a time that can be read off.");
+    }
+    /** The forces are shown at once where one was found before. */
+    async restore() {
+      const { site, page: page2 } = place();
+      const store = await openStore(site);
+      const kept = await store.get(`${page2}#${this.id}`).catch(() => null);
+      if (kept?.type === TYPE) this.found();
+    }
+    async #check() {
+      const mean = this.#means[this.which.selectedIndex];
+      const read = readTyped(this.box.value.replace(/\s*N\s*$/i, ""));
+      if (!mean || !this.#run) return;
+      if (!("value" in read)) {
+        return say(this.note, "problem" in read ? read.problem : "Type the number only, in N.");
+      }
+      this.#tries += 1;
+      const off2 = read.value / mean.value - 1;
+      if (Math.abs(off2) > NEAR) return say(this.note, this.#advice(mean, read.value));
+      const said = `mean force on ${mean.cart} by ${body(mean.other)}: ${short(mean.value)} N`;
+      await this.#keep(this.box.value, said);
+      this.found();
+    }
+    /** @param {Mean} mean @param {number} typed in N */
+    #advice(mean, typed) {
+      const ratio = typed / mean.value;
+      if (Math.abs(ratio + 1) <= NEAR) {
+        return "The size is right. Which way does the force point? + is to the right.";
+      }
+      const mass = massOf(
+        /** @type {Run} */
+        this.#run,
+        mean.cart
+      );
+      const others = isWall(mean.other) ? [] : [massOf(
+        /** @type {Run} */
+        this.#run,
+        mean.other
+      )];
+      if (others.some((other) => Math.abs(Math.abs(ratio * mass / other) - 1) <= NEAR)) {
+        return `That would fit the mass of ${mean.other}. The velocity of ${mean.cart} goes with the mass of ${mean.cart}.`;
+      }
+      const steps = `Not yet. Δv is the velocity of ${mean.cart} after minus before, with signs; Δt is how long the two touch.`;
+      if (this.#tries < MANY2) return steps;
+      const touch = touchOf(
+        /** @type {Run} */
+        this.#run,
+        mean
+      );
+      const v = (t) => short(velocity(
+        /** @type {Run} */
+        this.#run,
+        mean.cart,
+        t
+      ));
+      return `${steps} Here: m = ${short(mass)} kg, v before ${v(touch.start)} m/s, v after ${v(touch.end)} m/s, Δt = ${short(touch.end - touch.start)} s.`;
+    }
+    /** @param {string} typed @param {string} said */
+    async #keep(typed, said) {
+      const { site, page: page2 } = place();
+      const now = (/* @__PURE__ */ new Date()).toISOString();
+      const entry = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
+      try {
+        const store = await openStore(site);
+        await store.put(`${page2}#${this.id}`, {
+          ...entry,
+          tries: this.#tries,
+          locked: null,
+          asked: "Find a force of this scene"
+        });
+        document.dispatchEvent(new Event("carts-kept"));
+      } catch {
+      }
+    }
+  };
+  function showForces(element) {
+    const template = (
+      /** @type {HTMLTemplateElement} */
+      need(element, "template.carts-shown")
+    );
+    const script = need(element, "script.carts-baked");
+    const baked = JSON.parse(script.textContent ?? "");
+    const differs = JSON.parse(template.dataset.baked ?? "");
+    const frame3 = need(element, ".carts-frame");
+    frame3.replaceWith(template.content);
+    script.textContent = JSON.stringify({ ...baked, ...differs });
+    template.remove();
+    const note = element.querySelector(".carts-found");
+    if (!note) return;
+    note.replaceChildren(
+      html("b", "", "You found a force."),
+      " Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time."
+    );
+    note.hidden = false;
+  }
+  function meanForces(run) {
+    const found2 = [];
+    for (const touch of ended(run)) {
+      for (const cart of touch.bodies.filter((name2) => !isWall(name2))) {
+        const other = String(touch.bodies.find((name2) => name2 !== cart));
+        if (found2.some((one) => one.cart === cart && one.other === other)) continue;
+        const change2 = velocity(run, cart, touch.end) - velocity(run, cart, touch.start);
+        const value = massOf(run, cart) * change2 / (touch.end - touch.start);
+        if (value) found2.push({ cart, other, value });
+      }
+    }
+    return found2;
+  }
+  function ended({ header }) {
+    return touches(header.events, header.until).filter(({ end }) => end < header.until);
+  }
+  function touchOf(run, { cart, other }) {
+    const found2 = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
+    return found2 ?? { start: 0, end: 0 };
+  }
+  function massOf({ header }, name2) {
+    return header.bodies.find((one) => one.name === name2)?.mass ?? 0;
+  }
+  function velocity({ trajectory }, name2, t) {
+    return valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t);
+  }
+
   // src/how-words.js
   var LOCKED = "Make your prediction and lock it first. Then you can see how the run is computed.";
   var PLAN = "The plan, found before anything moves:";
@@ -1272,8 +1821,8 @@
     if (rtol) return `tolerance 1e${Math.round(Math.log10(rtol))}`;
     return `${steps} steps of ${duration(Number(step))}`;
   }
-  function stepWords(until, parts) {
-    return `${duration(until / parts)} (run / ${parts})`;
+  function stepWords(until, parts2) {
+    return `${duration(until / parts2)} (run / ${parts2})`;
   }
   function toleranceWords(rtol) {
     return `1e${Math.round(Math.log10(rtol))}`;
@@ -1282,7 +1831,7 @@
     return `Step by step: ${METHODS[how.method]}, ${sizeWords(how)}. Not exact. Dashed: exact.`;
   }
   var BEYOND = "beyond all numbers";
-  var MANY2 = 10;
+  var MANY3 = 10;
   function comparedWords(how) {
     const { error, energy, seconds, evaluations, blown } = how;
     const told2 = [
@@ -1304,7 +1853,7 @@
     if (joules === null) return BEYOND;
     if (!initial) return `${short(joules, 2)} J`;
     const part = joules / initial;
-    const of = Math.abs(part) < MANY2 ? `${short(100 * part, 2)} % of` : `${short(part, 2)} times`;
+    const of = Math.abs(part) < MANY3 ? `${short(100 * part, 2)} % of` : `${short(part, 2)} times`;
     return `${short(joules, 2)} J, ${of} the energy at the start`;
   }
   function ratioWords({ stepped, exact }) {
@@ -1596,36 +2145,6 @@
     return pageHasScipy() || document.querySelector("carts-cost") !== null;
   }
 
-  // src/answers/outline.js
-  var found;
-  function outline() {
-    if (found === void 0) {
-      const text = document.getElementById("carts-lesson")?.textContent;
-      found = text ? JSON.parse(text) : null;
-    }
-    return found ?? null;
-  }
-  function itemOf(entry) {
-    const form = entry?.form ?? "worksheet";
-    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
-  }
-  function isCurrent(entry) {
-    const item = itemOf(entry);
-    return !item || !entry.hash || entry.hash === item.hash;
-  }
-  function stamped(entry) {
-    const page2 = outline();
-    const item = itemOf(entry);
-    if (!page2 || !item) return entry;
-    return {
-      form: item.form,
-      lesson: page2.lesson,
-      lessonHash: page2.hash,
-      hash: item.hash,
-      ...entry
-    };
-  }
-
   // src/predict-again.js
   var Again = class {
     /** @param {HTMLElement} root of the prediction @param {() => void} forget */
@@ -1754,133 +2273,6 @@
   }
   function labelTop(box2) {
     return box2.labelY - LINE;
-  }
-
-  // src/words.js
-  var QUANTITIES = {
-    x: ["Position", "x", "m"],
-    v: ["Velocity", "v", "m/s"],
-    a: ["Acceleration", "a", "m/s²"],
-    F: ["Contact force", "F", "N"],
-    p: ["Momentum", "p", "kg m/s"],
-    energy: ["Kinetic energy", "E", "J"]
-  };
-  var EFFECTS = {
-    friction: "friction",
-    incline: "a slope",
-    drag: "air resistance",
-    push: "pushes from outside",
-    spring: "springs between the carts",
-    magnets: "magnets",
-    release: "a release between the carts"
-  };
-  var BOTH_FORCES = "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.";
-  var IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”";
-  var JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw";
-  function isWall(name2) {
-    return name2 === "left" || name2 === "right";
-  }
-  function body(name2) {
-    return isWall(name2) ? `the ${name2} wall` : name2;
-  }
-  function brief(name2) {
-    return isWall(name2) ? `${name2} wall` : name2;
-  }
-  function motion(velocity, decimals, scale) {
-    if (Math.abs(velocity) < 1e-9 * scale) return "at rest";
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity) / per, decimals)} ${unit}`;
-    return `${speed} to the ${velocity > 0 ? "right" : "left"}`;
-  }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
-  }
-  function eventSentence(event, telling, laws) {
-    const { decimals, scale, camera, forces: forces2 } = telling;
-    const names = event.bodies;
-    const pair = capital(names.map(body).join(" and "));
-    const impulse = event.impulse ?? 0;
-    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
-    const shown2 = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
-    switch (event.kind) {
-      case "contact": {
-        if (impulse && laws[names.join("-")] === "velcro") {
-          return `${pair} hit and stay together.${shown2}${after}`;
-        }
-        if (impulse && joined(event, scale)) {
-          return `${pair} hit and ${goOn(event, telling)}.${shown2}`;
-        }
-        if (impulse) return `${pair} hit each other and part at once.${shown2}${after}`;
-        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return `${mover} reaches ${body(String(other))}.`;
-      }
-      case "peak":
-        if (forces2 && event.force) {
-          const size = fixed(event.force, decimals.F ?? 2);
-          return `${pair}: bumpers squeezed the most, ${size} N on each.`;
-        }
-        return `${pair}: bumpers squeezed the most.`;
-      case "separate":
-        if (joined(event, scale)) {
-          const who = names.map(body).join(" and ");
-          const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
-          const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
-          return `The push between ${who} has ended; ${left}.${shown2}${rest ? after : ""}`;
-        }
-        return `${pair} separate.${shown2}${after}`;
-      case "stick":
-        return `${pair} stay together.${after}`;
-      case "stop":
-        return names[1] ? `${pair} stop: the track holds them.` : `${pair} stops: the track holds it.`;
-      case "start":
-        return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
-      case "release":
-        return `The exploder between ${pair} releases.${shown2}${after}`;
-      case "end":
-        return "End of the run.";
-      default:
-        return `${event.kind}: ${pair}.`;
-    }
-  }
-  function joined({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
-    return Math.abs(Number(left) - Number(right)) < 1e-9 * scale;
-  }
-  function goOn({ bodies, after }, { decimals, scale, camera }) {
-    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
-    const seen = motion(Number(after[cart]) - camera, decimals.v ?? 2, scale);
-    return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
-  }
-  function exitSentence({ name: name2, side, velocity }, decimals, scale) {
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity) / per, decimals)} ${unit}`;
-    return `${name2} leaves the picture on the ${side}, still ${speed}.`;
-  }
-  function graphNote(quantity, events, curves) {
-    const struck = events.some((event) => event.kind === "contact" && event.impulse);
-    if (struck && quantity === "F") return IMPULSE_ONLY;
-    if (struck && quantity === "a") return JUMP_ONLY;
-    return quantity === "F" && !curves ? "no contact force in this run" : "";
-  }
-  function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
-    const told2 = header.plan.length > 0;
-    if (told2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
-    const last = leftOut.pop();
-    if (last !== void 0) {
-      const listed2 = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
-      sentences.push(`Left out of this model: ${listed2}.`);
-    }
-    return sentences;
-  }
-  function capital(text) {
-    return text.slice(0, 1).toUpperCase() + text.slice(1);
-  }
-  function sentence(text) {
-    const capitalised = capital(text);
-    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
   // src/predict-arrows.js
@@ -2096,33 +2488,6 @@
     return picture2;
   }
 
-  // src/windows.js
-  function touches(events, until) {
-    const open2 = /* @__PURE__ */ new Map();
-    const peaks = /* @__PURE__ */ new Map();
-    const found2 = [];
-    for (const event of events) {
-      const pair = event.bodies.join("-");
-      const touch = open2.get(pair);
-      if (event.kind === "contact" && !event.impulse) {
-        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
-      } else if (event.kind === "peak") {
-        peaks.set(pair, event.t);
-      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-        open2.delete(pair);
-        found2.push({ ...touch, end: event.t });
-      }
-    }
-    for (const touch of open2.values()) {
-      const peak = peaks.get(touch.pair) ?? until;
-      found2.push({ ...touch, end: peak > touch.start ? peak : until });
-    }
-    return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
-  }
-  function latestTouch(windows, t) {
-    return windows.findLast((touch) => touch.start <= t);
-  }
-
   // src/predict-curve.js
   var LEFT2 = 40;
   var STEP3 = 77.5;
@@ -2263,9 +2628,9 @@
       need(this.box, ".carts-talk-run").addEventListener("click", run);
     }
     /** @param {boolean} on whether it is time to talk @param {boolean} asked by the reader just now */
-    show(on, asked) {
+    show(on, asked2) {
       this.box.hidden = !on;
-      if (on && asked) need(this.box, ".carts-talk-run").focus();
+      if (on && asked2) need(this.box, ".carts-talk-run").focus();
     }
   };
   var Why = class {
@@ -2343,215 +2708,6 @@
       return [html("p", "", "Play the run and compare it with what you wrote.")];
     }
   };
-
-  // src/answers/entry.js
-  var MOST_EARLIER = 500;
-  function isEmpty(value) {
-    if (typeof value === "string") return !value.trim();
-    if (value === null || value === void 0) return true;
-    return typeof value === "object" && Object.keys(value).length === 0;
-  }
-  function keepEarlier(old, value) {
-    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
-  }
-  function alone({ earlier: _, ...entry }) {
-    return entry;
-  }
-  function union(a, b) {
-    const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
-    }
-    const all = [...found2.values()];
-    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
-    return all.slice(-MOST_EARLIER);
-  }
-
-  // src/storage.js
-  var STORE = "answers";
-  var PATIENCE = 2e4;
-  var STUDENT = "student";
-  var SETTLED = "settled";
-  var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
-    return found2;
-  }
-  async function openStore(site) {
-    const all = await openAll(site);
-    return forStudent(all, await readStudent(all));
-  }
-  async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
-  }
-  function forStudent(all, code) {
-    const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
-    return {
-      kind: all.kind,
-      how: all.how,
-      get: (key) => all.get(before + key),
-      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
-      remove: (key) => all.remove(before + key),
-      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
-    };
-  }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
-  function open(name2) {
-    return new Promise((resolve, reject) => {
-      const request = indexedDB.open(name2, 1);
-      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-      request.onsuccess = () => {
-        request.result.onversionchange = () => request.result.close();
-        resolve(request.result);
-      };
-      request.onerror = () => reject(request.error);
-      request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE);
-    });
-  }
-  async function reopening(name2) {
-    let base = await open(name2);
-    return async (mode, durability = "relaxed") => {
-      try {
-        return base.transaction(STORE, mode, { durability });
-      } catch {
-        base = await open(name2);
-        return base.transaction(STORE, mode, { durability });
-      }
-    };
-  }
-  function indexed(begin) {
-    const read = async (ask) => {
-      const work = await begin("readonly");
-      return new Promise((resolve, reject) => {
-        const request = ask(work.objectStore(STORE));
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
-      });
-    };
-    return {
-      kind: "kept",
-      how: "indexed",
-      get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone3 = false) => write(begin, (answers) => {
-        if (alone3) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
-      remove: (key) => write(begin, (answers) => answers.delete(key)),
-      entries: async () => {
-        const [keys, values] = await Promise.all([
-          read((answers) => answers.getAllKeys()),
-          read((answers) => answers.getAll())
-        ]);
-        return keys.map((key, k) => [String(key), values[k]]);
-      }
-    };
-  }
-  var settling;
-  async function write(begin, act) {
-    await transaction(begin, act, "relaxed");
-    clearTimeout(settling);
-    settling = setTimeout(() => {
-      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(begin, mark2, "strict").catch(() => {
-      });
-    }, SETTLE_AFTER);
-  }
-  async function transaction(begin, act, durability) {
-    const work = await begin("readwrite", durability);
-    return new Promise((resolve, reject) => {
-      act(work.objectStore(STORE));
-      work.oncomplete = () => resolve();
-      work.onerror = () => reject(work.error);
-      work.onabort = () => reject(work.error);
-    });
-  }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
-    };
-  }
-  function shelter() {
-    const page2 = (
-      /** @type {any} */
-      globalThis
-    );
-    const name2 = /* @__PURE__ */ Symbol.for("carts-shelter");
-    page2[name2] ??= /* @__PURE__ */ new Map();
-    return page2[name2];
-  }
-  function sheltered(store) {
-    return {
-      ...store,
-      put: async (key, value, alone3) => {
-        try {
-          await store.put(key, value, alone3);
-          shelter().delete(key);
-        } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
-          throw error;
-        }
-      },
-      remove: async (key) => {
-        shelter().delete(key);
-        await store.remove(key);
-      },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
-    };
-  }
-  function memory() {
-    const kept = shelter();
-    return {
-      kind: "memory",
-      how: "memory",
-      get: async (key) => kept.get(key),
-      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
-      remove: async (key) => void kept.delete(key),
-      entries: async () => [...kept]
-    };
-  }
-  function place() {
-    const { cartsSite, cartsPage } = document.documentElement.dataset;
-    const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
-    const path2 = location.pathname.split("/").slice(-2).join("/");
-    return {
-      site: cartsSite ?? meta("carts-site") ?? "site",
-      page: cartsPage ?? meta("carts-page") ?? path2
-    };
-  }
 
   // src/predict.js
   var Predict = class {
@@ -2652,10 +2808,10 @@
     }
     /** @returns {string} the comparison as it is read out */
     get spoken() {
-      const parts = this.root.querySelectorAll(
+      const parts2 = this.root.querySelectorAll(
         ".carts-compared > [aria-label], .carts-compared p, .carts-compared li"
       );
-      const texts = [...parts].map((part) => part.getAttribute("aria-label") ?? part.textContent);
+      const texts = [...parts2].map((part) => part.getAttribute("aria-label") ?? part.textContent);
       return `Your prediction. ${texts.join(" ")}`;
     }
     /** @param {string} message for the reader; empty: none */
@@ -2708,10 +2864,10 @@
     /** The prediction in words, as the list of answers shows it. */
     #told() {
       const { before, why } = this.#entry;
-      const parts = [this.form.said];
-      if (before) parts.push(`First: ${before.said}`);
-      if (why) parts.push(`Why: ${why}`);
-      this.#entry.said = parts.filter(Boolean).join(" · ");
+      const parts2 = [this.form.said];
+      if (before) parts2.push(`First: ${before.said}`);
+      if (why) parts2.push(`Why: ${why}`);
+      this.#entry.said = parts2.filter(Boolean).join(" · ");
     }
     /** @returns {Promise<boolean>} whether the prediction is gone */
     async #forget() {
@@ -2736,24 +2892,111 @@
     }
   };
 
-  // src/announcer.js
-  var MOST3 = 3;
-  var Announcer = class {
-    /** @param {HTMLElement} root */
-    constructor(root) {
-      this.region = need(root, ".carts-announcer");
+  // src/projector.js
+  var MOST_HANDS = 999;
+  var listening = /* @__PURE__ */ new WeakSet();
+  function offerProjector(scene) {
+    const button = (
+      /** @type {HTMLButtonElement} */
+      need(scene, ".carts-project")
+    );
+    button.disabled = false;
+    const bar2 = html("p", "carts-project-bar");
+    const [reveal, next] = [made2("carts-button", "Reveal"), made2("carts-button", "Next scene")];
+    bar2.append(reveal, " ", next);
+    need(scene, ".carts-frame").append(bar2);
+    button.addEventListener("click", () => void project(scene, !isOn(scene)));
+    reveal.addEventListener("click", () => void scene.reveal?.());
+    next.addEventListener("click", () => {
+      const all = (
+        /** @type {Scene[]} */
+        [...document.querySelectorAll("carts-scene")]
+      );
+      const following = all[(all.indexOf(scene) + 1) % all.length];
+      if (following) void project(following, true);
+    });
+    for (const option2 of scene.querySelectorAll(".carts-options label")) count(scene, option2);
+    button.setAttribute("aria-pressed", String(isOn(scene)));
+    if (listening.has(scene)) return;
+    listening.add(scene);
+    scene.addEventListener("keydown", (event) => {
+      const typing = (
+        /** @type {Element} */
+        event.target.matches(
+          "input:not([type=range]), textarea, select"
+        )
+      );
+      if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
+      if (event.key === "Escape" && isOn(scene)) void project(scene, false);
+    });
+  }
+  document.addEventListener("fullscreenchange", () => {
+    if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
+  });
+  var shown = () => (
+    /** @type {NodeListOf<Scene>} */
+    document.querySelectorAll(".carts-projector")
+  );
+  var isOn = (scene) => scene.classList.contains("carts-projector");
+  async function project(scene, on) {
+    for (const other of shown()) if (other !== scene) mark(other, false);
+    mark(scene, on);
+    if (!on) {
+      if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
+      });
+      return;
     }
-    /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
-    leadTo(next, sentence2) {
-      const focused = document.activeElement;
-      if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
-      this.tell([sentence2]);
-    }
-    /** @param {string[]} sentences */
-    tell(sentences) {
-      if (sentences.length) this.region.textContent = sentences.slice(-MOST3).join(" ");
-    }
-  };
+    await document.documentElement.requestFullscreen?.().catch(() => {
+    });
+    need(scene, ".carts-project").focus();
+  }
+  function mark(scene, on) {
+    scene.classList.toggle("carts-projector", on);
+    document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
+    scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
+  }
+  function count(scene, option2) {
+    const line = html("span", "carts-hands");
+    const box2 = document.createElement("input");
+    box2.type = "number";
+    box2.min = "0";
+    box2.max = String(MOST_HANDS);
+    box2.setAttribute("aria-label", `hands for: ${option2.textContent?.trim()}`);
+    const bar2 = document.createElement("meter");
+    bar2.setAttribute("aria-hidden", "true");
+    const part = html("span");
+    line.append(box2, bar2, part);
+    option2.after(line);
+    box2.addEventListener("input", () => {
+      const boxes = (
+        /** @type {NodeListOf<HTMLInputElement>} */
+        scene.querySelectorAll(".carts-hands input")
+      );
+      const hands = (one) => Math.min(MOST_HANDS, Math.max(0, Math.round(one.valueAsNumber || 0)));
+      const all = [...boxes].reduce((sum, one) => sum + hands(one), 0);
+      for (const one of boxes) {
+        const share = all ? hands(one) / all : 0;
+        const meter = (
+          /** @type {HTMLMeterElement} */
+          one.nextElementSibling
+        );
+        meter.value = share;
+        say(
+          /** @type {Element} */
+          meter.nextElementSibling,
+          `${hands(one)} of ${all}`
+        );
+      }
+    });
+  }
+  function made2(className, text) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = className;
+    button.textContent = text;
+    return button;
+  }
 
   // src/effects-forces.js
   var ON_ONE = ["incline", "push", "friction", "drag"];
@@ -2799,14 +3042,14 @@
   function outside({ effects, track }) {
     const walls = track.left === "wall" || track.right === "wall";
     const has = (kind) => effects.some((effect) => effect.kind === kind);
-    const parts = [
+    const parts2 = [
       walls ? "wall" : "",
       has("friction") ? "track" : "",
       has("drag") ? "air" : "",
       ...effects.filter(({ kind }) => kind === "push").map(agent),
       walls || has("friction") || has("incline") ? "Earth" : ""
     ];
-    return [...new Set(parts.filter(Boolean))].join(" + ");
+    return [...new Set(parts2.filter(Boolean))].join(" + ");
   }
   function linkKind({ effects }, pair) {
     const link = effects.find(
@@ -2823,6 +3066,503 @@
     known.set(column, most);
     return most;
   }
+
+  // src/markers.js
+  var MARKERS = {
+    b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
+    b1: "M-3.5 -3.5H3.5V3.5H-3.5Z",
+    b2: "M0 -5L5 0L0 5L-5 0Z",
+    b3: "M-4.5 3.5L0 -4.5L4.5 3.5Z",
+    b4: "M-4.5 -3.5L0 4.5L4.5 -3.5Z",
+    b5: "M-4 -1.5H-1.5V-4H1.5V-1.5H4V1.5H1.5V4H-1.5V1.5H-4Z",
+    b6: "M-4.5 -2.5H4.5V2.5H-4.5Z",
+    b7: "M-2.5 -4.5H2.5V4.5H-2.5Z",
+    wall: "M-3 -3L3 3M-3 3L3 -3",
+    total: "M-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0Z"
+  };
+  function styleOf(index) {
+    return `b${index % 8}`;
+  }
+
+  // src/series.js
+  function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
+    if (quantity === "F") return forces(header, run, signed);
+    const times = Float64Array.from(run.t);
+    const curves = header.bodies.map((body2, i) => {
+      const { name: name2, mass } = body2;
+      const [x, v, a] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
+      const seen = Float64Array.from(v, (speed) => speed - camera);
+      const curve = { label: name2, style: styleOf(i), over: false };
+      switch (quantity) {
+        case "x": {
+          const values = Float64Array.from(x, (place3, k) => place3 - camera * Number(times[k]));
+          return { ...curve, values, slopes: seen };
+        }
+        case "v":
+          return {
+            ...curve,
+            values: seen.map((speed) => speed / per),
+            slopes: Float64Array.from(a, (rate) => rate / per)
+          };
+        case "a":
+          return { ...curve, values: a, slopes: null };
+        case "p":
+          return {
+            ...curve,
+            values: seen.map((speed) => mass * speed),
+            slopes: Float64Array.from(a, (value) => mass * value)
+          };
+        default:
+          return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
+      }
+    });
+    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
+    if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
+    return curves;
+  }
+  function partner(curves, label) {
+    const { values, slopes } = total(curves);
+    const start = Number(values[0]);
+    return {
+      label,
+      style: "wall",
+      over: false,
+      values: Float64Array.from(values, (value) => start - value),
+      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
+    };
+  }
+  function total(curves) {
+    const sum = (columns) => {
+      const rows = Float64Array.from(columns[0] ?? []);
+      for (const column of columns.slice(1)) {
+        for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
+      }
+      return rows;
+    };
+    return {
+      label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
+      style: "total",
+      over: false,
+      values: sum(curves.map((c) => c.values)),
+      slopes: curves.every((c) => c.slopes) ? sum(curves.map((c) => c.slopes)) : null
+    };
+  }
+  function forces(header, run, signed) {
+    const styles = new Map(header.bodies.map((body2, i) => [body2.name, styleOf(i)]));
+    const sign = signed ? -1 : 1;
+    const curves = [];
+    for (const contact of header.contacts) {
+      let force = run.F[contact.pair];
+      let slope = run.dF[contact.pair];
+      if (!force || !slope || !Array.prototype.some.call(force, (f) => f !== 0)) continue;
+      if (!signed) {
+        const pulls = Array.from(force, (f) => f < 0);
+        slope = Float64Array.from(slope, (s, k) => pulls[k] ? -s : s);
+        force = Float64Array.from(force, Math.abs);
+      }
+      const [left, right] = contact.bodies;
+      curves.push({
+        label: `on ${brief(left)} by ${brief(right)}`,
+        style: styles.get(left) ?? "wall",
+        over: false,
+        values: Float64Array.from(force, (f) => sign * f),
+        slopes: Float64Array.from(slope, (s) => sign * s)
+      });
+      curves.push({
+        label: `on ${brief(right)} by ${brief(left)}`,
+        style: styles.get(right) ?? "wall",
+        over: true,
+        values: force,
+        slopes: slope
+      });
+    }
+    return curves;
+  }
+
+  // src/csv.js
+  function csv(run, quantities, camera) {
+    if (!isTold(run)) return "";
+    const { header, trajectory } = run;
+    const columns = [["t in s", trajectory.t]];
+    for (const quantity of quantities) {
+      const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
+      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+        columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
+      }
+    }
+    const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
+    for (let k = 0; k < trajectory.t.length; k += 1) {
+      lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
+    }
+    return `${lines2.join("\r\n")}\r
+`;
+  }
+  function quoted(text) {
+    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  }
+
+  // src/picture.js
+  var PROPERTIES = [
+    "fill",
+    "fill-opacity",
+    "stroke",
+    "stroke-width",
+    "stroke-dasharray",
+    "stroke-linecap",
+    "stroke-linejoin",
+    "opacity",
+    "visibility",
+    "font-family",
+    "font-size",
+    "font-weight",
+    "font-style",
+    "text-anchor",
+    "paint-order",
+    "x",
+    "y",
+    "height"
+  ];
+  var WIDTH2 = 720;
+  var GAP = 12;
+  var LINE2 = 20;
+  var PIXELS = 2;
+  function picture(scene) {
+    const paper = getComputedStyle(scene).getPropertyValue("--carts-paper") || "#fff";
+    const ink = getComputedStyle(scene).color;
+    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH2 });
+    const sheet = svg("rect", { width: WIDTH2, fill: paper });
+    whole.append(sheet);
+    let y = GAP;
+    const write4 = (text, x, at, weight) => {
+      const line = svg("text", {
+        x,
+        y: at,
+        fill: ink,
+        "font-family": "sans-serif",
+        "font-size": 13,
+        "font-weight": weight
+      });
+      line.textContent = text;
+      whole.append(line);
+    };
+    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP, y + 12, "700");
+    y += LINE2 + 4;
+    const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
+    if (stage) {
+      const drawn2 = alone2(stage);
+      const height = place2(drawn2, 0, y, WIDTH2);
+      const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
+      whole.append(svg("rect", { y, width: WIDTH2, height, fill: sky }), drawn2);
+      y += height + GAP;
+    }
+    const graphs = [...scene.querySelectorAll(".carts-graph")];
+    const half = WIDTH2 / 2;
+    for (let k = 0; k < graphs.length; k += 2) {
+      let tallest = 0;
+      graphs.slice(k, k + 2).forEach((graph, column) => {
+        const plot2 = graph.querySelector(".carts-plot");
+        if (!plot2) return;
+        const x = column * half;
+        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP, y + 12, "700");
+        const drawn2 = alone2(plot2);
+        const height = place2(drawn2, x, y + LINE2, half - GAP);
+        whole.append(drawn2);
+        const entries = [...graph.querySelectorAll(".carts-key > span")];
+        entries.forEach((entry, i) => {
+          const at = y + LINE2 + height + 14 + LINE2 * i;
+          const sample = entry.querySelector("svg");
+          if (sample) {
+            const swatch = alone2(sample);
+            place2(swatch, x + GAP, at - 10, 26);
+            whole.append(swatch);
+          }
+          write4(entry.textContent ?? "", x + GAP + 34, at, "400");
+        });
+        tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
+      });
+      y += tallest + GAP;
+    }
+    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y)));
+    whole.setAttribute("viewBox", `0 0 ${WIDTH2} ${Math.ceil(y)}`);
+    return new XMLSerializer().serializeToString(whole);
+  }
+  function alone2(original) {
+    const copy = (
+      /** @type {Element} */
+      original.cloneNode(true)
+    );
+    const [from, to] = [
+      [original, ...original.querySelectorAll("*")],
+      [copy, ...copy.querySelectorAll("*")]
+    ];
+    from.forEach((part, i) => {
+      const style = getComputedStyle(part);
+      const made3 = (
+        /** @type {Element} */
+        to[i]
+      );
+      if (style.display === "none" && part.closest("defs") === null)
+        made3.setAttribute("display", "none");
+      for (const property of PROPERTIES) {
+        const value = style.getPropertyValue(property);
+        const geometry = ["x", "y", "height"].includes(property);
+        if (geometry && (part.tagName !== "rect" || made3.hasAttribute(property))) continue;
+        if (value && value !== "auto") made3.setAttribute(property, value.replaceAll('"', "'"));
+      }
+      made3.removeAttribute("class");
+    });
+    return copy;
+  }
+  function place2(drawn2, x, y, width) {
+    const [, , w = 1, h = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
+    const height = width * h / w;
+    for (const [name2, value] of Object.entries({ x, y, width, height })) {
+      drawn2.setAttribute(name2, String(value));
+    }
+    return height;
+  }
+  async function asPng(text) {
+    const image = new Image();
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    canvas.width = image.naturalWidth * PIXELS;
+    canvas.height = image.naturalHeight * PIXELS;
+    canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return new Promise((resolve, reject) => {
+      canvas.toBlob(
+        (blob) => blob ? resolve(blob) : reject(new Error("no picture was made")),
+        "image/png"
+      );
+    });
+  }
+
+  // src/share.js
+  var MARK = "carts:";
+  var MOST_KEYS = 60;
+  var LONGEST3 = 4e3;
+  var LONGEST_VALUE = 40;
+  var TARGET = /^[A-Za-z][\w-]*(\.[\w-]+){0,3}$/;
+  function linkTo(id, settings, t) {
+    const parts2 = Object.entries({ ...settings, t: Number(t.toPrecision(6)) });
+    return `${MARK}${id}?${parts2.map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join("&")}`;
+  }
+  function readLink(hash, id) {
+    const text = hash.replace(/^#/, "");
+    if (!text.startsWith(`${MARK}${id}?`)) return null;
+    if (text.length > LONGEST3) return { problem: "This link is too long: it was not used." };
+    const settings = {};
+    let t = 0;
+    const parts2 = text.slice(MARK.length + id.length + 1).split("&");
+    for (const part of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
+      const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
+      if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
+        return { problem: "This link is damaged: it was not used." };
+      }
+      if (key === "t") t = Number(value);
+      else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
+      else settings[key] = Number.isFinite(Number(value)) ? Number(value) : value;
+    }
+    return { settings, t: Number.isFinite(t) ? Math.max(0, t) : 0 };
+  }
+  async function followLink(scene, id, say2) {
+    const asked2 = readLink(location.hash, id);
+    if (!asked2) return;
+    if ("problem" in asked2) return say2(asked2.problem);
+    try {
+      await scene.set(asked2.settings);
+      scene.time = asked2.t;
+      scene.scrollIntoView();
+    } catch (error) {
+      say2(`This link does not fit this scene: ${/** @type {Error} */
+      error.message}`);
+    }
+  }
+  function decoded(text) {
+    try {
+      return decodeURIComponent(text);
+    } catch {
+      return "";
+    }
+  }
+  function sceneBlock(fence, settings) {
+    const scene = structuredClone(fence.scene);
+    for (const [target, value] of Object.entries(settings)) change(scene, target, value);
+    const lines2 = [`id: ${fence.id}-copy`];
+    for (const [key, value] of Object.entries(scene)) {
+      if (key === "carts") {
+        lines2.push("carts:");
+        for (const [name2, cart] of Object.entries(
+          /** @type {object} */
+          value
+        )) {
+          lines2.push(`  ${name2}: ${flow(cart)}`);
+        }
+      } else lines2.push(`${key}: ${flow(value)}`);
+    }
+    lines2.push(`show: ${flow(fence.show)}`);
+    if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
+    if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
+    if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
+    const switches = fence.switches ?? [];
+    if (fence.controls.length || switches.length) lines2.push("controls:");
+    for (const { set, low, high, step, unit } of fence.controls) {
+      const part = (value) => `${value} ${unit}`.trim();
+      lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
+    }
+    for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
+    return `\`\`\`scene
+${lines2.join("\n")}
+\`\`\`
+`;
+  }
+  function change(scene, target, value) {
+    const keys = target.split(".");
+    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : effectPath(scene, keys) ?? keys;
+    let place3 = scene;
+    for (const key of path2.slice(0, -1)) {
+      place3[key] ??= {};
+      place3 = place3[key];
+    }
+    place3[String(path2.at(-1))] = value;
+  }
+  function flow(value) {
+    if (Array.isArray(value)) return `[${value.map(flow).join(", ")}]`;
+    if (value && typeof value === "object") {
+      return `{${Object.entries(value).map(([key, item]) => `${key}: ${flow(item)}`).join(", ")}}`;
+    }
+    if (typeof value !== "string") return String(value);
+    return /^[A-Za-z0-9.+−-][\w .+/·²³^-]*$/.test(value) && !/^(no|yes|on|off|true|false|null)$/i.test(value) ? value : JSON.stringify(value);
+  }
+
+  // src/take-along.js
+  var KINDS = [
+    ["csv", "values (CSV)"],
+    ["svg", "picture (SVG)"],
+    ["png", "picture (PNG)"],
+    ["link", "link to this state"],
+    ["block", "scene block"]
+  ];
+  var TakeAlong = class {
+    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => State} state of the scene now */
+    constructor(root, baked, state) {
+      const place3 = need(root, ".carts-take");
+      const { fence } = baked;
+      const text = document.createElement("textarea");
+      text.readOnly = true;
+      text.hidden = true;
+      text.rows = 4;
+      text.setAttribute("aria-label", "Text to copy");
+      const note = html("p", "carts-take-note");
+      note.setAttribute("role", "status");
+      const row = html("p", "carts-take-row");
+      for (const [key, name2] of KINDS) {
+        const button = html("button", "carts-button", name2);
+        button.setAttribute("type", "button");
+        button.dataset.take = key;
+        row.append(button);
+      }
+      place3.append(row, note, text);
+      const offer = async (made3, what) => {
+        text.hidden = false;
+        text.value = made3;
+        text.select();
+        const copied = await navigator.clipboard?.writeText(made3).then(
+          () => true,
+          () => false
+        );
+        say(note, copied ? `${what} is copied.` : `${what}: copy it from the box.`);
+      };
+      const acts = {
+        csv: () => {
+          const { run, quantities } = state();
+          save(
+            new Blob([csv(run, quantities, fence.camera)], { type: "text/csv" }),
+            `${fence.id}.csv`
+          );
+        },
+        svg: () => save(new Blob([picture(root)], { type: "image/svg+xml" }), `${fence.id}.svg`),
+        png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
+        link: () => {
+          const { settings, t } = state();
+          return offer(`${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`, "The link");
+        },
+        block: () => offer(sceneBlock(fence, state().settings), "The scene block")
+      };
+      place3.addEventListener("click", async (event) => {
+        const button = (
+          /** @type {Element} */
+          event.target.closest("button")
+        );
+        const act = acts[button?.dataset.take ?? ""];
+        if (!act) return;
+        try {
+          say(note, "");
+          await act();
+        } catch (error) {
+          say(note, `This browser could not do it: ${/** @type {Error} */
+          error.message}`);
+        }
+      });
+    }
+  };
+  function save(blob, name2) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = name2;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(link.href), 6e4);
+  }
+
+  // src/inside.js
+  function wireInside(element, baked, view, client, acts) {
+    element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
+    element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
+    for (const button of element.querySelectorAll(".carts-preset")) {
+      const name2 = (
+        /** @type {HTMLElement} */
+        button.dataset.preset ?? ""
+      );
+      button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
+    }
+    new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }));
+    offerProjector(element);
+    const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
+    const how = new How(element, view, client, (more) => {
+      return { kind: "how", scene: baked.fence.scene, set: { ...acts.settings() }, ...more };
+    });
+    return { find, how };
+  }
+  function askFirst(element, baked, view, { locked, forgotten }) {
+    const ask = element.querySelector(".carts-predict");
+    if (!(ask instanceof HTMLElement)) return null;
+    const draw = (guesses) => {
+      for (const stage of view.stages) stage.guess(guesses);
+    };
+    return new Predict(ask, baked, draw, locked, forgotten);
+  }
+
+  // src/announcer.js
+  var MOST3 = 3;
+  var Announcer = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.region = need(root, ".carts-announcer");
+    }
+    /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+    leadTo(next, sentence2) {
+      const focused = document.activeElement;
+      if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+      this.tell([sentence2]);
+    }
+    /** @param {string[]} sentences */
+    tell(sentences) {
+      if (sentences.length) this.region.textContent = sentences.slice(-MOST3).join(" ");
+    }
+  };
 
   // src/effects-words.js
   var LEFT_OUT = { ...EFFECTS, release: "exploders" };
@@ -2850,11 +3590,11 @@
       case "incline":
         return `a slope${on}, ${slopeText(value("angle"))}`;
       case "drag": {
-        const parts = [
+        const parts2 = [
           ["linear", "m/s"],
           ["quadratic", "(m/s)²"]
         ].filter(([key]) => value(String(key))).map(([key, unit]) => `${short(value(String(key)))} N per ${unit}`);
-        return `drag${on} by the air${told2(parts.join(" and ") || "0 N")}`;
+        return `drag${on} by the air${told2(parts2.join(" and ") || "0 N")}`;
       }
       case "push":
         return `a push on ${names[0]} by ${agent(effect)}${told2(pushText(value("force")))}${pushTimes(effect)}`;
@@ -2909,10 +3649,10 @@
   var RIGHT2 = 350;
   var TOP2 = 8;
   var BOTTOM3 = 142;
-  var WIDTH2 = 360;
+  var WIDTH3 = 360;
   var HEIGHT = 172;
   var BELOW_LINE = 4;
-  var NEAR = 0.7;
+  var NEAR2 = 0.7;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
     return LEFT3 + (t - plane.time.low) * ((RIGHT2 - LEFT3) / (plane.time.high - plane.time.low));
@@ -2956,7 +3696,7 @@
     for (let k = 1; k <= last; k += 1) {
       const x = timeX(plane, Number(times[k]));
       const y = valueY(plane, Number(values[k]));
-      if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
+      if (k < last && Math.abs(x - x0) < NEAR2 && Math.abs(y - y0) < NEAR2) continue;
       const third = (Number(times[k]) - Number(times[k - 1])) / 3;
       let bent = false;
       if (slopes && drawn2 === k - 1 && third > 0) {
@@ -3069,7 +3809,7 @@
   function plot(clip, isForce) {
     const frame3 = svg("svg", {
       class: "carts-plot",
-      viewBox: `0 0 ${WIDTH2} ${HEIGHT}`,
+      viewBox: `0 0 ${WIDTH3} ${HEIGHT}`,
       "aria-hidden": "true"
     });
     const inside = svg("clipPath", { id: clip });
@@ -3220,23 +3960,6 @@
     );
   }
 
-  // src/markers.js
-  var MARKERS = {
-    b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
-    b1: "M-3.5 -3.5H3.5V3.5H-3.5Z",
-    b2: "M0 -5L5 0L0 5L-5 0Z",
-    b3: "M-4.5 3.5L0 -4.5L4.5 3.5Z",
-    b4: "M-4.5 -3.5L0 4.5L4.5 -3.5Z",
-    b5: "M-4 -1.5H-1.5V-4H1.5V-1.5H4V1.5H1.5V4H-1.5V1.5H-4Z",
-    b6: "M-4.5 -2.5H4.5V2.5H-4.5Z",
-    b7: "M-2.5 -4.5H2.5V4.5H-2.5Z",
-    wall: "M-3 -3L3 3M-3 3L3 -3",
-    total: "M-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0Z"
-  };
-  function styleOf(index) {
-    return `b${index % 8}`;
-  }
-
   // src/forces.js
   function contactForce({ trajectory }, pair, t, zero) {
     const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
@@ -3373,108 +4096,13 @@
         outline2(-1)
       );
       const impulse = area(run, touch.pair, touch.start, end);
-      const [names, amount2] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
-      const parts = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(({ name: name2, change: change2 }) => `m Δv of ${name2}: ${fixed(change2 ?? 0, this.decimals)}`);
+      const [names, amount3] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const parts2 = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(({ name: name2, change: change2 }) => `m Δv of ${name2}: ${fixed(change2 ?? 0, this.decimals)}`);
       const whole = t >= touch.end ? "" : " so far";
-      const all = [`${names}, shaded area${whole}: ${amount2}`, ...parts].join("; ");
+      const all = [`${names}, shaded area${whole}: ${amount3}`, ...parts2].join("; ");
       say(this.note, `${all}, all in N s.`);
     }
   };
-
-  // src/series.js
-  function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
-    if (quantity === "F") return forces(header, run, signed);
-    const times = Float64Array.from(run.t);
-    const curves = header.bodies.map((body2, i) => {
-      const { name: name2, mass } = body2;
-      const [x, v, a] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
-      const seen = Float64Array.from(v, (speed) => speed - camera);
-      const curve = { label: name2, style: styleOf(i), over: false };
-      switch (quantity) {
-        case "x": {
-          const values = Float64Array.from(x, (place3, k) => place3 - camera * Number(times[k]));
-          return { ...curve, values, slopes: seen };
-        }
-        case "v":
-          return {
-            ...curve,
-            values: seen.map((speed) => speed / per),
-            slopes: Float64Array.from(a, (rate) => rate / per)
-          };
-        case "a":
-          return { ...curve, values: a, slopes: null };
-        case "p":
-          return {
-            ...curve,
-            values: seen.map((speed) => mass * speed),
-            slopes: Float64Array.from(a, (value) => mass * value)
-          };
-        default:
-          return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
-      }
-    });
-    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
-    if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
-    return curves;
-  }
-  function partner(curves, label) {
-    const { values, slopes } = total(curves);
-    const start = Number(values[0]);
-    return {
-      label,
-      style: "wall",
-      over: false,
-      values: Float64Array.from(values, (value) => start - value),
-      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
-    };
-  }
-  function total(curves) {
-    const sum = (columns) => {
-      const rows = Float64Array.from(columns[0] ?? []);
-      for (const column of columns.slice(1)) {
-        for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
-      }
-      return rows;
-    };
-    return {
-      label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
-      style: "total",
-      over: false,
-      values: sum(curves.map((c) => c.values)),
-      slopes: curves.every((c) => c.slopes) ? sum(curves.map((c) => c.slopes)) : null
-    };
-  }
-  function forces(header, run, signed) {
-    const styles = new Map(header.bodies.map((body2, i) => [body2.name, styleOf(i)]));
-    const sign = signed ? -1 : 1;
-    const curves = [];
-    for (const contact of header.contacts) {
-      let force = run.F[contact.pair];
-      let slope = run.dF[contact.pair];
-      if (!force || !slope || !Array.prototype.some.call(force, (f) => f !== 0)) continue;
-      if (!signed) {
-        const pulls = Array.from(force, (f) => f < 0);
-        slope = Float64Array.from(slope, (s, k) => pulls[k] ? -s : s);
-        force = Float64Array.from(force, Math.abs);
-      }
-      const [left, right] = contact.bodies;
-      curves.push({
-        label: `on ${brief(left)} by ${brief(right)}`,
-        style: styles.get(left) ?? "wall",
-        over: false,
-        values: Float64Array.from(force, (f) => sign * f),
-        slopes: Float64Array.from(slope, (s) => sign * s)
-      });
-      curves.push({
-        label: `on ${brief(right)} by ${brief(left)}`,
-        style: styles.get(right) ?? "wall",
-        over: true,
-        values: force,
-        slopes: slope
-      });
-    }
-    return curves;
-  }
 
   // src/ledger.js
   function ledger({ header, trajectory }, windows, camera) {
@@ -3524,7 +4152,7 @@
   }
 
   // src/ledger-layer.js
-  var NEAR2 = 0.5;
+  var NEAR3 = 0.5;
   function hasLedger({ fence, run }) {
     const effects = (
       /** @type {unknown[]} */
@@ -3596,7 +4224,7 @@
       const x = timeX(plane, Number(times[k]));
       const [y, z] = [Number(top[k]), Number(bottom?.[k] ?? 0)].map((v) => valueY(plane, v));
       const moved = Math.max(Math.abs(x - x0), Math.abs(Number(y) - y0), Math.abs(Number(z) - z0));
-      if (moved < NEAR2 && k < times.length - 1) continue;
+      if (moved < NEAR3 && k < times.length - 1) continue;
       [x0, y0, z0] = [x, Number(y), Number(z)];
       above.push(`${px(x)} ${px(y0)}`);
       below.unshift(`${px(x)} ${px(z0)}`);
@@ -3709,7 +4337,7 @@
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame3 = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame3.left) / frame3.width * WIDTH2;
+        const x = (event.clientX - frame3.left) / frame3.width * WIDTH3;
         const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT2 - LEFT3)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
@@ -4100,7 +4728,7 @@
   // src/effects.js
   var PER_CHARACTER = 7.2;
   var SLIVER = 1.5;
-  var GAP = 8;
+  var GAP2 = 8;
   var BEHIND = ["carts-rough", "carts-wedge", "carts-tilt", "carts-hand"];
   var Effects = class {
     /** @type {Run | null} */
@@ -4196,12 +4824,12 @@
     return [...leaders, ...pieces];
   }
   function fits(x, length, text, picture2) {
-    const needed = text.length * PER_CHARACTER + GAP + 4;
+    const needed = text.length * PER_CHARACTER + GAP2 + 4;
     return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture2 - needed;
   }
   function beside(x, length, width, picture2) {
-    const left = Math.min(x, x + length) - GAP;
-    const right = Math.max(x, x + length) + GAP;
+    const left = Math.min(x, x + length) - GAP2;
+    const right = Math.max(x, x + length) + GAP2;
     const toLeft = left - width >= 4;
     const toRight = right + width <= picture2 - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
@@ -4212,7 +4840,7 @@
   // src/pushes.js
   var PER_CHARACTER2 = 7.8;
   var ROW = 19;
-  var GAP2 = 8;
+  var GAP3 = 8;
   var EDGE2 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -4321,9 +4949,9 @@
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
-        const end = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+      if (high - low >= left + right + 2 * GAP3 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP3, low + left + 2 * GAP3), high - right);
+        const end = Math.max(low + left, Math.min(x - GAP3, begin - 2 * GAP3));
         write2(first, labels2[0] ?? "", end, push.row, "end");
         write2(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
@@ -4344,8 +4972,8 @@
       const track = this.#run?.header.track;
       const end = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
-        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP2) : width - EDGE2
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP3) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP3) : width - EDGE2
       ];
     }
     /** @param {number} size in N */
@@ -4583,8 +5211,8 @@
         if (isOut(middle)) after = middle;
         else before = middle;
       }
-      const velocity = valueAt(times, v[name2] ?? [], a[name2] ?? [], after) - camera;
-      found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity });
+      const velocity2 = valueAt(times, v[name2] ?? [], a[name2] ?? [], after) - camera;
+      found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity: velocity2 });
     }
     return found2;
   }
@@ -4863,11 +5491,11 @@
   }
 
   // src/free-body.js
-  var WIDTH3 = 260;
+  var WIDTH4 = 260;
   var HEIGHT2 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE = WIDTH3 / 2;
+  var MIDDLE = WIDTH4 / 2;
   var APART = 8;
   var FULL = 95;
   var FreeBody = class {
@@ -4912,8 +5540,8 @@
         const { t: times, v, a } = run.trajectory;
         const speed = (at) => valueAt(times, v[name2] ?? [], a[name2] ?? [], at);
         const change2 = speed(t) - speed(touch?.start ?? 0);
-        const { decimals, velocity } = this.view;
-        const seen = Math.abs(change2) < 1e-9 * velocity ? 0 : change2 / this.per;
+        const { decimals, velocity: velocity2 } = this.view;
+        const seen = Math.abs(change2) < 1e-9 * velocity2 ? 0 : change2 / this.per;
         this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
         this.#say(name2, "mass", short(mass));
         this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
@@ -4958,7 +5586,7 @@
         );
       });
       const picture2 = need(card, "svg");
-      put(picture2, "viewBox", `0 ${-room} ${WIDTH3} ${HEIGHT2 + 2 * room}`);
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT2 + 2 * room}`);
       put(picture2, "height", String(HEIGHT2 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
@@ -4982,7 +5610,7 @@
 
   // src/lens.js
   var TIMES = 10;
-  var WIDTH4 = 360;
+  var WIDTH5 = 360;
   var TRACK = 96;
   var BAR = 70;
   var SCALE = 3;
@@ -5015,7 +5643,7 @@
         const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
         const [shown2, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown2 || !own2) continue;
-        const unit = shown2 / layout.width * (WIDTH4 / own2);
+        const unit = shown2 / layout.width * (WIDTH5 / own2);
         this.#perMetre = TIMES * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -5074,21 +5702,21 @@
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
-      const at = (x) => WIDTH4 / 2 + (x - middle) * this.#perMetre;
+      const at = (x) => WIDTH5 / 2 + (x - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
       const [edge, end] = [at(side.edge), at(face)];
       const rect = need(group2, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH4 : edge));
+      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH5 : edge));
       const bent = need(group2, '[data-part="spring"]');
       put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group2, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name2 = need(group2, '[data-part="name"]');
-      const inside = Math.min(WIDTH4 - 34, Math.max(34, edge - 22 * way));
+      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge - 22 * way));
       put(name2, "x", px(inside));
       say(name2, index < 0 ? "wall" : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
@@ -5102,7 +5730,7 @@
   }
 
   // src/views.js
-  var KINDS = {
+  var KINDS2 = {
     "free-body": ["forces on each cart", FreeBody],
     lens: ["lens on the contact, ×10", Lens],
     bars: ["momentum before and now", Bars]
@@ -5121,7 +5749,7 @@
           /** @type {HTMLElement} */
           section
         );
-        const kind = KINDS[element.dataset.view ?? ""];
+        const kind = KINDS2[element.dataset.view ?? ""];
         if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
       }
     }
@@ -5129,7 +5757,7 @@
     get choices() {
       return this.#views.map(({ root }) => {
         const key = root.dataset.view ?? "";
-        return { key, label: KINDS[key]?.[0] ?? key, seen: !root.hidden };
+        return { key, label: KINDS2[key]?.[0] ?? key, seen: !root.hidden };
       });
     }
     /** @param {string} key @param {boolean} seen */
@@ -5250,8 +5878,8 @@
     }
     /** Lets the reader move the time. @param {boolean} on */
     enable(on) {
-      const parts = ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
-      for (const part of this.root.querySelectorAll(parts)) {
+      const parts2 = ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
+      for (const part of this.root.querySelectorAll(parts2)) {
         part.disabled = !on;
       }
       if (on) for (const graph of this.graphs) graph.enable();
@@ -5326,344 +5954,6 @@
     }
   };
 
-  // src/share.js
-  var MARK = "carts:";
-  var MOST_KEYS = 60;
-  var LONGEST3 = 4e3;
-  var LONGEST_VALUE = 40;
-  var TARGET = /^[A-Za-z][\w-]*(\.[\w-]+){0,3}$/;
-  function linkTo(id, settings, t) {
-    const parts = Object.entries({ ...settings, t: Number(t.toPrecision(6)) });
-    return `${MARK}${id}?${parts.map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join("&")}`;
-  }
-  function readLink(hash, id) {
-    const text = hash.replace(/^#/, "");
-    if (!text.startsWith(`${MARK}${id}?`)) return null;
-    if (text.length > LONGEST3) return { problem: "This link is too long: it was not used." };
-    const settings = {};
-    let t = 0;
-    const parts = text.slice(MARK.length + id.length + 1).split("&");
-    for (const part of parts.filter(Boolean).slice(0, MOST_KEYS)) {
-      const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
-      if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
-        return { problem: "This link is damaged: it was not used." };
-      }
-      if (key === "t") t = Number(value);
-      else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
-      else settings[key] = Number.isFinite(Number(value)) ? Number(value) : value;
-    }
-    return { settings, t: Number.isFinite(t) ? Math.max(0, t) : 0 };
-  }
-  async function followLink(scene, id, say2) {
-    const asked = readLink(location.hash, id);
-    if (!asked) return;
-    if ("problem" in asked) return say2(asked.problem);
-    try {
-      await scene.set(asked.settings);
-      scene.time = asked.t;
-      scene.scrollIntoView();
-    } catch (error) {
-      say2(`This link does not fit this scene: ${/** @type {Error} */
-      error.message}`);
-    }
-  }
-  function decoded(text) {
-    try {
-      return decodeURIComponent(text);
-    } catch {
-      return "";
-    }
-  }
-  function sceneBlock(fence, settings) {
-    const scene = structuredClone(fence.scene);
-    for (const [target, value] of Object.entries(settings)) change(scene, target, value);
-    const lines2 = [`id: ${fence.id}-copy`];
-    for (const [key, value] of Object.entries(scene)) {
-      if (key === "carts") {
-        lines2.push("carts:");
-        for (const [name2, cart] of Object.entries(
-          /** @type {object} */
-          value
-        )) {
-          lines2.push(`  ${name2}: ${flow(cart)}`);
-        }
-      } else lines2.push(`${key}: ${flow(value)}`);
-    }
-    lines2.push(`show: ${flow(fence.show)}`);
-    if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
-    if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
-    if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
-    const switches = fence.switches ?? [];
-    if (fence.controls.length || switches.length) lines2.push("controls:");
-    for (const { set, low, high, step, unit } of fence.controls) {
-      const part = (value) => `${value} ${unit}`.trim();
-      lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
-    }
-    for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
-    return `\`\`\`scene
-${lines2.join("\n")}
-\`\`\`
-`;
-  }
-  function change(scene, target, value) {
-    const keys = target.split(".");
-    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : effectPath(scene, keys) ?? keys;
-    let place3 = scene;
-    for (const key of path2.slice(0, -1)) {
-      place3[key] ??= {};
-      place3 = place3[key];
-    }
-    place3[String(path2.at(-1))] = value;
-  }
-  function flow(value) {
-    if (Array.isArray(value)) return `[${value.map(flow).join(", ")}]`;
-    if (value && typeof value === "object") {
-      return `{${Object.entries(value).map(([key, item]) => `${key}: ${flow(item)}`).join(", ")}}`;
-    }
-    if (typeof value !== "string") return String(value);
-    return /^[A-Za-z0-9.+−-][\w .+/·²³^-]*$/.test(value) && !/^(no|yes|on|off|true|false|null)$/i.test(value) ? value : JSON.stringify(value);
-  }
-
-  // src/csv.js
-  function csv(run, quantities, camera) {
-    if (!isTold(run)) return "";
-    const { header, trajectory } = run;
-    const columns = [["t in s", trajectory.t]];
-    for (const quantity of quantities) {
-      const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
-        columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
-      }
-    }
-    const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
-    for (let k = 0; k < trajectory.t.length; k += 1) {
-      lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
-    }
-    return `${lines2.join("\r\n")}\r
-`;
-  }
-  function quoted(text) {
-    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-  }
-
-  // src/picture.js
-  var PROPERTIES = [
-    "fill",
-    "fill-opacity",
-    "stroke",
-    "stroke-width",
-    "stroke-dasharray",
-    "stroke-linecap",
-    "stroke-linejoin",
-    "opacity",
-    "visibility",
-    "font-family",
-    "font-size",
-    "font-weight",
-    "font-style",
-    "text-anchor",
-    "paint-order",
-    "x",
-    "y",
-    "height"
-  ];
-  var WIDTH5 = 720;
-  var GAP3 = 12;
-  var LINE2 = 20;
-  var PIXELS = 2;
-  function picture(scene) {
-    const paper = getComputedStyle(scene).getPropertyValue("--carts-paper") || "#fff";
-    const ink = getComputedStyle(scene).color;
-    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH5 });
-    const sheet = svg("rect", { width: WIDTH5, fill: paper });
-    whole.append(sheet);
-    let y = GAP3;
-    const write4 = (text, x, at, weight) => {
-      const line = svg("text", {
-        x,
-        y: at,
-        fill: ink,
-        "font-family": "sans-serif",
-        "font-size": 13,
-        "font-weight": weight
-      });
-      line.textContent = text;
-      whole.append(line);
-    };
-    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP3, y + 12, "700");
-    y += LINE2 + 4;
-    const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
-    if (stage) {
-      const drawn2 = alone2(stage);
-      const height = place2(drawn2, 0, y, WIDTH5);
-      const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
-      whole.append(svg("rect", { y, width: WIDTH5, height, fill: sky }), drawn2);
-      y += height + GAP3;
-    }
-    const graphs = [...scene.querySelectorAll(".carts-graph")];
-    const half = WIDTH5 / 2;
-    for (let k = 0; k < graphs.length; k += 2) {
-      let tallest = 0;
-      graphs.slice(k, k + 2).forEach((graph, column) => {
-        const plot2 = graph.querySelector(".carts-plot");
-        if (!plot2) return;
-        const x = column * half;
-        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP3, y + 12, "700");
-        const drawn2 = alone2(plot2);
-        const height = place2(drawn2, x, y + LINE2, half - GAP3);
-        whole.append(drawn2);
-        const entries = [...graph.querySelectorAll(".carts-key > span")];
-        entries.forEach((entry, i) => {
-          const at = y + LINE2 + height + 14 + LINE2 * i;
-          const sample = entry.querySelector("svg");
-          if (sample) {
-            const swatch = alone2(sample);
-            place2(swatch, x + GAP3, at - 10, 26);
-            whole.append(swatch);
-          }
-          write4(entry.textContent ?? "", x + GAP3 + 34, at, "400");
-        });
-        tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
-      });
-      y += tallest + GAP3;
-    }
-    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y)));
-    whole.setAttribute("viewBox", `0 0 ${WIDTH5} ${Math.ceil(y)}`);
-    return new XMLSerializer().serializeToString(whole);
-  }
-  function alone2(original) {
-    const copy = (
-      /** @type {Element} */
-      original.cloneNode(true)
-    );
-    const [from, to] = [
-      [original, ...original.querySelectorAll("*")],
-      [copy, ...copy.querySelectorAll("*")]
-    ];
-    from.forEach((part, i) => {
-      const style = getComputedStyle(part);
-      const made3 = (
-        /** @type {Element} */
-        to[i]
-      );
-      if (style.display === "none" && part.closest("defs") === null)
-        made3.setAttribute("display", "none");
-      for (const property of PROPERTIES) {
-        const value = style.getPropertyValue(property);
-        const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part.tagName !== "rect" || made3.hasAttribute(property))) continue;
-        if (value && value !== "auto") made3.setAttribute(property, value.replaceAll('"', "'"));
-      }
-      made3.removeAttribute("class");
-    });
-    return copy;
-  }
-  function place2(drawn2, x, y, width) {
-    const [, , w = 1, h = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
-    const height = width * h / w;
-    for (const [name2, value] of Object.entries({ x, y, width, height })) {
-      drawn2.setAttribute(name2, String(value));
-    }
-    return height;
-  }
-  async function asPng(text) {
-    const image = new Image();
-    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
-    await image.decode();
-    const canvas = document.createElement("canvas");
-    canvas.width = image.naturalWidth * PIXELS;
-    canvas.height = image.naturalHeight * PIXELS;
-    canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
-    return new Promise((resolve, reject) => {
-      canvas.toBlob(
-        (blob) => blob ? resolve(blob) : reject(new Error("no picture was made")),
-        "image/png"
-      );
-    });
-  }
-
-  // src/take-along.js
-  var KINDS2 = [
-    ["csv", "values (CSV)"],
-    ["svg", "picture (SVG)"],
-    ["png", "picture (PNG)"],
-    ["link", "link to this state"],
-    ["block", "scene block"]
-  ];
-  var TakeAlong = class {
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => State} state of the scene now */
-    constructor(root, baked, state) {
-      const place3 = need(root, ".carts-take");
-      const { fence } = baked;
-      const text = document.createElement("textarea");
-      text.readOnly = true;
-      text.hidden = true;
-      text.rows = 4;
-      text.setAttribute("aria-label", "Text to copy");
-      const note = html("p", "carts-take-note");
-      note.setAttribute("role", "status");
-      const row = html("p", "carts-take-row");
-      for (const [key, name2] of KINDS2) {
-        const button = html("button", "carts-button", name2);
-        button.setAttribute("type", "button");
-        button.dataset.take = key;
-        row.append(button);
-      }
-      place3.append(row, note, text);
-      const offer = async (made3, what) => {
-        text.hidden = false;
-        text.value = made3;
-        text.select();
-        const copied = await navigator.clipboard?.writeText(made3).then(
-          () => true,
-          () => false
-        );
-        say(note, copied ? `${what} is copied.` : `${what}: copy it from the box.`);
-      };
-      const acts = {
-        csv: () => {
-          const { run, quantities } = state();
-          save(
-            new Blob([csv(run, quantities, fence.camera)], { type: "text/csv" }),
-            `${fence.id}.csv`
-          );
-        },
-        svg: () => save(new Blob([picture(root)], { type: "image/svg+xml" }), `${fence.id}.svg`),
-        png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
-        link: () => {
-          const { settings, t } = state();
-          return offer(`${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`, "The link");
-        },
-        block: () => offer(sceneBlock(fence, state().settings), "The scene block")
-      };
-      place3.addEventListener("click", async (event) => {
-        const button = (
-          /** @type {Element} */
-          event.target.closest("button")
-        );
-        const act = acts[button?.dataset.take ?? ""];
-        if (!act) return;
-        try {
-          say(note, "");
-          await act();
-        } catch (error) {
-          say(note, `This browser could not do it: ${/** @type {Error} */
-          error.message}`);
-        }
-      });
-    }
-  };
-  function save(blob, name2) {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(blob);
-    link.download = name2;
-    document.body.append(link);
-    link.click();
-    link.remove();
-    setTimeout(() => URL.revokeObjectURL(link.href), 6e4);
-  }
-
   // src/values.js
   var ONE_CHANGE = 1e3;
   var MOST4 = 50;
@@ -5731,13 +6021,13 @@ ${lines2.join("\n")}
       #baked = null;
       /** @type {Controls | null} */
       #controls = null;
-      /** @type {Predict | null} */
+      /** @type {import("./predict.js").Predict | null} */
       #predict = null;
-      /** @type {How | null} */
-      #how = null;
       /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
       #values = new Values();
+      /** @type {ReturnType<typeof wireInside> | null} */
+      #inside = null;
       #generation = 0;
       #asBaked = "";
       // the inside of the element as the generator wrote it, for “Start again”
@@ -5767,37 +6057,27 @@ ${lines2.join("\n")}
         const { controls, switches } = baked.fence;
         const change2 = (target, value, at) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
         this.#controls = new Controls(this, controls, change2, switches);
-        new TakeAlong(this, baked, () => ({ ...view.now, settings: this.#values.good }));
-        this.#how = new How(this, view, client, (more) => {
-          return { kind: "how", scene: baked.fence.scene, set: { ...this.#values.good }, ...more };
+        const inside = wireInside(this, baked, view, client, {
+          reset: () => this.#reset(),
+          undo: () => this.#undo(),
+          preset: (changes2) => this.#preset(changes2),
+          found: () => void this.#showForces(),
+          settings: () => this.#values.good
         });
-        this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
-        this.querySelector(".carts-undo")?.addEventListener("click", () => this.#undo());
-        for (const button of this.querySelectorAll(".carts-preset")) {
-          button.addEventListener("click", () => this.#preset(
-            /** @type {HTMLElement} */
-            button
-          ));
-        }
+        this.#inside = inside;
         view.draggable({
           ready: () => this.#told && view.player.time === 0 && !view.player.playing,
           value: (target) => valueIn(view.run.header, target),
           change: (control, value, at) => this.#controls?.take(control.set, value, at)
         });
-        const ask = this.querySelector(".carts-predict");
-        if (ask instanceof HTMLElement) {
-          const draw = (guesses) => {
-            for (const stage of view.stages) stage.guess(guesses);
-          };
-          this.#predict = new Predict(
-            ask,
-            baked,
-            draw,
-            (now) => void this.#reveal(now),
-            () => void this.#startAgain()
-          );
-        } else this.#lesson = baked.run;
-        void this.#how.follow(baked.run);
+        this.#predict = askFirst(this, baked, view, {
+          locked: (now) => void this.#reveal(now),
+          forgotten: () => void this.#startAgain()
+        });
+        if (!this.#predict) this.#lesson = baked.run;
+        if (this.#lesson) inside.find?.show(baked.run);
+        void inside.find?.restore();
+        void inside.how.follow(baked.run);
         view.enable(!this.#predict);
         this.#controls.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
@@ -5813,6 +6093,19 @@ ${lines2.join("\n")}
         this.#adopt();
         await this.#restored;
         this.querySelector(".carts-predict :is(input, textarea):enabled")?.focus();
+      }
+      /** A force was found: now they are all shown, at the same values and the same instant. */
+      async #showForces() {
+        const [t, values] = [this.time, { ...this.#values.good }];
+        this.#view?.player.pause();
+        showForces(this);
+        if (this.#asBaked) this.#asBaked = this.innerHTML;
+        this.#adopt();
+        await this.#restored;
+        if (!this.#told) return;
+        if (Object.keys(values).length) await this.#compute({}, performance.now()).catch(() => {
+        });
+        this.time = t;
       }
       /** Resolves when Python has answered for this scene; rejects when it cannot start. */
       get ready() {
@@ -5866,12 +6159,10 @@ ${lines2.join("\n")}
         this.#values.undo();
         this.#compute({}, performance.now()).catch((error) => this.#say(error.message));
       }
-      /** Several values at once, from the scene as the lesson has it. @param {HTMLElement} button */
-      #preset(button) {
-        const name2 = button.dataset.preset ?? "";
+      /** Several values at once, from the scene as the lesson has it. @param {Settings} changes */
+      #preset(changes2) {
         this.#view?.player.pause();
         this.#view?.player.seek(0);
-        const changes2 = this.#baked?.fence.presets[name2] ?? {};
         this.#values.replace(changes2);
         this.#compute(changes2, performance.now()).catch((error) => this.#say(error.message));
       }
@@ -5883,8 +6174,9 @@ ${lines2.join("\n")}
       }
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
-        const shown2 = this.#how?.follow(run);
+        const shown2 = this.#inside?.how.follow(run);
         this.#controls?.show(this.#values.good, run.header);
+        this.#inside?.find?.show(run);
         const undo = this.querySelector(".carts-undo");
         if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
         return shown2;
@@ -5892,7 +6184,7 @@ ${lines2.join("\n")}
       #reset() {
         this.#generation += 1;
         this.#values.reset();
-        this.#how?.reset();
+        this.#inside?.how.reset();
         this.#view?.player.pause();
         if (this.#lesson) this.#draw(this.#lesson);
         this.#view?.player.seek(0);
@@ -5906,8 +6198,7 @@ ${lines2.join("\n")}
         else this.#mark();
       }
       #mark() {
-        const mark2 = need(this, ".carts-mark");
-        mark2.setAttribute("aria-label", "live: Python computes in this page");
+        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
       }
       async #goLive() {
         try {
@@ -5995,6 +6286,204 @@ ${lines2.join("\n")}
     if (!(note instanceof HTMLElement)) return;
     note.hidden = false;
     note.textContent = `This browser is too old to play the run (missing: ${missing2.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.`;
+  }
+
+  // src/hard-words.js
+  var VERDICTS = {
+    right: "right",
+    "blows-up": "blows up",
+    "passes-through": "carts pass through each other",
+    misses: "misses contacts",
+    "makes-energy": "makes energy from nothing",
+    "loses-energy": "loses energy",
+    sticks: "carts stick together",
+    wrong: "wrong"
+  };
+  var UNITS = { v: " m/s", x: " m", last: " s", count: "" };
+  var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
+  var LOADING2 = "Python’s numpy and scipy are being loaded …";
+  var progressWords = (done, of) => `${done} of ${of}`;
+  var stoppedWords = (done) => `Stopped after ${done} cases; the others are as prepared.`;
+  var doneWords = (good, of, seconds) => `${good} of ${of} came out as they must, just now in this browser; exact runs took ${short(seconds, 2)} s in all.`;
+  var COPY = "Copy";
+  var COPIED = "Copied";
+  var KEPT = "What was prepared stays as it is.";
+  function measure(what) {
+    const { kind, name: name2 } = parts(what);
+    if (kind === "v" || kind === "x") {
+      const [last, first] = name2.split("-");
+      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name2}`;
+    }
+    return NAMES[kind] ?? (kind === "work" ? `work of ${name2}` : kind);
+  }
+  function parts(what) {
+    const [kind = "", ...rest] = what.split(".");
+    return { kind, name: rest.join(".") };
+  }
+  function amount2(what, value, figures2) {
+    const { kind } = parts(what);
+    if (kind === "count") return String(Math.round(value));
+    return short(value, figures2) + (UNITS[kind] ?? " J");
+  }
+  function off(wanted, got) {
+    let worst = "";
+    let error = 0;
+    for (const [k, [what, right]] of wanted.entries()) {
+      const value = got[k];
+      if (value === null || value === void 0) return "";
+      const distance = Math.abs(value - right);
+      if (!worst || distance > error) [worst, error] = [what, distance];
+    }
+    return error === 0 ? "no error" : `${measure(worst)}: off by ${amount2(worst, error, 2)}`;
+  }
+  function steppedCell(wanted, { verdict, got }) {
+    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : off(wanted, got)];
+  }
+
+  // src/hard-cases.js
+  function hardElement(client) {
+    return class CartsHard extends HTMLElement {
+      /** @type {Record<string, Case> | null} */
+      #cases = null;
+      /** Answers by the name of the case. @type {Record<string, Answer>} */
+      answers = {};
+      /** Resolves when the newest turn is complete or was stopped. @type {Promise<void>} */
+      complete = Promise.resolve();
+      #turn = 0;
+      connectedCallback() {
+        if (this.#cases) return;
+        this.#cases = JSON.parse(need(this, ".carts-hard-baked").textContent ?? "");
+        const go = (
+          /** @type {HTMLButtonElement} */
+          need(this, ".carts-hard-go")
+        );
+        go.disabled = false;
+        go.addEventListener("click", () => {
+          this.complete = this.#run();
+        });
+        need(this, ".carts-hard-stop").addEventListener("click", () => this.stop());
+        for (const block of this.querySelectorAll("pre")) offerCopy(block);
+      }
+      disconnectedCallback() {
+        this.stop();
+      }
+      /** Leaves it where it is; what was run stays. */
+      stop() {
+        if (!this.#turn) return;
+        this.#turn = 0;
+        this.#working(false);
+        this.#say(stoppedWords(Object.keys(this.answers).length));
+      }
+      async #run() {
+        const turn = Math.random() + 1;
+        this.#turn = turn;
+        this.answers = {};
+        this.#working(true);
+        const all = Object.entries(this.#cases ?? {});
+        all.sort(([, a], [, b]) => a.packages.length - b.packages.length);
+        let [good, seconds] = [0, 0];
+        try {
+          for (const [k, [name2, one]] of all.entries()) {
+            if (one.packages.length) {
+              this.#say(LOADING2);
+              await client.need(one.packages);
+            }
+            if (this.#turn !== turn) return;
+            const { header } = await client.ask(this, () => ({ kind: "hard", ...asked(one) }));
+            if (this.#turn !== turn) return;
+            if (!header.ok) throw refusal2(header.problems ?? []);
+            this.#live();
+            const answer = (
+              /** @type {any} */
+              header
+            );
+            this.answers[name2] = answer;
+            this.#show(name2, one, answer);
+            seconds += answer.exact.seconds;
+            good += isGood(one, answer.exact.got) ? 1 : 0;
+            const bar2 = (
+              /** @type {HTMLProgressElement} */
+              need(this, ".carts-hard-progress")
+            );
+            bar2.value = k + 1;
+            this.#say(progressWords(k + 1, all.length));
+          }
+          this.#say(doneWords(good, all.length, seconds));
+        } catch (error) {
+          this.#fail(
+            /** @type {Error & {reason?: string}} */
+            error
+          );
+        } finally {
+          if (this.#turn === turn) this.#working(false);
+          if (this.#turn === turn) this.#turn = 0;
+        }
+      }
+      /** @param {string} name @param {Case} one @param {Answer} answer */
+      #show(name2, one, answer) {
+        const row = need(this, `[data-case="${name2}"]`);
+        say(need(row, '[data-part="exact"]'), off(one.expected, answer.exact.got));
+        for (const [k, cell] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
+          const stepped = answer.stepped[k];
+          if (!stepped) continue;
+          const [verdict, distance] = steppedCell(one.expected, stepped);
+          cell.setAttribute("data-verdict", stepped.verdict);
+          say(need(cell, "b"), verdict);
+          say(need(cell, "span"), distance);
+        }
+        row.classList.add("carts-hard-fresh");
+      }
+      /** @param {boolean} on */
+      #working(on) {
+        const [go, stop] = [need(this, ".carts-hard-go"), need(this, ".carts-hard-stop")];
+        const focused = document.activeElement === (on ? go : stop);
+        go.hidden = on;
+        stop.hidden = !on;
+        need(this, ".carts-hard-progress").hidden = !on;
+        if (on)
+          for (const row of this.querySelectorAll(".carts-hard-fresh"))
+            row.classList.remove("carts-hard-fresh");
+        if (focused) (on ? stop : go).focus();
+      }
+      #live() {
+        this.dataset.state = "live";
+        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+      }
+      /** @param {Error & {reason?: string}} error */
+      #fail(error) {
+        this.dataset.reason = error.reason ?? "failed";
+        const note = need(this, ".carts-note");
+        say(note, `${error.message} ${KEPT}`);
+        note.hidden = false;
+        this.#say("");
+      }
+      /** @param {string} text */
+      #say(text) {
+        say(need(this, ".carts-hard-say"), text);
+      }
+    };
+  }
+  function asked({ scene, expected, events }) {
+    return { scene, expected, events };
+  }
+  function isGood({ expected, within }, got) {
+    return expected.every(([, right], k) => {
+      return Math.abs(Number(got[k] ?? Number.NaN) - right) <= Number(within[k]);
+    });
+  }
+  function offerCopy(block) {
+    const button = html("button", "carts-sign carts-hard-copy", COPY);
+    button.setAttribute("type", "button");
+    button.addEventListener("click", async () => {
+      const selection = getSelection();
+      selection?.selectAllChildren(block);
+      const copied = await navigator.clipboard?.writeText(block.textContent ?? "").then(
+        () => true,
+        () => false
+      );
+      if (copied) say(button, COPIED);
+    });
+    block.before(button);
   }
 
   // src/map-axis.js
@@ -6575,108 +7064,6 @@ ${lines2.join("\n")}
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
 
-  // src/projector.js
-  var MOST_HANDS = 999;
-  function offerProjector(scene) {
-    const button = (
-      /** @type {HTMLButtonElement} */
-      need(scene, ".carts-project")
-    );
-    button.disabled = false;
-    const bar2 = html("p", "carts-project-bar");
-    const [reveal, next] = [made2("carts-button", "Reveal"), made2("carts-button", "Next scene")];
-    bar2.append(reveal, " ", next);
-    need(scene, ".carts-frame").append(bar2);
-    button.addEventListener("click", () => void project(scene, !isOn(scene)));
-    reveal.addEventListener("click", () => void scene.reveal?.());
-    next.addEventListener("click", () => {
-      const all = (
-        /** @type {Scene[]} */
-        [...document.querySelectorAll("carts-scene")]
-      );
-      const following = all[(all.indexOf(scene) + 1) % all.length];
-      if (following) void project(following, true);
-    });
-    scene.addEventListener("keydown", (event) => {
-      const typing = (
-        /** @type {Element} */
-        event.target.matches(
-          "input:not([type=range]), textarea, select"
-        )
-      );
-      if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-      if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
-      if (event.key === "Escape" && isOn(scene)) void project(scene, false);
-    });
-    for (const option2 of scene.querySelectorAll(".carts-options label")) count(scene, option2);
-  }
-  document.addEventListener("fullscreenchange", () => {
-    if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
-  });
-  var shown = () => (
-    /** @type {NodeListOf<Scene>} */
-    document.querySelectorAll(".carts-projector")
-  );
-  var isOn = (scene) => scene.classList.contains("carts-projector");
-  async function project(scene, on) {
-    for (const other of shown()) if (other !== scene) mark(other, false);
-    mark(scene, on);
-    if (!on) {
-      if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
-      });
-      return;
-    }
-    await document.documentElement.requestFullscreen?.().catch(() => {
-    });
-    need(scene, ".carts-project").focus();
-  }
-  function mark(scene, on) {
-    scene.classList.toggle("carts-projector", on);
-    document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
-    scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
-  }
-  function count(scene, option2) {
-    const line = html("span", "carts-hands");
-    const box2 = document.createElement("input");
-    box2.type = "number";
-    box2.min = "0";
-    box2.max = String(MOST_HANDS);
-    box2.setAttribute("aria-label", `hands for: ${option2.textContent?.trim()}`);
-    const bar2 = document.createElement("meter");
-    bar2.setAttribute("aria-hidden", "true");
-    const part = html("span");
-    line.append(box2, bar2, part);
-    option2.after(line);
-    box2.addEventListener("input", () => {
-      const boxes = (
-        /** @type {NodeListOf<HTMLInputElement>} */
-        scene.querySelectorAll(".carts-hands input")
-      );
-      const hands = (one) => Math.min(MOST_HANDS, Math.max(0, Math.round(one.valueAsNumber || 0)));
-      const all = [...boxes].reduce((sum, one) => sum + hands(one), 0);
-      for (const one of boxes) {
-        const share = all ? hands(one) / all : 0;
-        const meter = (
-          /** @type {HTMLMeterElement} */
-          one.nextElementSibling
-        );
-        meter.value = share;
-        say(
-          /** @type {Element} */
-          meter.nextElementSibling,
-          `${hands(one)} of ${all}`
-        );
-      }
-    });
-  }
-  function made2(className, text) {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.className = className;
-    button.textContent = text;
-    return button;
-  }
-
   // src/runtime-failure.js
   var MESSAGES = {
     "not-packed": "This page was built without Python. It shows only the runs that came with it.",
@@ -6815,10 +7202,10 @@ ${lines2.join("\n")}
     const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
     return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
   }
-  async function gunzip(parts) {
+  async function gunzip(parts2) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const written = Promise.all([...parts2.map((part) => writer.write(part)), writer.close()]);
     const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
     return bytes;
   }
@@ -6833,16 +7220,16 @@ ${lines2.join("\n")}
       throw new RuntimeFailure("wasm-refused", String(error));
     }
   }
-  async function compile(parts) {
+  async function compile(parts2) {
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
     const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write3(zip.writable.getWriter(), parts);
+    const written = write3(zip.writable.getWriter(), parts2);
     const [module] = await Promise.all([compiled, written]);
     return module;
   }
-  async function write3(writer, parts) {
-    for (const part of parts) await writer.write(await part);
+  async function write3(writer, parts2) {
+    for (const part of parts2) await writer.write(await part);
     await writer.close();
   }
 
@@ -6900,8 +7287,8 @@ ${lines2.join("\n")}
       });
       this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
       try {
-        const parts = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
-        return await Promise.race([failed, this.boot(parts, reject)]);
+        const parts2 = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
+        return await Promise.race([failed, this.boot(parts2, reject)]);
       } catch (error) {
         this.worker?.terminate();
         throw error;
@@ -6944,10 +7331,10 @@ ${lines2.join("\n")}
      * @param {(error: RuntimeFailure) => void} reject
      * @returns {Promise<any>}
      */
-    async boot(parts, reject) {
-      const compiling = this.module(parts.get(WASM) ?? []);
+    async boot(parts2, reject) {
+      const compiling = this.module(parts2.get(WASM) ?? []);
       compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
-      const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
+      const loader = await gunzip(await Promise.all(parts2.get(LOADER) ?? []));
       if (this.over) return null;
       const { worker, address } = startWorker(loader);
       this.worker = worker;
@@ -6975,7 +7362,7 @@ ${lines2.join("\n")}
         load: this.toLoad(),
         modules: packages2.length ? [...packages2, ...index.later] : []
       });
-      for (const [name2, its] of parts) if (name2 !== LOADER && name2 !== WASM) this.send(name2, its);
+      for (const [name2, its] of parts2) if (name2 !== LOADER && name2 !== WASM) this.send(name2, its);
       worker.postMessage({ do: "wasm", module: await compiling });
       this.progress(WASM);
       const { start } = await ready;
@@ -6983,8 +7370,8 @@ ${lines2.join("\n")}
       return { worker, start };
     }
     /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
-    async module(parts) {
-      const module = modules.get(this.folder) ?? await compile(parts);
+    async module(parts2) {
+      const module = modules.get(this.folder) ?? await compile(parts2);
       modules.set(this.folder, module);
       return module;
     }
@@ -6992,11 +7379,11 @@ ${lines2.join("\n")}
      * @param {string} name
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
-    async send(name2, parts) {
-      for (const [number, part] of parts.entries()) {
+    async send(name2, parts2) {
+      for (const [number, part] of parts2.entries()) {
         const bytes = await part;
         if (this.over) return;
-        const last = number === parts.length - 1;
+        const last = number === parts2.length - 1;
         this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);
       }
     }
@@ -7030,7 +7417,9 @@ ${lines2.join("\n")}
     }
   }
   var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
-  var order = (packages2) => packages2.includes("scipy") ? ["numpy", "scipy"] : [...new Set(packages2)];
+  var order = (packages2) => [
+    ...new Set(packages2.flatMap((name2) => name2 === "scipy" ? ["numpy", "scipy"] : [name2]))
+  ];
   var Runtime = class {
     /** @param {import("./runtime-start.js").Started} started */
     constructor({ worker, start }) {
@@ -7120,13 +7509,9 @@ ${lines2.join("\n")}
     const base = new URL("runtime/", own).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
     customElements.define("carts-scene", sceneElement(client));
-    for (const scene of document.querySelectorAll("carts-scene"))
-      offerProjector(
-        /** @type {HTMLElement} */
-        scene
-      );
     customElements.define("carts-map", mapElement(client));
     customElements.define("carts-cost", costElement(client));
+    customElements.define("carts-hard", hardElement(client));
     if (document.querySelector("carts-scene")) {
       if (typeof requestIdleCallback === "function") {
         requestIdleCallback(() => client.wake(), { timeout: 1e3 });

@@ -3,11 +3,10 @@
 import { readBaked } from "./baked.js";
 import { Controls, valueIn } from "./controls.js";
 import { need, say } from "./dom.js";
-import { How } from "./how.js";
-import { Predict } from "./predict.js";
+import { showForces } from "./find-forces.js";
+import { askFirst, wireInside } from "./inside.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./share.js";
-import { TakeAlong } from "./take-along.js";
 import { fromWire } from "./trajectory.js";
 import { Values } from "./values.js";
 import { deferred, drawn, frame, refusal } from "./waiting.js";
@@ -26,13 +25,13 @@ export function sceneElement(client) {
     #baked = null;
     /** @type {Controls | null} */
     #controls = null;
-    /** @type {Predict | null} */
+    /** @type {import("./predict.js").Predict | null} */
     #predict = null;
-    /** @type {How | null} */
-    #how = null;
     /** @type {Run | null} the run that “reset” goes back to */
     #lesson = null;
     #values = new Values();
+    /** @type {ReturnType<typeof wireInside> | null} */
+    #inside = null;
     #generation = 0;
     #asBaked = ""; // the inside of the element as the generator wrote it, for “Start again”
     #waiting = deferred();
@@ -66,34 +65,27 @@ export function sceneElement(client) {
         /** @type {number} */ at,
       ) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
       this.#controls = new Controls(this, controls, change, switches);
-      new TakeAlong(this, baked, () => ({ ...view.now, settings: this.#values.good }));
-      this.#how = new How(this, view, client, (more) => {
-        return { kind: "how", scene: baked.fence.scene, set: { ...this.#values.good }, ...more };
+      const inside = wireInside(this, baked, view, client, {
+        reset: () => this.#reset(),
+        undo: () => this.#undo(),
+        preset: (changes) => this.#preset(changes),
+        found: () => void this.#showForces(),
+        settings: () => this.#values.good,
       });
-      this.querySelector(".carts-reset")?.addEventListener("click", () => this.#reset());
-      this.querySelector(".carts-undo")?.addEventListener("click", () => this.#undo());
-      for (const button of this.querySelectorAll(".carts-preset")) {
-        button.addEventListener("click", () => this.#preset(/** @type {HTMLElement} */ (button)));
-      }
+      this.#inside = inside;
       view.draggable({
         ready: () => this.#told && view.player.time === 0 && !view.player.playing,
         value: (target) => valueIn(view.run.header, target),
         change: (control, value, at) => this.#controls?.take(control.set, value, at),
       });
-      const ask = this.querySelector(".carts-predict");
-      if (ask instanceof HTMLElement) {
-        const draw = (/** @type {any} */ guesses) => {
-          for (const stage of view.stages) stage.guess(guesses);
-        };
-        this.#predict = new Predict(
-          ask,
-          baked,
-          draw,
-          (now) => void this.#reveal(now),
-          () => void this.#startAgain(),
-        );
-      } else this.#lesson = baked.run;
-      void this.#how.follow(baked.run);
+      this.#predict = askFirst(this, baked, view, {
+        locked: (now) => void this.#reveal(now),
+        forgotten: () => void this.#startAgain(),
+      });
+      if (!this.#predict) this.#lesson = baked.run;
+      if (this.#lesson) inside.find?.show(baked.run);
+      void inside.find?.restore();
+      void inside.how.follow(baked.run);
       view.enable(!this.#predict);
       this.#controls.enable(!this.#predict);
       this.#restored = this.#predict?.restore() ?? Promise.resolve();
@@ -112,6 +104,19 @@ export function sceneElement(client) {
       /** @type {HTMLElement | null} */ (
         this.querySelector(".carts-predict :is(input, textarea):enabled")
       )?.focus();
+    }
+
+    /** A force was found: now they are all shown, at the same values and the same instant. */
+    async #showForces() {
+      const [t, values] = [this.time, { ...this.#values.good }];
+      this.#view?.player.pause();
+      showForces(this);
+      if (this.#asBaked) this.#asBaked = this.innerHTML;
+      this.#adopt();
+      await this.#restored;
+      if (!this.#told) return;
+      if (Object.keys(values).length) await this.#compute({}, performance.now()).catch(() => {});
+      this.time = t;
     }
 
     /** Resolves when Python has answered for this scene; rejects when it cannot start. */
@@ -176,12 +181,10 @@ export function sceneElement(client) {
       this.#compute({}, performance.now()).catch((error) => this.#say(error.message));
     }
 
-    /** Several values at once, from the scene as the lesson has it. @param {HTMLElement} button */
-    #preset(button) {
-      const name = button.dataset.preset ?? "";
+    /** Several values at once, from the scene as the lesson has it. @param {Settings} changes */
+    #preset(changes) {
       this.#view?.player.pause();
       this.#view?.player.seek(0);
-      const changes = this.#baked?.fence.presets[name] ?? {};
       this.#values.replace(changes);
       this.#compute(changes, performance.now()).catch((error) => this.#say(error.message));
     }
@@ -195,8 +198,9 @@ export function sceneElement(client) {
 
     /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
     #draw(run) {
-      const shown = this.#how?.follow(run);
+      const shown = this.#inside?.how.follow(run);
       this.#controls?.show(this.#values.good, run.header);
+      this.#inside?.find?.show(run);
       const undo = this.querySelector(".carts-undo");
       if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
       return shown;
@@ -205,7 +209,7 @@ export function sceneElement(client) {
     #reset() {
       this.#generation += 1;
       this.#values.reset();
-      this.#how?.reset();
+      this.#inside?.how.reset();
       this.#view?.player.pause();
       if (this.#lesson) this.#draw(this.#lesson);
       this.#view?.player.seek(0);
@@ -221,8 +225,7 @@ export function sceneElement(client) {
     }
 
     #mark() {
-      const mark = need(this, ".carts-mark");
-      mark.setAttribute("aria-label", "live: Python computes in this page");
+      need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
     }
 
     async #goLive() {

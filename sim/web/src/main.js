@@ -4,8 +4,8 @@ import { Client } from "./client.js";
 import { costElement } from "./cost-element.js";
 import { sceneElement } from "./element.js";
 import { excuse, missingFeatures } from "./features.js";
+import { hardElement } from "./hard-cases.js";
 import { mapElement } from "./map-element.js";
-import { offerProjector } from "./projector.js";
 import { startRuntime } from "./runtime.js";
 
 const own =
@@ -25,10 +25,9 @@ if (missing.length) {
   const base = new URL("runtime/", own).href;
   const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
   customElements.define("carts-scene", sceneElement(client));
-  for (const scene of document.querySelectorAll("carts-scene"))
-    offerProjector(/** @type {HTMLElement} */ (scene));
   customElements.define("carts-map", mapElement(client));
   customElements.define("carts-cost", costElement(client));
+  customElements.define("carts-hard", hardElement(client));
   if (document.querySelector("carts-scene")) {
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1000 });

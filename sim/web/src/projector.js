@@ -8,6 +8,8 @@ import { html, need, say } from "./dom.js";
 /** @typedef {HTMLElement & {reveal?: () => Promise<void>}} Scene */
 
 const MOST_HANDS = 999;
+/** @type {WeakSet<Scene>} scenes that listen to keys; their inside may be put there anew */
+const listening = new WeakSet();
 
 /** @param {Scene} scene */
 export function offerProjector(scene) {
@@ -24,6 +26,10 @@ export function offerProjector(scene) {
     const following = all[(all.indexOf(scene) + 1) % all.length];
     if (following) void project(following, true);
   });
+  for (const option of scene.querySelectorAll(".carts-options label")) count(scene, option);
+  button.setAttribute("aria-pressed", String(isOn(scene)));
+  if (listening.has(scene)) return;
+  listening.add(scene);
   scene.addEventListener("keydown", (event) => {
     const typing = /** @type {Element} */ (event.target).matches(
       "input:not([type=range]), textarea, select",
@@ -32,7 +38,6 @@ export function offerProjector(scene) {
     if (event.key.toLowerCase() === "p") void project(scene, !isOn(scene));
     if (event.key === "Escape" && isOn(scene)) void project(scene, false);
   });
-  for (const option of scene.querySelectorAll(".carts-options label")) count(scene, option);
 }
 
 document.addEventListener("fullscreenchange", () => {

@@ -1,0 +1,51 @@
+/** What is wired anew each time the inside of a scene is put there: buttons, menus, forces to find. */
+
+import { FindForces } from "./find-forces.js";
+import { How } from "./how.js";
+import { Predict } from "./predict.js";
+import { offerProjector } from "./projector.js";
+import { TakeAlong } from "./take-along.js";
+
+/** @typedef {import("./values.js").Settings} Settings */
+/**
+ * @typedef {{reset: () => void, undo: () => void, preset: (changes: Settings) => void,
+ *   found: () => void, settings: () => Settings}} Acts
+ */
+
+/**
+ * @param {HTMLElement} element @param {import("./types.js").Baked} baked
+ * @param {import("./scene-view.js").SceneView} view @param {import("./client.js").Client} client
+ * @param {Acts} acts
+ */
+export function wireInside(element, baked, view, client, acts) {
+  element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
+  element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
+  for (const button of element.querySelectorAll(".carts-preset")) {
+    const name = /** @type {HTMLElement} */ (button).dataset.preset ?? "";
+    button.addEventListener("click", () => acts.preset(baked.fence.presets[name] ?? {}));
+  }
+  new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }));
+  offerProjector(element);
+  const find = element.querySelector(".carts-find")
+    ? new FindForces(element, baked.fence.id, acts.found)
+    : null;
+  const how = new How(element, view, client, (more) => {
+    return { kind: "how", scene: baked.fence.scene, set: { ...acts.settings() }, ...more };
+  });
+  return { find, how };
+}
+
+/**
+ * The prediction that the lesson asks for before the run; null where it asks for none.
+ * @param {HTMLElement} element @param {import("./types.js").Baked} baked
+ * @param {import("./scene-view.js").SceneView} view
+ * @param {{locked: (now: boolean) => void, forgotten: () => void}} acts
+ */
+export function askFirst(element, baked, view, { locked, forgotten }) {
+  const ask = element.querySelector(".carts-predict");
+  if (!(ask instanceof HTMLElement)) return null;
+  const draw = (/** @type {any} */ guesses) => {
+    for (const stage of view.stages) stage.guess(guesses);
+  };
+  return new Predict(ask, baked, draw, locked, forgotten);
+}
