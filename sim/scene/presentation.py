@@ -20,7 +20,7 @@ from sim.scene.tables import mapping, unknown_keys
 
 FENCE_KEYS = (
     *("id", "show", "with", "controls", "presets", "predict"),
-    *("forces", "slow", "view", "packages"),
+    *("forces", "slow", "view", "boxes", "packages"),
 )
 SHOWS = ("x", "v", "a", "F", "p", "energy")
 FORCE_GRAPHS = ("F", "a")
@@ -44,6 +44,7 @@ class Fence:
     predict: Predict | None
     forces: str  # shown | hidden
     slow: str  # auto | never | stops
+    boxes: str  # mass | alike: what the size of a cart's box says
     view_speed: float  # m/s, of the camera; 0: at rest on the track
     packages: tuple[str, ...]
 
@@ -81,6 +82,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     if forces == "hidden":
         _no_hidden_graphs(table, show, problems)
     slow = _choice("slow", table, ("auto", "never", "stops"), problems)
+    boxes = _choice("boxes", table, ("mass", "alike"), problems)
     speed = _view(table.get("view"), problems)
     controls: tuple[Control, ...] = ()
     switches: tuple[Switch, ...] = ()
@@ -108,6 +110,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         predict=predict,
         forces=forces,
         slow=slow,
+        boxes=boxes,
         view_speed=speed,
         packages=packages,
     )

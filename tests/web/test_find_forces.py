@@ -86,7 +86,8 @@ def test_a_locked_prediction_stays_when_the_forces_are_found(
     assert answer
     mean = on_scene(
         page,
-        """const { v, t } = el.trajectory, touching = [...el.trajectory.F["A-B"]].map((f, k) => [f, k])
+        """const { v, t, F } = el.trajectory;
+        const touching = [...F["A-B"]].map((f, k) => [f, k])
         .filter(([f]) => f > 0).map(([, k]) => k);
         const [i, j] = [touching[0] - 1, touching.at(-1) + 1];
         return 1.0 * (v.B[j] - v.B[i]) / (t[j] - t[i]);""",

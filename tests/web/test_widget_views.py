@@ -121,3 +121,23 @@ def test_playing_stops_at_touch_greatest_force_and_parting(third: Page) -> None:
         scene.locator(".carts-play").click()
         expect(scene.locator(".carts-play")).to_have_text("Play")  # it has stopped by itself
         assert on_scene(third, "return el.time", name="third") == t
+
+
+def test_boxes_are_as_large_as_the_masses_or_all_alike(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    alike = {**MEETING, "id": "alike", "boxes": "alike"}
+    page = live(open_page(write_page(widget_site, "alike", MEETING, alike)))
+    heights = """(id) => [...document.querySelectorAll(`#${id} .carts-stage:not([hidden])`)]
+        .filter((stage) => stage.getBoundingClientRect().height > 0)
+        .flatMap((stage) => [...stage.querySelectorAll('[data-part="box"]')])
+        .map((box) => Number(box.getAttribute("height")))"""
+    a, b = page.evaluate(heights, "meeting")
+    assert b == pytest.approx(2 * a)
+    a, b = page.evaluate(heights, "alike")
+    assert a == b > 0
+    for name, says in (("meeting", "alike"), ("alike", "mass")):
+        page.locator(f"#{name} .carts-choose summary").click()
+        page.locator(f'#{name} [data-choice="areas"]').click()
+        a, b = page.evaluate(heights, name)
+        assert (b == pytest.approx(2 * a)) == (says == "mass")

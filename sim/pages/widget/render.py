@@ -52,6 +52,7 @@ def _view(
     if not told:
         run, header = run.start(), _untold(header)
     scales = read_scales(header, fence.controls, run if told else None, camera)
+    scales = replace(scales, alike=fence.boxes == "alike")
     forces = fence.forces == "shown"
     layouts = [
         lay_out(header, scales, kind=kind, camera=camera, forces=forces)
@@ -63,6 +64,7 @@ def _view(
         "fence": _fence_facts(fence),
         "view": {
             "perHeight": scales.per_height,
+            "alike": scales.alike,
             "tallest": scales.tallest,
             "force": scales.force,
             "velocity": scales.velocity,
@@ -99,6 +101,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
         "show": list(fence.show),
         "forces": fence.forces,
         "slow": fence.slow,
+        "boxes": fence.boxes,
         "camera": fence.view_speed,
         "packages": sorted(fence.packages),
         "controls": [

@@ -32,6 +32,7 @@ class Scales:
     velocity: float  # m/s, of the longest velocity arrow
     decimals: Mapping[str, int]  # of printed values, velocities in the unit of the scene
     reach: Mapping[str, Reach]  # of the axis of each graph
+    alike: bool = False  # whether all boxes are drawn of one size, whatever their masses
 
 
 def read_scales(

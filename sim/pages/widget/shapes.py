@@ -40,9 +40,11 @@ class Box:
 
 
 def box(body: Mapping[str, Any], scales: Scales, layout: Layout, lift: float) -> Box:
-    """The box with an area proportional to the mass, up to four reference heights."""
+    """The box with an area proportional to the mass, up to four reference heights; or all alike."""
     width = body_width(body)
-    height = REFERENCE_HEIGHT * body["mass"] / width / scales.per_height
+    height = REFERENCE_HEIGHT
+    if not scales.alike:
+        height *= body["mass"] / width / scales.per_height
     cut = height > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9)
     height = min(height, TALLEST * REFERENCE_HEIGHT)
     named = height >= NAMED

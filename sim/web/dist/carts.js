@@ -2193,7 +2193,7 @@
   var FACE = 22;
   function box(body2, view, layout, lift) {
     const width = bodyWidth(body2);
-    const wanted = REFERENCE_HEIGHT * body2.mass / width / view.perHeight;
+    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
     const cut = wanted > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST2 * REFERENCE_HEIGHT);
     const named = height >= NAMED;
@@ -3403,6 +3403,7 @@
     }
     lines2.push(`show: ${flow(fence.show)}`);
     if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
+    if (fence.boxes !== "mass") lines2.push(`boxes: ${fence.boxes}`);
     if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
     if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
     const switches = fence.switches ?? [];
@@ -3728,6 +3729,7 @@ ${lines2.join("\n")}
   }
 
   // src/choose.js
+  var AREAS = "boxes as large as the masses";
   var STOPS = "stops at touch, greatest force and parting";
   var TOGGLES = { F: ["with sign", ""], energy: ["as a ledger", " carts-stack"] };
   var FORCES = ["F", "a"];
@@ -3735,7 +3737,7 @@ ${lines2.join("\n")}
     /**
      * @param {HTMLElement} root @param {import("./types.js").Baked} baked
      * @param {Choice[]} views
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void}} acts
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void, areas: (on: boolean) => void}} acts
      */
     constructor(root, baked, views, acts) {
       const place3 = need(root, ".carts-choices");
@@ -3746,10 +3748,12 @@ ${lines2.join("\n")}
         seen: show.includes(quantity)
       }));
       const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
+      const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
       const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
       place3.replaceChildren(
         group("Graphs", graphs, acts.graph),
         group("Views", views, acts.view),
+        group("Picture", [areas], (_, on) => acts.areas(on)),
         group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
       );
     }
@@ -5819,6 +5823,12 @@ ${lines2.join("\n")}
       new Choose(root, baked, this.views.choices, {
         graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
         view: (key, seen) => this.views.choose(key, seen),
+        areas: (on) => {
+          baked.view.alike = !on;
+          for (const stage of this.stages) stage.show(this.run, this.#windows);
+          this.#tellTorn();
+          this.player.seek(this.player.time);
+        },
         halting: (on) => {
           this.player.halting = on;
         }

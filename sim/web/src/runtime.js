@@ -17,7 +17,7 @@ const PICK_UP = 3; // s until an idle worker must have taken up a request
  * Starts from the memory snapshot; where that is damaged or the browser can't use it, the plain way.
  * Rejects with a `RuntimeFailure`: message for the reader, code in `.reason`.
  * @param {{base: string, packages?: string[], onProgress?: (progress: Progress) => void}} options
- *   base: address of the folder `runtime/`; packages: of "numpy" and "scipy"
+ *   base: address of the folder `runtime/`; packages: of "numpy", "scipy" and "newtons-carts-class"
  * @returns {Promise<Runtime>}
  */
 export async function startRuntime({ base, packages = [], onProgress = () => {} }) {
@@ -41,8 +41,9 @@ export async function startRuntime({ base, packages = [], onProgress = () => {} 
 const snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
 
 /** scipy needs numpy, before it. @param {string[]} packages */
-const order = (packages) =>
-  packages.includes("scipy") ? ["numpy", "scipy"] : [...new Set(packages)];
+const order = (packages) => [
+  ...new Set(packages.flatMap((name) => (name === "scipy" ? ["numpy", "scipy"] : [name]))),
+];
 
 /** Python, ready to answer. */
 export class Runtime {

@@ -54,6 +54,12 @@ export class SceneView {
     new Choose(root, baked, this.views.choices, {
       graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
       view: (key, seen) => this.views.choose(key, seen),
+      areas: (on) => {
+        baked.view.alike = !on;
+        for (const stage of this.stages) stage.show(this.run, this.#windows);
+        this.#tellTorn();
+        this.player.seek(this.player.time);
+      },
       halting: (on) => {
         this.player.halting = on;
       },

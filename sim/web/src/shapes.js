@@ -24,10 +24,10 @@ const SPRING = [2, 10];
 export const PUSH = 15.5;
 const FACE = 22;
 
-/** @param {Body} body @param {View} view @param {Layout} layout @param {number} lift @returns {Box} area ∝ mass */
+/** @param {Body} body @param {View} view @param {Layout} layout @param {number} lift @returns {Box} area ∝ mass, or all alike */
 export function box(body, view, layout, lift) {
   const width = bodyWidth(body);
-  const wanted = (REFERENCE_HEIGHT * body.mass) / width / view.perHeight;
+  const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body.mass / width / view.perHeight);
   const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
   const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
   const named = height >= NAMED;

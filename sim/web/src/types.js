@@ -25,7 +25,7 @@
  * The lesson's wishes:
  * @typedef {{set: string, label: string, unit: string, per: number, low: number, high: number, step: number, value: number}} Control
  * @typedef {{kind: "arrows" | "curve" | "choice" | "text", ask: string, talk: boolean, pairs: [string, string][], cart: string | null, options: string[]}} PredictSpec
- * @typedef {{id: string, scene: Record<string, unknown>, show: string[], forces: "shown" | "hidden", slow: "auto" | "never" | "stops",
+ * @typedef {{id: string, scene: Record<string, unknown>, show: string[], forces: "shown" | "hidden", boxes: "mass" | "alike", slow: "auto" | "never" | "stops",
  *   camera: number, packages: string[], controls: Control[], switches: {set: string, value: boolean}[], predict: PredictSpec | null,
  *   presets: Record<string, Record<string, number | string>>}} Fence
  *
@@ -33,7 +33,7 @@
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,
  *   ranks: number, stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number,
  *   slots: Record<string, number>, tilt: number}} Layout
- * @typedef {{perHeight: number, tallest: number, force: number, velocity: number,
+ * @typedef {{perHeight: number, alike: boolean, tallest: number, force: number, velocity: number,
  *   decimals: Record<string, number>, reach: Record<string, [number, number, number, number]>, layouts: Layout[]}} View
  *
  * A page's facts about one scene:
