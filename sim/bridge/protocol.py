@@ -7,7 +7,7 @@
 is answered by a header (JSON) and one array of float64, column after column. The header of a
 refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
 what a reader or an author typed. The other kinds of request have modules of their own: `map`,
-`cost` and `how`, see `map_answer`, `cost_answer` and `how_answer`.
+`cost`, `how` and `hard`, see `map_answer`, `cost_answer`, `how_answer` and `hard_answer`.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ Answer = tuple[dict[str, Any], "array[float]"]
 def answer(request: Mapping[str, Any]) -> Answer:
     """Answer one request."""
     identity = request.get("id")
-    if request.get("kind") in ("map", "cost", "how"):
+    if request.get("kind") in ("map", "cost", "how", "hard"):
         return _other(request)
     if request.get("kind") != "run":
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
@@ -63,6 +63,8 @@ def _other(request: Mapping[str, Any]) -> Answer:
             from sim.bridge.map_answer import map_answer as asked
         elif request.get("kind") == "cost":
             from sim.bridge.cost_answer import cost_answer as asked
+        elif request.get("kind") == "hard":
+            from sim.bridge.hard_answer import hard_answer as asked
         else:
             from sim.bridge.how_answer import how_answer as asked
         header, numbers = asked(request)

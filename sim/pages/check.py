@@ -10,6 +10,7 @@ from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
 from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.hard_cases.block import read_hard_cases_block
 from sim.pages.lesson_text import text_findings
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
@@ -36,6 +37,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
                 _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))
             elif block.name == "cost":
                 read_cost_block(block, lesson, ids, first_line=1)
+            elif block.name == "hard-cases":
+                read_hard_cases_block(block, lesson, ids, first_line=1)
             elif block.name == "evidence":
                 evidence_block(block, lesson, first_line=1)
             else:

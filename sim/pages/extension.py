@@ -167,6 +167,17 @@ def _cost(block: Block, page: Page) -> str:
     return render_cost(read).replace("<carts-cost", "<carts-cost data-search-exclude", 1)
 
 
+def _hard_cases(block: Block, page: Page) -> str:
+    """A `hard-cases` block: the table of scenes that break step-by-step engines."""
+    from sim.pages.hard_cases.block import read_hard_cases_block
+    from sim.pages.hard_cases.render import render_hard_cases
+
+    read = read_hard_cases_block(block, page.lesson, page.ids, first_line=page.first_line)
+    page.scenes += 1
+    page.packages |= {"numpy", "scipy"}
+    return render_hard_cases(read).replace("<carts-hard", "<carts-hard data-search-exclude", 1)
+
+
 def _evidence(block: Block, page: Page) -> str:
     """An `evidence` block: a table of the paper."""
     from sim.pages.classroom.evidence import evidence_block
@@ -178,6 +189,7 @@ MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "scene": _scene,
     "map": _map,
     "cost": _cost,
+    "hard-cases": _hard_cases,
     "question": _question,
     "quiz": _quiz,
     "evidence": _evidence,

@@ -63,7 +63,7 @@ class SiteBuild:
         lesson = name.rpartition(".")[0].rpartition("/")[2]
         outline = page.items.outline(lesson) if page.items.answers else None
         self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html, outline)
-        ours = r'<carts-(?:scene|map|cost|question|quiz)\b[^>]*\sid="([^"]+)"'
+        ours = r'<carts-(?:scene|map|cost|hard|question|quiz)\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
                 self.report(

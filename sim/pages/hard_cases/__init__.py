@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
-from sim.pages.hard_cases.collisions import COLLISIONS
+from sim.pages.hard_cases.collisions import CRADLES, IMPACTS, PI
 from sim.pages.hard_cases.row import HardCase
-from sim.pages.hard_cases.under_effects import UNDER_EFFECTS
+from sim.pages.hard_cases.under_effects import DRY, FORCES, LONG
 
-ALL: tuple[HardCase, ...] = (*COLLISIONS, *UNDER_EFFECTS)
+GROUPS: tuple[tuple[str, tuple[HardCase, ...]], ...] = (
+    ("Digits of π", tuple(PI)),
+    ("Impacts", tuple(IMPACTS)),
+    ("Cradles", tuple(CRADLES)),
+    ("Friction and slopes", tuple(DRY)),
+    ("Air, magnets, springs, pushes", tuple(FORCES)),
+    ("Long times, many carts", tuple(LONG)),
+)
+"""All cases under the headings of the page."""
 
-__all__ = ["ALL", "HardCase"]
+ALL: tuple[HardCase, ...] = tuple(case for _, cases in GROUPS for case in cases)
+
+__all__ = ["ALL", "GROUPS", "HardCase"]

@@ -191,5 +191,3 @@ CRADLES = [
         "Contacts no longer overlap from pi/(2 sqrt 2) = 1.1107 on; a few ulp.",
     )
 ]  # fmt: skip
-
-COLLISIONS: tuple[HardCase, ...] = (*PI, *IMPACTS, *CRADLES)

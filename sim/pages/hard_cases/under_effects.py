@@ -296,5 +296,3 @@ LONG = [
     ),
     fifty(),
 ]  # fmt: skip
-
-UNDER_EFFECTS: tuple[HardCase, ...] = (*DRY, *FORCES, *LONG)

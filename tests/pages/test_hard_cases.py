@@ -1,0 +1,130 @@
+"""The page of hard cases is the suite: all of it, with what comes out, and files that run."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from sim.bridge.end_state import read
+from sim.bridge.hard_answer import METHODS as TRIED
+from sim.bridge.protocol import answer
+from sim.cli import main
+from sim.pages.fence_scan import scan
+from sim.pages.findings import AuthorError
+from sim.pages.hard_cases import ALL, HardCase
+from sim.pages.hard_cases.block import HardCasesBlock, read_hard_cases_block
+from sim.pages.hard_cases.measured import measure, measured, request
+from sim.pages.hard_cases.render import render_hard_cases, yaml_text
+from sim.pages.hard_cases.words import METHODS, VERDICTS, exact_cell, stepped_cell
+from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.yaml_source import load
+from sim.scene import read_scene
+from tests import registry
+from tests.web.widget_site import in_node
+
+ROOT = Path(__file__).parents[2]
+KNOWN = measured()
+MADE = render_hard_cases(HardCasesBlock("hard"))
+
+
+def test_the_page_has_a_row_for_every_case_of_the_suite() -> None:
+    assert re.findall(r'<tr data-case="([^"]+)"', MADE) == [case.name for case in ALL]
+    assert list(KNOWN) == [case.name for case in ALL]
+    found = re.search(r'carts-hard-baked">(.*?)</script>', MADE, re.DOTALL)
+    assert found is not None
+    for case in ALL:
+        asked = json.loads(found[1])[case.name]
+        assert asked["within"] == [one.tolerance for one in case.expected]
+        assert read_scene(asked["scene"]) == read_scene(case.plain)
+
+
+@pytest.mark.parametrize("case", ALL, ids=lambda case: case.name)
+def test_what_stands_there_is_what_comes_out(case: HardCase) -> None:
+    now, kept = measure(case), KNOWN[case.name]
+    for one, got, before in zip(
+        case.expected, *(r["exact"]["got"] for r in (now, kept)), strict=True
+    ):
+        assert abs(got - one.value) <= one.tolerance
+        assert abs(before - one.value) <= one.tolerance
+    for new, old in zip(now["stepped"], kept["stepped"], strict=True):
+        assert (new["method"], new["step"], new["verdict"]) == tuple(
+            old[key] for key in ("method", "step", "verdict")
+        )
+        if new["verdict"] != "blows-up":  # those differ between two libraries of sines
+            assert new["got"] == pytest.approx(old["got"], rel=1e-6, abs=1e-9)
+
+
+@pytest.mark.parametrize("case", ALL, ids=lambda case: case.name)
+def test_the_file_of_a_row_is_its_scene(case: HardCase) -> None:
+    assert read_scene(load(yaml_text(case.plain)).plain) == read_scene(case.plain)
+
+
+def test_the_command_of_a_row_gives_what_the_row_says(tmp_path: Path) -> None:
+    case = next(case for case in ALL if case.name == "triple-hit-bumper")
+    file = tmp_path / f"{case.name}.yml"
+    file.write_text(yaml_text(case.plain), encoding="utf-8")
+    step = KNOWN[case.name]["stepped"][0]["step"]
+    for told, more in (
+        (KNOWN[case.name]["exact"]["got"], []),
+        (KNOWN[case.name]["stepped"][0]["got"], ["--method", "euler", "--step", repr(step)]),
+    ):
+        done = CliRunner().invoke(main, ["run", str(file), "--json", *more])
+        assert done.exit_code == 0, done.output
+        got = [read(json.loads(done.output), one.what) for one in case.expected]
+        assert got == pytest.approx(told, rel=1e-8)
+
+
+def ask(plain: dict[str, Any], *expected: tuple[str, float]) -> dict[str, str]:
+    asked = {"id": 2, "kind": "hard", "scene": plain, "expected": [list(one) for one in expected]}
+    header, _ = answer(asked)
+    assert header["ok"], header
+    json.dumps(header, allow_nan=False)
+    return {one["method"]: one["verdict"] for one in header["stepped"]}
+
+
+def test_verdicts_name_what_went_wrong() -> None:
+    hard = registry.two_carts(law="bumper", restitution=1, stiffness=2e4)
+    assert ask(hard, ("v.A", -1.0))["euler"] in ("makes-energy", "blows-up")
+    free = {"carts": {"A": {"mass": 1, "position": 0, "velocity": 1}}, "until": 3}
+    assert set(ask(free, ("x.A", 3.0)).values()) == {"right"}
+    assert set(ask(free, ("x.A", 4.0)).values()) == {"wrong"}
+    assert set(ask(free | {"track": {"left": "wall"}}, ("count.contact", 1)).values()) == {"misses"}
+
+
+def test_every_verdict_and_every_method_has_words() -> None:
+    assert tuple(METHODS) == TRIED
+    told = {one["verdict"] for known in KNOWN.values() for one in known["stepped"]}
+    assert told <= set(VERDICTS)
+    page = (ROOT / "docs" / "accuracy" / "hard-cases.md").read_text(encoding="utf-8")
+    for words in VERDICTS.values():
+        assert words.removeprefix("carts ") in page or words == "right"
+
+
+def test_the_page_says_what_the_generator_says() -> None:
+    cases = [[request(case)["expected"], KNOWN[case.name]] for case in ALL]
+    seen = in_node(
+        "const { exactCell, steppedCell } = await import(`${source}/hard-words.js`);\n"
+        "give(data.map(([wanted, { exact, stepped }]) =>\n"
+        "  [exactCell(wanted, exact), stepped.map((one) => steppedCell(wanted, one))]));",
+        cases,
+    )
+    for (wanted, known), (exact, stepped) in zip(cases, seen, strict=True):
+        assert exact == exact_cell(wanted, known["exact"])
+        assert [tuple(one) for one in stepped] == [
+            stepped_cell(wanted, one) for one in known["stepped"]
+        ]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [("title: no id", "an id is needed"), ("id: h\nrows: 3", "unknown key “rows”")],
+)
+def test_an_author_is_told_what_is_wrong(text: str, said: str) -> None:
+    (block,) = scan(f"```hard-cases\n{text}\n```".splitlines())
+    with pytest.raises(AuthorError, match=said):
+        read_hard_cases_block(block, Lesson("page.md"), SiteIds(), first_line=1)
