@@ -25,6 +25,10 @@ _SCRIPT = re.compile(r"<script(?P<attributes>[^>]*)>(?P<text>.*?)</script>", re.
 _DATA_TYPE = re.compile(r"""\btype\s*=\s*["']?(?!text/javascript|module)[\w/+-]+""")
 # Firefox prefetches these pages, which the policy rightly forbids; the links in the footer stay.
 _NEIGHBOURS = re.compile(r'[ \t]*<link rel="(?:prev|next)"[^>]*>\n?')
+# Over these a reader who hears the page stumbles: a link whose name is not its text (the theme's
+# footer), and the head of a column without a word (Markdown's tables).
+_RENAMED = re.compile(r'(<a [^>]*class="md-footer__link [^"]*") aria-label="[^"]*"')
+_EMPTY_HEAD = re.compile(r'<th(?: scope="col")?( style="[^"]*")?></th>')
 
 _COMMON = {
     "default-src": "'none'",
@@ -53,6 +57,7 @@ class Needs:
     scenes: bool = False
     formulas: bool = False
     outline: Mapping[str, Any] | None = None  # of what can be answered here; None: nothing
+    classroom: bool = False
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -124,10 +129,15 @@ def finish(
             f'<script src="{assets}katex/katex.min.js" defer blocking="render"></script>',
             f'<script src="{assets}formulas.js" defer blocking="render"></script>',
         ]
+    page = _EMPTY_HEAD.sub(r"<td\1></td>", _RENAMED.sub(r"\1", page))
     page = _NEIGHBOURS.sub("", page).replace("<head>", first, 1)
     if needs.scenes:
         # Before the theme's own script: a scene answers to Play while that is still being read.
         ours = f'<script src="{assets}carts.js"></script>\n'
+        place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
+        page = page.replace(place, ours + place, 1)
+    if needs.classroom:
+        ours = f'<script src="{assets}class.js"></script>\n'
         place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
         page = page.replace(place, ours + place, 1)
     page = _with_answers(page, assets, needs.outline)

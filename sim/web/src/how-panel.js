@@ -21,6 +21,8 @@ export class HowPanel {
   constructor(place, scipy, changed) {
     this.until = 1;
     this.plan = html("ol", "carts-how-plan");
+    this.plan.tabIndex = 0; // a long plan scrolls: by keys too
+    this.plan.setAttribute("aria-label", "Plan");
     this.cost = html("p", "carts-how-cost");
     this.method = document.createElement("select");
     this.method.className = "carts-how-method";
