@@ -186,3 +186,24 @@ def test_names_of_forces_stay_between_the_walls(open_page: OpenPage, widget_site
     )
     assert outside == []
     assert seen >= 4
+
+
+def test_a_reader_who_wants_no_motion_gets_stills(
+    open_page: OpenPage, widget_site: Path, browser_name: str
+) -> None:
+    if browser_name == "firefox":
+        pytest.skip("this driver cannot ask Firefox for reduced motion; the module is one")
+    page = live(open_page(widget_site / "meeting.html", reduced_motion="reduce"))
+    assert on_scene(page, "return el.time") == 0
+    seen = on_scene(
+        page,
+        """const cart = el.querySelector('.carts-cart'), seen = [], times = [];
+        const watch = new MutationObserver(() => {
+            seen.push(cart.getAttribute("transform")); times.push(el.time); });
+        watch.observe(cart, { attributes: true, attributeFilter: ["transform"] });
+        el.querySelector(".carts-play").click();
+        await new Promise((done) => setTimeout(done, 4500));
+        return { times, touch: el.trajectory.events[0].t };""",
+    )
+    assert 2 <= len(seen["times"]) <= 5
+    assert any(t == pytest.approx(seen["touch"], abs=1e-9) for t in seen["times"])

@@ -562,6 +562,7 @@
 
   // src/player.js
   var STEP = 0.04;
+  var STILL = 1;
   var LONGEST_FRAME = 0.1;
   var Player = class {
     time = 0;
@@ -578,6 +579,10 @@
     halting = false;
     /** @type {number[]} */
     stops = [];
+    /** Whether playing shows a still each second, and each event, in place of motion. */
+    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    #waited = 0;
+    // s since the last still
     #frame = 0;
     #last = 0;
     /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
@@ -605,6 +610,7 @@
       if (this.time === 0) this.own = 0;
       this.playing = true;
       this.#last = 0;
+      this.#waited = 0;
       this.changed(this.time, false);
       this.#frame = requestAnimationFrame((now) => this.#tick(now));
     }
@@ -639,7 +645,15 @@
       this.#last = now;
       const before = this.time;
       this.own += seconds;
-      const next = advance(before, seconds, this.speed, this.#parts, this.until);
+      this.#waited += seconds;
+      if (this.stills && this.#waited < STILL) {
+        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+        return;
+      }
+      const shown2 = this.stills ? this.#waited : seconds;
+      this.#waited = 0;
+      let next = advance(before, shown2, this.speed, this.#parts, this.until);
+      if (this.stills) next = this.stops.find((t) => t > before + 1e-12 && t < next) ?? next;
       const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
       this.#move(halt ?? next);
       if (halt !== void 0 || this.time >= this.until) this.playing = false;
@@ -1658,8 +1672,8 @@
         return say(this.note, "problem" in read ? read.problem : "Type the number only, in N.");
       }
       this.#tries += 1;
-      const off2 = read.value / mean.value - 1;
-      if (Math.abs(off2) > NEAR) return say(this.note, this.#advice(mean, read.value));
+      const off = read.value / mean.value - 1;
+      if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
       const said = `mean force on ${mean.cart} by ${body(mean.other)}: ${short(mean.value)} N`;
       await this.#keep(this.box.value, said);
       this.found();
@@ -1877,6 +1891,8 @@
     constructor(place3, scipy, changed) {
       this.until = 1;
       this.plan = html("ol", "carts-how-plan");
+      this.plan.tabIndex = 0;
+      this.plan.setAttribute("aria-label", "Plan");
       this.cost = html("p", "carts-how-cost");
       this.method = document.createElement("select");
       this.method.className = "carts-how-method";
@@ -3730,6 +3746,7 @@ ${lines2.join("\n")}
 
   // src/choose.js
   var AREAS = "boxes as large as the masses";
+  var STILLS = "in stills, without motion";
   var STOPS = "stops at touch, greatest force and parting";
   var TOGGLES = { F: ["with sign", ""], energy: ["as a ledger", " carts-stack"] };
   var FORCES = ["F", "a"];
@@ -3737,9 +3754,10 @@ ${lines2.join("\n")}
     /**
      * @param {HTMLElement} root @param {import("./types.js").Baked} baked
      * @param {Choice[]} views
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void, areas: (on: boolean) => void}} acts
+     * @param {boolean} stills whether playing shows stills in place of motion
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
      */
-    constructor(root, baked, views, acts) {
+    constructor(root, baked, views, stills, acts) {
       const place3 = need(root, ".carts-choices");
       const { show, forces: forces2, slow } = baked.fence;
       const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
@@ -3749,12 +3767,13 @@ ${lines2.join("\n")}
       }));
       const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
       const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
+      const still = { key: "stills", label: STILLS, seen: stills };
       const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
       place3.replaceChildren(
         group("Graphs", graphs, acts.graph),
         group("Views", views, acts.view),
         group("Picture", [areas], (_, on) => acts.areas(on)),
-        group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on))
+        group("Playing", lasting && slow !== "never" ? [stops, still] : [still], acts.playing)
       );
     }
   };
@@ -5820,7 +5839,7 @@ ${lines2.join("\n")}
       );
       this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
       this.views = new Views(root, baked);
-      new Choose(root, baked, this.views.choices, {
+      new Choose(root, baked, this.views.choices, this.player.stills, {
         graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
         view: (key, seen) => this.views.choose(key, seen),
         areas: (on) => {
@@ -5829,8 +5848,8 @@ ${lines2.join("\n")}
           this.#tellTorn();
           this.player.seek(this.player.time);
         },
-        halting: (on) => {
-          this.player.halting = on;
+        playing: (key, on) => {
+          this.player[key === "stills" ? "stills" : "halting"] = on;
         }
       });
       this.readouts = new Readouts(root, baked);
@@ -6335,19 +6354,23 @@ ${lines2.join("\n")}
     if (kind === "count") return String(Math.round(value));
     return short(value, figures2) + (UNITS[kind] ?? " J");
   }
-  function off(wanted, got) {
+  function cameOut(wanted, got, figures2) {
     let worst = "";
-    let error = 0;
+    let [error, came] = [0, 0];
     for (const [k, [what, right]] of wanted.entries()) {
       const value = got[k];
       if (value === null || value === void 0) return "";
       const distance = Math.abs(value - right);
-      if (!worst || distance > error) [worst, error] = [what, distance];
+      if (!worst || distance > error) [worst, error, came] = [what, distance, value];
     }
-    return error === 0 ? "no error" : `${measure(worst)}: off by ${amount2(worst, error, 2)}`;
+    const off = error ? `off by ${amount2(worst, error, 2)}` : "no error";
+    return `${measure(worst)}: ${amount2(worst, came, figures2)}, ${off}`;
+  }
+  function exactCell(wanted, { got }) {
+    return cameOut(wanted, got, 6);
   }
   function steppedCell(wanted, { verdict, got }) {
-    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : off(wanted, got)];
+    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
   }
 
   // src/hard-cases.js
@@ -6432,7 +6455,7 @@ ${lines2.join("\n")}
       /** @param {string} name @param {Case} one @param {Answer} answer */
       #show(name2, one, answer) {
         const row = need(this, `[data-case="${name2}"]`);
-        say(need(row, '[data-part="exact"]'), off(one.expected, answer.exact.got));
+        say(need(row, '[data-part="exact"]'), exactCell(one.expected, answer.exact));
         for (const [k, cell] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
           const stepped = answer.stepped[k];
           if (!stepped) continue;

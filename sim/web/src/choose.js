@@ -9,6 +9,7 @@ import { QUANTITIES } from "./words.js";
 /** @typedef {{key: string, label: string, seen: boolean}} Choice */
 
 const AREAS = "boxes as large as the masses";
+const STILLS = "in stills, without motion";
 const STOPS = "stops at touch, greatest force and parting";
 /** @type {Record<string, [string, string]>} a button of its own, and the class that it has besides */
 const TOGGLES = { F: ["with sign", ""], energy: ["as a ledger", " carts-stack"] };
@@ -18,9 +19,10 @@ export class Choose {
   /**
    * @param {HTMLElement} root @param {import("./types.js").Baked} baked
    * @param {Choice[]} views
-   * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, halting: (on: boolean) => void, areas: (on: boolean) => void}} acts
+   * @param {boolean} stills whether playing shows stills in place of motion
+   * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
    */
-  constructor(root, baked, views, acts) {
+  constructor(root, baked, views, stills, acts) {
     const place = need(root, ".carts-choices");
     const { show, forces, slow } = baked.fence;
     const graphs = Object.keys(QUANTITIES)
@@ -32,12 +34,13 @@ export class Choose {
       }));
     const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
     const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
+    const still = { key: "stills", label: STILLS, seen: stills };
     const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
     place.replaceChildren(
       group("Graphs", graphs, acts.graph),
       group("Views", views, acts.view),
       group("Picture", [areas], (_, on) => acts.areas(on)),
-      group("Playing", lasting && slow !== "never" ? [stops] : [], (_, on) => acts.halting(on)),
+      group("Playing", lasting && slow !== "never" ? [stops, still] : [still], acts.playing),
     );
   }
 }

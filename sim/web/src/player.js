@@ -3,6 +3,7 @@
 import { advance, slowAt } from "./slow.js";
 
 const STEP = 0.04; // s on the screen that one step stands for
+const STILL = 1; // s on the screen between two stills
 const LONGEST_FRAME = 0.1; // s; a page that was asleep does not leap
 
 export class Player {
@@ -19,6 +20,9 @@ export class Player {
   halting = false;
   /** @type {number[]} */
   stops = [];
+  /** Whether playing shows a still each second, and each event, in place of motion. */
+  stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  #waited = 0; // s since the last still
   #frame = 0;
   #last = 0;
 
@@ -52,6 +56,7 @@ export class Player {
     if (this.time === 0) this.own = 0;
     this.playing = true;
     this.#last = 0;
+    this.#waited = 0;
     this.changed(this.time, false);
     this.#frame = requestAnimationFrame((now) => this.#tick(now));
   }
@@ -93,7 +98,15 @@ export class Player {
     this.#last = now;
     const before = this.time;
     this.own += seconds;
-    const next = advance(before, seconds, this.speed, this.#parts, this.until);
+    this.#waited += seconds;
+    if (this.stills && this.#waited < STILL) {
+      this.#frame = requestAnimationFrame((next) => this.#tick(next));
+      return;
+    }
+    const shown = this.stills ? this.#waited : seconds;
+    this.#waited = 0;
+    let next = advance(before, shown, this.speed, this.#parts, this.until);
+    if (this.stills) next = this.stops.find((t) => t > before + 1e-12 && t < next) ?? next;
     const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : undefined;
     this.#move(halt ?? next);
     if (halt !== undefined || this.time >= this.until) this.playing = false;

@@ -51,7 +51,7 @@ export class SceneView {
     const graphs = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-graph"));
     this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
     this.views = new Views(root, baked);
-    new Choose(root, baked, this.views.choices, {
+    new Choose(root, baked, this.views.choices, this.player.stills, {
       graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
       view: (key, seen) => this.views.choose(key, seen),
       areas: (on) => {
@@ -60,8 +60,8 @@ export class SceneView {
         this.#tellTorn();
         this.player.seek(this.player.time);
       },
-      halting: (on) => {
-        this.player.halting = on;
+      playing: (key, on) => {
+        this.player[key === "stills" ? "stills" : "halting"] = on;
       },
     });
     this.readouts = new Readouts(root, baked);
