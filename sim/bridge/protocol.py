@@ -40,6 +40,8 @@ def answer(request: Mapping[str, Any]) -> Answer:
     identity = request.get("id")
     if request.get("kind") in ("map", "cost", "how", "hard"):
         return _other(request)
+    if request.get("kind") == "class":
+        return _class(request)
     if request.get("kind") != "run":
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
         return refusal(identity, [problem])
@@ -74,6 +76,12 @@ def _other(request: Mapping[str, Any]) -> Answer:
         problem = Problem((), "unsolved", error.message, error.hint)
         return refusal(request.get("id"), [problem])
     return {"id": request.get("id"), "ok": True, **header}, numbers
+
+
+def _class(request: Mapping[str, Any]) -> Answer:
+    from sim.bridge.class_answer import class_answer  # in a package that only its page loads
+
+    return {"id": request.get("id"), "ok": True, **class_answer(request)}, array("d")
 
 
 def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> Answer:

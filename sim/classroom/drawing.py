@@ -6,7 +6,8 @@ Every plot stands beside the table it shows, so a screen reader gets a name and 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
+
+from sim.classroom.escaped import escape
 
 WIDTH = 620
 _LEFT, _RIGHT = 150, 24

@@ -56,6 +56,12 @@ class KeyedForm:
     hash: str
     options: tuple[tuple[str, int], ...]
     items: Mapping[str, KeyedItem]
+    plain: Mapping[str, Any]
+
+    def as_file(self) -> str:
+        """A key file of this form alone."""
+        content = {"format": FORMAT, "kind": KIND, "site": self.site, "lesson": self.lesson}
+        return json.dumps({**content, "forms": [self.plain]}, ensure_ascii=False)
 
 
 def read_key_file(text: str) -> tuple[KeyedForm, ...]:
@@ -89,6 +95,7 @@ def _form(part: Mapping[str, Any], site: str, lesson: str) -> KeyedForm:
         hash=str(part["hash"]),
         options=tuple((str(name), int(count)) for name, count in part["options"]),
         items={str(row["id"]): keyed_item(row) for row in rows},
+        plain=part,
     )
 
 

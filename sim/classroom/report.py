@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
-from statistics import median
 from typing import Any
 
 from sim.classroom import sentences as say
@@ -20,7 +19,7 @@ from sim.classroom.marks_file import Given
 from sim.classroom.pairing import Pairs, pair_up
 from sim.classroom.reading import MOST_NAMED, Read, Refused
 from sim.classroom.refusal import FEWEST
-from sim.classroom.spread import Spread, spread
+from sim.classroom.spread import Spread, median, spread
 
 FORMAT = 1
 KIND = "newtons-carts-class"

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from html import escape
 from typing import Any
 
 from sim.classroom.drawing import bars, dots
+from sim.classroom.escaped import escape
 from sim.classroom.sentences import number, signed
 
 Row = Mapping[str, Any]
@@ -38,8 +38,8 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str = "")
     header = "".join(f'<th scope="col">{cell}</th>' for cell in head)
     body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
     return (
-        f'<div class="carts-class-table {kind}"><table><thead><tr>{header}</tr></thead>'
-        f"<tbody>{body}</tbody></table></div>"
+        f'<div class="carts-class-table {kind}"><table class="carts-class-cells">'
+        f"<thead><tr>{header}</tr></thead><tbody>{body}</tbody></table></div>"
     )
 
 
@@ -179,17 +179,41 @@ def _items(lesson: Row) -> str:
 
 
 def _form(form: Row) -> str:
-    parts = [f"<h3>Form {text(TITLES.get(form['form'], form['form']))}: question by question</h3>"]
-    parts += [_item(item) for item in form["items"] if item["n"]]
+    title = text(TITLES.get(form["form"], form["form"]))
+    items = [item for item in form["items"] if item["n"]]
+    parts = [f"<h3>Form {title}: questions</h3>", _overview(items)]
     if form["beliefs"]:
         parts.append("<h4>Beliefs behind two answers or more of a student</h4>")
         parts.append(listed(row["sentence"] for row in form["beliefs"]))
+    each = "".join(map(_item, items))
+    parts.append(f"<details><summary>Question by question: form {title}</summary>{each}</details>")
     parts.append(_students(form))
     return "".join(parts)
 
 
+def _overview(items: Sequence[Row]) -> str:
+    """One line for each question, with the wrong answer that was chosen most."""
+    rows = []
+    for item in items:
+        wrong = [c for c in item["choices"] if not c.get("correct") and c["count"] > 1]
+        most = max(wrong, key=lambda c: c["count"], default=None) if item["worth"] else None
+        chosen = f"{most['option'].upper()} ({most['count']})" if most else ""
+        right = f"{item['right']} of {item['n']}" if item["worth"] else "–"
+        if item["unread"]:
+            right = f"{item['unread']} to be read"
+        numbers = ("difficulty", "discrimination", "point_biserial")
+        rows.append([
+            text(item["id"]), right, str(item["empty"]),
+            *("–" if item[n] is None else number(item[n]) for n in numbers),
+            text(chosen), text(most.get("says", "") if most else ""),
+        ])  # fmt: skip
+    head = ["question", "right", "open", "difficulty", "discrimination", "r", "chosen most, wrong",
+            "students who choose it often think"]  # fmt: skip
+    return table(head, rows, kind="overview") if rows else ""
+
+
 def _item(item: Row) -> str:
-    title = f"<h4>{text(item['id'])}</h4><p>{text(item['ask'])}</p>"
+    title = f'<h4>{text(item["id"])}</h4><p class="carts-class-ask">{text(item["ask"])}</p>'
     rows = [
         [
             f"{text(choice['option'].upper())}{' ✓' if choice.get('correct') else ''}",

@@ -44,6 +44,14 @@ def spread(values: Sequence[float]) -> Spread:
     return Spread(n, float(total / n), root(squares / (n - 1)) if n > 1 else 0.0)
 
 
+def median(values: Sequence[float]) -> float:
+    """The middle one, or the middle between the two middle ones."""
+    order = sorted(numbers(values))
+    at_least(len(order), 1)
+    half = len(order) // 2
+    return order[half] if len(order) % 2 else (order[half - 1] + order[half]) / 2
+
+
 def moments(first: Sequence[float], second: Sequence[float]) -> tuple[Fraction, Fraction]:
     """Sum of the first, and sum of the products of both deviations from their means; exact."""
     if len(first) != len(second):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from html import escape
 from pathlib import Path
 from typing import Any
 
+from sim.classroom.escaped import escape
 from sim.classroom.show import report_html
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'"
@@ -24,11 +24,12 @@ def style() -> str:
 
 def standalone(report: Mapping[str, Any], title: str = "Class results") -> str:
     """The whole file."""
+    opened = report_html(report).replace("<details>", "<details open>")  # texts are escaped
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{escape(title)}</title>\n<style>\n{_PAGE}{style()}</style></head>\n"
-        f'<body class="carts-class-report"><h1>{escape(title)}</h1>\n{report_html(report)}\n'
+        f'<body class="carts-class-report"><h1>{escape(title)}</h1>\n{opened}\n'
         "</body></html>\n"
     )

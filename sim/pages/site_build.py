@@ -62,7 +62,8 @@ class SiteBuild:
         """Note what the page `name` needs, now that it is rendered."""
         lesson = name.rpartition(".")[0].rpartition("/")[2]
         outline = page.items.outline(lesson) if page.items.answers else None
-        self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html, outline)
+        classroom = "<carts-class" in html
+        self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html, outline, classroom)
         ours = r'<carts-(?:scene|map|cost|hard|question|quiz)\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
@@ -76,7 +77,7 @@ class SiteBuild:
                         "give the block an id of its own, for example " + f"{block}-1",
                     )
                 )
-        self.packages |= page.packages
+        self.packages |= page.packages | ({"numpy", "scipy"} if classroom else set())
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
@@ -108,7 +109,7 @@ class SiteBuild:
         if index.is_file():
             text = f"var __index = {index.read_text(encoding='utf-8')}"
             index.with_suffix(".js").write_text(text, encoding="utf-8")
-        scenes = any(needs.scenes for needs in self.needs.values())
+        scenes = any(needs.scenes or needs.classroom for needs in self.needs.values())
         if scenes:
             self._add_runtime(site, report)
         works = licences.notices(self.root / "node_modules", scenes=scenes, packages=self.packages)
@@ -119,8 +120,12 @@ class SiteBuild:
 
         try:
             (site / site_files.ASSETS / "carts.js").write_bytes(site_files.scene_script())
+            packages = set(self.packages)
+            if any(needs.classroom for needs in self.needs.values()):
+                (site / site_files.ASSETS / "class.js").write_bytes(site_files.class_script())
+                packages.add(runtime.CLASSROOM)
             cache = runtime.default_cache(self.root)
-            runtime.pack(site, packages=frozenset(self.packages), cache=cache, report=report)
+            runtime.pack(site, packages=frozenset(packages), cache=cache, report=report)
         except (
             site_files.MissingFilesError,
             runtime.RuntimePackError,

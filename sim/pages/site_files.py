@@ -18,6 +18,7 @@ ASSETS = "assets/carts/"
 SEARCH_FROM_DISK = ASSETS + "iframe-worker.js"  # a name that keeps the theme from adding its own
 
 _WEB = Path(sim.__file__).parent / "web"
+_CLASSROOM = Path(sim.__file__).parent / "classroom"  # its reports are saved with their style
 _ROBOTO = "@fontsource-variable/roboto/files/roboto-{}.woff2"
 _MONO = "@fontsource/roboto-mono/files/roboto-mono-{}.woff2"
 # Within the style sheet, so that no line moves when they come: browsers have them at once.
@@ -41,6 +42,11 @@ def scene_script() -> bytes:
     return _read(_WEB / "dist" / "carts.js", "make bundle")
 
 
+def class_script() -> bytes:
+    """The committed bundle of the page "Class results": assets/carts/class.js."""
+    return _read(_WEB / "dist" / "class.js", "make bundle")
+
+
 def search_from_disk(worker: str) -> str:
     """The script that starts the theme's search (text of its worker) from within the page."""
     script = _read(_WEB / "site" / "search-from-disk.js", "git restore sim/web/site").decode()
@@ -53,7 +59,8 @@ def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     yield "site.css", _style_sheet(node_modules)
     yield "formulas.js", _read(_WEB / "site" / "formulas.js", "git restore sim/web/site")
     yield "answers.js", _read(_WEB / "dist" / "answers.js", "make bundle")
-    yield "carts.css", b"\n".join(path.read_bytes() for path in sorted(_WEB.glob("css/*.css")))
+    sheets = [*sorted(_WEB.glob("css/*.css")), _CLASSROOM / "report.css"]
+    yield "carts.css", b"\n".join(path.read_bytes() for path in sheets)
     for font in FONTS:
         path = node_modules / font
         yield f"fonts/{path.name}", _read(path, "make site")

@@ -6,7 +6,15 @@ How and why: docs/developers/runtime.md.
 
 from .cache import default_cache
 from .node import RuntimePackError
+from .ours import CLASSROOM
 from .pack import RuntimeFacts, pack
 from .sources import MissingSourceError
 
-__all__ = ["MissingSourceError", "RuntimeFacts", "RuntimePackError", "default_cache", "pack"]
+__all__ = [
+    "CLASSROOM",
+    "MissingSourceError",
+    "RuntimeFacts",
+    "RuntimePackError",
+    "default_cache",
+    "pack",
+]

@@ -9,10 +9,11 @@ from pathlib import Path
 
 from . import pins
 from .cache import Cache, key_of, sha256
+from .class_wheel import make_class_wheel
 from .classic import classic_script
 from .lock import make_lock
 from .node import code_key, node_version
-from .ours import ENTRY, NAME, Ours
+from .ours import CLASSROOM, ENTRY, NAME, Ours
 from .packages import MORE, make_packages, more_of_stdlib
 from .payload import Payload, payload_from_json, write_payload
 from .snapshot import make_start
@@ -35,9 +36,17 @@ class Contents:
 
 
 def make_contents(
-    core: Path, ours: Ours, originals: dict[str, Path], cache: Cache, report: Report
+    core: Path,
+    ours: Ours,
+    originals: dict[str, Path],
+    cache: Cache,
+    report: Report,
+    classroom: Ours | None = None,
 ) -> Contents:
-    """Return the runtime with `ours` and the wheels `originals` (package name -> verified file)."""
+    """Return the runtime with `ours` and the wheels `originals` (package name -> verified file).
+
+    `classroom`: what the page "Class results" needs beside them, if there is such a page.
+    """
     report("Packing Python for the page")
     stdlib = compiled_stdlib(core, cache)
     start = make_start(core, stdlib, ours, cache)
@@ -48,11 +57,18 @@ def make_contents(
         STDLIB: start.stdlib.read_bytes(),
     }
     wheels = {NAME: start.wheel}
-    table_at = 0
+    more: list[str] = []
     if originals:
         packages = make_packages(originals, core, stdlib, cache, report)
         wheels |= packages.wheels
-        table_at, files[MORE] = more_of_stdlib(stdlib, packages.used, start.stdlib)
+        more += packages.used
+    if classroom:
+        made = make_class_wheel(core, stdlib, start.wheel, classroom, cache)
+        wheels[CLASSROOM] = made.wheel
+        more += made.used
+    table_at = 0
+    if more:
+        table_at, files[MORE] = more_of_stdlib(stdlib, more, start.stdlib)
     files |= {path.name: path.read_bytes() for path in wheels.values()}
     payloads = [_scripts(name, data, cache) for name, data in files.items()]
     lock = make_lock(core / pins.LOCK, wheels, cache)
@@ -70,7 +86,8 @@ def make_contents(
         "lock": lock,
     }
     scripts = {part.src: folder / part.src for folder, p in payloads for part in p.parts}
-    versions |= {name: path.name.split("-")[1] for name, path in wheels.items() if name != NAME}
+    ours_too = (NAME, CLASSROOM)
+    versions |= {n: path.name.split("-")[1] for n, path in wheels.items() if n not in ours_too}
     return Contents(scripts, index, versions)
 
 

@@ -19,7 +19,12 @@ from .node import RuntimePackError
 Lock = dict[str, object]  # pyodide-lock.json, as plain values
 
 # What a wheel offers for import. The tool looks for .py files, and there are none left.
-IMPORTS = {"newtons-carts": ["sim"], "numpy": ["numpy"], "scipy": ["scipy"]}
+IMPORTS = {
+    "newtons-carts": ["sim"],
+    "newtons-carts-class": ["sim.classroom"],
+    "numpy": ["numpy"],
+    "scipy": ["scipy"],
+}
 
 
 def tool_works() -> bool:

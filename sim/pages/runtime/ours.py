@@ -17,9 +17,13 @@ from .cache import key_of, sha256
 from .stdlib import DATE
 
 LAYERS = ("scene", "dynamics", "bridge")
-"""What a page runs. Questions are marked in JavaScript: `lesson` and `classroom` stay at home."""
+"""What every live page runs. Questions are marked in JavaScript there."""
+CLASSROOM_LAYERS = ("lesson", "classroom")
+CLASSROOM_ENTRY = "bridge/class_answer.py"
+"""With these a page also reads the files of a class: a package of its own, loaded only there."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
+CLASSROOM = "newtons-carts-class"
 APART = ("sim.dynamics.batch",)
 """Left out of the picture of the memory: no scene needs them. Pages that do carry packages too, and
 those load the wheel."""
@@ -31,6 +35,7 @@ class Ours:
 
     files: tuple[tuple[str, bytes], ...]
     version: str
+    name: str = NAME
 
     @property
     def key(self) -> str:
@@ -40,7 +45,7 @@ class Ours:
     @property
     def wheel_name(self) -> str:
         """The file name of the wheel."""
-        return f"{NAME.replace('-', '_')}-{self.version}-py3-none-any.whl"
+        return f"{self.name.replace('-', '_')}-{self.version}-py3-none-any.whl"
 
     def imported_stdlib(self) -> list[str]:
         """Every standard module that is imported anywhere, inside functions too."""
@@ -52,8 +57,8 @@ class Ours:
 
     def write_wheel(self, out: Path) -> None:
         """Write the wheel with its sources; RECORD is left to whoever compiles it."""
-        info = f"{NAME.replace('-', '_')}-{self.version}.dist-info"
-        metadata = f"Metadata-Version: 2.1\nName: {NAME}\nVersion: {self.version}\n"
+        info = f"{self.name.replace('-', '_')}-{self.version}.dist-info"
+        metadata = f"Metadata-Version: 2.1\nName: {self.name}\nVersion: {self.version}\n"
         tag = "Wheel-Version: 1.0\nGenerator: carts\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
         extra = {f"{info}/METADATA": metadata, f"{info}/WHEEL": tag, f"{info}/RECORD": ""}
         with zipfile.ZipFile(out, "w") as wheel:
@@ -63,12 +68,24 @@ class Ours:
 
 def read_ours(package: Path, version: str) -> Ours:
     """Return the layers for the page of the package in folder `package`."""
-    folders = [package / layer for layer in LAYERS if (package / layer).is_dir()]
-    found = [package / "__init__.py", *(p for folder in folders for p in folder.rglob("*"))]
+    found = [p for p in _layers(package, LAYERS) if p != package / CLASSROOM_ENTRY]
+    return _ours(package, version, NAME, [package / "__init__.py", *found])
+
+
+def read_classroom(package: Path, version: str) -> Ours:
+    """Return what the page "Class results" has beside `read_ours`."""
+    found = [package / CLASSROOM_ENTRY, *_layers(package, CLASSROOM_LAYERS)]
+    return _ours(package, version, CLASSROOM, found)
+
+
+def _layers(package: Path, layers: Iterable[str]) -> list[Path]:
+    return [p for layer in layers for p in (package / layer).rglob("*")]
+
+
+def _ours(package: Path, version: str, name: str, found: Iterable[Path]) -> Ours:
     kept = sorted(p for p in found if p.is_file() and "__pycache__" not in p.parts)
-    return Ours(
-        tuple((p.relative_to(package.parent).as_posix(), _text_bytes(p)) for p in kept), version
-    )
+    files = ((p.relative_to(package.parent).as_posix(), _text_bytes(p)) for p in kept)
+    return Ours(tuple(files), version, name)
 
 
 def _text_bytes(path: Path) -> bytes:

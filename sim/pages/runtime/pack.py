@@ -13,7 +13,7 @@ from . import pins
 from .cache import Cache
 from .contents import Contents, make_contents
 from .node import RuntimePackError
-from .ours import read_ours
+from .ours import CLASSROOM, read_classroom, read_ours
 from .payload import write_index
 from .sources import MissingSourceError, core_files, in_ci, package_wheels
 from .stdlib import core_folder
@@ -45,11 +45,12 @@ def pack(
 ) -> RuntimeFacts:
     """Write the runtime into `site_dir` and return what it is.
 
-    `packages`: those of "numpy" and "scipy" that scenes of the site need. `source`: the folder of
-    the package that runs in the page. Raises RuntimePackError. What can't be fetched is an error
-    in an automatic build; elsewhere the pages are told to say so, and show their baked runs.
+    `packages`: those of "numpy" and "scipy" that pages of the site need, and CLASSROOM. `source`:
+    the folder of the package that runs in the page. Raises RuntimePackError. What can't be fetched
+    is an error in an automatic build; elsewhere the pages are told to say so, and show their baked
+    runs.
     """
-    if unknown := packages - set(pins.PACKAGES):
+    if unknown := packages - {*pins.PACKAGES, CLASSROOM}:
         raise RuntimePackError(f"no such package for the page: {', '.join(sorted(unknown))}")
     wanted = [n for n in pins.PACKAGES if n in packages or (n == "numpy" and "scipy" in packages)]
     store, ours = Cache(cache), read_ours(source, __version__)
@@ -61,7 +62,8 @@ def pack(
             wheels = package_wheels(wanted, files[pins.LOCK], files[pins.LOADER], store, report)
         except MissingSourceError as error:
             wheels, missing = {}, _noted(error, report)
-        contents = make_contents(core, ours, wheels, store, report)
+        classroom = read_classroom(source, __version__) if CLASSROOM in packages else None
+        contents = make_contents(core, ours, wheels, store, report, classroom)
     except MissingSourceError as error:
         missing = _noted(error, report)
     folder = site_dir / RUNTIME

@@ -3,7 +3,11 @@ import { boot, helpers, job, read, write } from "./boot.mjs";
 
 const pyodide = await boot(job, { _makeSnapshot: true });
 const heap = pyodide._module.HEAP8.length;
-pyodide.unpackArchive(read(job.wheel), "wheel");
+// Where `loadPackage` puts what a page loads later: those modules are then found beside these.
+pyodide.unpackArchive(read(job.wheel), "wheel", { extractDir: pyodide._api.sitePackages });
+const importlib = pyodide.pyimport("importlib");
+importlib.invalidate_caches();
+importlib.destroy();
 const { call, forget } = helpers(pyodide, job.programs);
 for (const name of job.packages) call("import_package", name, job.absent, job.apart, false).destroy();
 call("warm_up", job.entry);

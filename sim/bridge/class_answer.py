@@ -1,0 +1,122 @@
+"""The files of a class, as the wire delivers them: read in slices, then asked about.
+
+    {"id": 8, "kind": "class", "do": "read", "files": [{"name": "a.zip", "base64": "…"}], "from": 0}
+    {"id": 9, "kind": "class", "do": "report", "records": [[record, "7a"], …], "keys": […], …}
+    {"id": 10, "kind": "class", "do": "save", "what": "html", …as for a report}
+
+Reading answers with what is in the files, as rows that the page keeps: this side forgets
+everything. A slice ends after SLICE seconds; `next` says where to go on, or is null.
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from base64 import b64decode
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import islice
+from typing import Any
+
+from sim.classroom.class_csv import items_csv, students_csv
+from sim.classroom.codes import read_codes
+from sim.classroom.keyed import KeyedForm, read_key_file
+from sim.classroom.marks_file import given_marks, marks_file
+from sim.classroom.reading import Outcome, Reading, Refused, Source, outcomes
+from sim.classroom.records import as_record, from_record
+from sim.classroom.report import Asked, class_report
+from sim.classroom.show import report_html
+from sim.classroom.standalone import standalone
+
+SLICE = 0.4
+"""s. How long a page waits for a slice of files."""
+
+Report = dict[str, Any]
+
+
+def class_answer(request: Mapping[str, Any]) -> dict[str, Any]:
+    """The header of the answer; there are no numbers beside it."""
+    ways: dict[str, Callable[[Mapping[str, Any]], dict[str, Any]]] = {
+        "read": _read,
+        "report": _report,
+        "save": _save,
+        "ready": _ready,
+    }
+    return ways[str(request.get("do"))](request)
+
+
+def _read(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Records, keys, marks and refusals of the next slice."""
+    start = int(request.get("from") or 0)
+    reading, done, end = Reading.of([]), start, time.monotonic() + SLICE
+    following: int | None = None
+    for outcome in islice(_outcomes(request["files"]), start, None):
+        reading.add(outcome)
+        done += 1
+        if time.monotonic() > end:
+            following = done
+            break
+    return {
+        "records": [as_record(read) for read in reading.files],
+        "keys": [key.as_file() for key in reading.keys],
+        "marks": marks_file(reading.given)["marks"],
+        "refused": [[row.name, row.reason] for row in reading.refused],
+        "next": following,
+    }
+
+
+def _ready(_: Mapping[str, Any]) -> dict[str, Any]:
+    """Imports what the tests need: on a slow computer that takes some seconds."""
+    from sim.classroom.tails import t_quantile, t_two_sided
+
+    return {"ready": t_two_sided(t_quantile(0.975, 9), 9) < 0.06}
+
+
+def _outcomes(files: Sequence[Mapping[str, str]]) -> Iterator[Outcome]:
+    return outcomes(Source(str(f["name"]), b64decode(f["base64"])) for f in files)
+
+
+def _keys(texts: Sequence[str]) -> list[KeyedForm]:
+    return [form for text in texts for form in read_key_file(text)]
+
+
+def _made(request: Mapping[str, Any]) -> Report:
+    keys = _keys(request.get("keys") or [])
+    groups = tuple(map(str, request["groups"]))
+    files = [(from_record(row), str(group)) for row, group in request["records"]]
+    typed, bad = read_codes(str(request.get("codes") or ""), keys)
+    files += [(read, groups[0]) for read in typed]
+    refused = [Refused(str(name), str(reason)) for name, reason in request.get("refused") or []]
+    asked = Asked(
+        groups=groups,
+        given=given_marks(request.get("marks") or []),
+        now=str(request.get("now") or ""),
+        inference=bool(request.get("inference")),
+    )
+    return class_report(files, keys, [*refused, *bad], asked)
+
+
+def _report(request: Mapping[str, Any]) -> dict[str, Any]:
+    """The report as HTML, and what the page itself needs of it."""
+    report = _made(request)
+    words = [
+        {"lesson": lesson["lesson"], "form": form["form"], **question}
+        for lesson in report["lessons"]
+        for form in lesson["forms"]
+        for question in form["words"]
+        if question["answers"]
+    ]
+    return {"html": report_html(report), "counted": report["files"]["counted"], "words": words,
+            "inference": report["inference"]}  # fmt: skip
+
+
+def _save(request: Mapping[str, Any]) -> dict[str, Any]:
+    """The report as a file: html, csv, items or json."""
+    report = _made(request)
+    what = request.get("what")
+    if what == "html":
+        return {"text": standalone(report)}
+    if what == "csv":
+        return {"text": students_csv(report)}
+    if what == "items":
+        return {"text": items_csv(report)}
+    return {"text": json.dumps(report, ensure_ascii=False, allow_nan=False)}

@@ -1,0 +1,1401 @@
+"use strict";
+(() => {
+  // src/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+    return made;
+  }
+  function html(tag, className = "", text = "") {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text) made.textContent = text;
+    return made;
+  }
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+
+  // src/class/classroom.js
+  var WHOLE = "class";
+  var Classroom = class {
+    /** @type {Held[]} */
+    files = [];
+    /** @type {string[]} the texts of key files */
+    keys = [];
+    /** @type {Map<string, GivenMark>} */
+    marks = /* @__PURE__ */ new Map();
+    /** @type {[string, string][]} */
+    refused = [];
+    codes = "";
+    two = false;
+    /** @type {[string, string]} */
+    names = ["experimental", "control"];
+    /** @returns {boolean} whether there is nothing here */
+    get empty() {
+      return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
+    }
+    /** @returns {string[]} the names of the groups, each once */
+    get groups() {
+      if (!this.two) return [WHOLE];
+      const [one, other] = this.names.map((name, k) => name.trim() || `group ${k + 1}`);
+      return [one ?? "", one === other ? `${other} (2)` : other ?? ""];
+    }
+    /** @param {Found} found @param {number} group */
+    take(found, group) {
+      for (const row of found.records) this.files.push({ row, group, out: false });
+      for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
+      for (const mark of found.marks) this.give(mark);
+      this.refused.push(...found.refused);
+    }
+    /** @param {GivenMark} mark */
+    give(mark) {
+      const { lesson, form, student, item } = mark;
+      this.marks.set(JSON.stringify([lesson, form, plain(student), item]), mark);
+    }
+    /** What Python is told with every question. @returns {Record<string, unknown>} */
+    told() {
+      const { groups } = this;
+      return {
+        kind: "class",
+        records: this.files.filter((file) => !file.out).map(({ row, group }) => [row, groups[this.two ? group : 0]]),
+        keys: this.keys,
+        marks: [...this.marks.values()],
+        refused: this.refused,
+        codes: this.codes,
+        groups,
+        now: (/* @__PURE__ */ new Date()).toISOString()
+      };
+    }
+    /** @returns {string} the text of a file with the teacher's marks */
+    marksFile() {
+      const rows = [...this.marks.values()].map((mark) => ({
+        ...mark,
+        student: plain(mark.student)
+      }));
+      return `${JSON.stringify({ format: 1, kind: "newtons-carts-marks", marks: rows }, null, 1)}
+`;
+    }
+  };
+  var plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();
+
+  // src/answers/parts.js
+  function button(text, act, name = "") {
+    const made = (
+      /** @type {HTMLButtonElement} */
+      html("button", `carts-button ${name}`.trim(), text)
+    );
+    made.type = "button";
+    made.addEventListener("click", act);
+    return made;
+  }
+  function askingButton(text, question, yes, act, name) {
+    const row = html("p", `carts-answers-asking ${name}`);
+    const first = button(text, () => ask(true));
+    const asked = html("span", "", `${question} `);
+    const no = button("No", () => ask(false), "carts-answers-no");
+    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    asked.hidden = true;
+    row.append(first, asked);
+    function ask(on) {
+      first.hidden = on;
+      asked.hidden = !on;
+      (on ? no : first).focus();
+    }
+    return row;
+  }
+
+  // src/class/drops.js
+  function drops(classroom, take, changed) {
+    const root = html("div", "carts-class-drops");
+    const two = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-class-two")
+    );
+    two.type = "checkbox";
+    const label = html("label", "carts-class-choice");
+    label.append(two, " two groups, one beside the other");
+    const fields = html("div", "carts-class-fields");
+    const draw = () => {
+      two.checked = classroom.two;
+      const count = classroom.two ? [0, 1] : [0];
+      fields.replaceChildren(...count.map((group) => field(classroom, group, take, changed)));
+    };
+    two.addEventListener("change", () => {
+      classroom.two = two.checked;
+      draw();
+      changed();
+    });
+    draw();
+    root.append(label, fields);
+    return { root, draw };
+  }
+  function field(classroom, group, take, changed) {
+    const root = html("div", "carts-class-drop");
+    if (classroom.two) root.append(nameBox(classroom, group, changed));
+    const says = html("p", "", "Drop answer files, a zip and the key file here, or");
+    root.append(says);
+    const row = html("p", "carts-class-row");
+    for (
+      const [text, folder] of
+      /** @type {[string, boolean][]} */
+      [
+        ["Choose files", false],
+        ["Choose a folder", true]
+      ]
+    ) {
+      const box = (
+        /** @type {HTMLInputElement} */
+        html("input", "carts-class-files")
+      );
+      Object.assign(box, { type: "file", multiple: true, hidden: true, tabIndex: -1 });
+      if (folder) box.setAttribute("webkitdirectory", "");
+      else box.accept = ".json,.zip,application/json,application/zip";
+      box.addEventListener("change", () => {
+        const chosen = [...box.files ?? []].filter(
+          (file) => !folder || /\.(json|zip)$/i.test(file.name)
+        );
+        box.value = "";
+        if (chosen.length) take(chosen, group);
+      });
+      row.append(
+        button(text, () => box.click(), folder ? "carts-class-folder" : "carts-class-pick"),
+        box,
+        " "
+      );
+    }
+    root.append(row);
+    listen(root, says, (files) => take(files, group));
+    return root;
+  }
+  function listen(root, says, take) {
+    const over = (on) => root.classList.toggle("carts-class-over", on);
+    root.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      over(true);
+    });
+    root.addEventListener("dragleave", () => over(false));
+    root.addEventListener("drop", (event) => {
+      event.preventDefault();
+      over(false);
+      const items = [...event.dataTransfer?.items ?? []];
+      const folders = items.some((item) => item.webkitGetAsEntry?.()?.isDirectory);
+      const files = [...event.dataTransfer?.files ?? []];
+      if (folders)
+        say(says, "For a folder use the button “Choose a folder”. Files can be dropped, or");
+      else if (files.length) take(files);
+    });
+  }
+  function nameBox(classroom, group, changed) {
+    const label = html("label", "carts-class-name", "Group ");
+    const box = (
+      /** @type {HTMLInputElement} */
+      html("input")
+    );
+    Object.assign(box, { value: classroom.names[group], maxLength: 40 });
+    box.addEventListener("change", () => {
+      classroom.names[group] = box.value;
+      changed();
+    });
+    label.append(box);
+    return label;
+  }
+
+  // src/class/intake.js
+  var MOST_JSON = 2e6;
+  var MOST_ZIP = 6e7;
+  var PARCEL_BYTES = 1e6;
+  var PARCEL_FILES = 25;
+  async function readAll(files, ask, found) {
+    let done = 0;
+    for (const parcel of parcels(files)) {
+      const refused = (
+        /** @type {[string, string][]} */
+        []
+      );
+      const sent = (
+        /** @type {Parcel[]} */
+        []
+      );
+      for (const file of parcel) {
+        const name = file.webkitRelativePath || file.name;
+        const reason = tooLarge(file);
+        const base64 = reason ? null : await asBase64(file);
+        if (base64 === null) refused.push([name, reason || "this file cannot be read"]);
+        else sent.push({ name, base64 });
+      }
+      done += parcel.length;
+      if (refused.length) {
+        await found({ records: [], keys: [], marks: [], refused, next: null }, done);
+      }
+      let from = sent.length ? 0 : null;
+      while (from !== null) {
+        const answer = (
+          /** @type {any} */
+          await ask({ kind: "class", do: "read", files: sent, from })
+        );
+        from = answer.next;
+        await found(answer, done);
+      }
+    }
+  }
+  function* parcels(files) {
+    let parcel = [];
+    let bytes = 0;
+    for (const file of files) {
+      if (parcel.length && (bytes + file.size > PARCEL_BYTES || parcel.length >= PARCEL_FILES)) {
+        yield parcel;
+        [parcel, bytes] = [[], 0];
+      }
+      parcel.push(file);
+      bytes += file.size;
+    }
+    if (parcel.length) yield parcel;
+  }
+  function tooLarge(file) {
+    if (file.size <= MOST_JSON) return "";
+    if (!file.name.toLowerCase().endsWith(".zip")) {
+      return "this file is too large to be a file of answers";
+    }
+    return file.size > MOST_ZIP ? "this zip is too large for a page: use “carts class”" : "";
+  }
+  function asBase64(file) {
+    return new Promise((resolve) => {
+      const reader2 = new FileReader();
+      reader2.onload = () => resolve(String(reader2.result).split(",")[1] ?? "");
+      reader2.onerror = () => resolve(null);
+      reader2.readAsDataURL(file);
+    });
+  }
+
+  // src/class/list.js
+  function fileList(classroom, changed) {
+    const root = (
+      /** @type {HTMLDetailsElement} */
+      html("details", "carts-class-list")
+    );
+    const title = html("summary", "", "Files");
+    const rows = html("ul");
+    root.append(title, rows);
+    const fill = () => {
+      if (!root.open) return rows.replaceChildren();
+      rows.replaceChildren(
+        ...classroom.files.map((file) => {
+          const line = html("li");
+          const label = html("label");
+          const box = (
+            /** @type {HTMLInputElement} */
+            html("input")
+          );
+          Object.assign(box, { type: "checkbox", checked: !file.out });
+          box.addEventListener("change", () => {
+            file.out = !box.checked;
+            changed();
+          });
+          const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
+          const [name, , lesson, , student, form] = file.row;
+          label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
+          label.append(html("span", "carts-class-quiet", name));
+          line.append(label);
+          return line;
+        })
+      );
+    };
+    root.addEventListener("toggle", fill);
+    const draw = () => {
+      const out = classroom.files.filter((file) => file.out).length;
+      const left = out ? `, ${out} left out` : "";
+      const keys = classroom.keys.length ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}` : ", no key yet";
+      say(title, `Files: ${classroom.files.length}${left}${keys}`);
+      fill();
+    };
+    return { root, draw };
+  }
+  function typedCodes(classroom, changed) {
+    const root = html("details", "carts-class-codes");
+    root.append(html("summary", "", "Typed codes"));
+    const label = html("label", "", "A line each: code word, form, code");
+    const box = (
+      /** @type {HTMLTextAreaElement} */
+      html("textarea")
+    );
+    Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
+    box.addEventListener("change", () => {
+      classroom.codes = box.value;
+      changed();
+    });
+    label.append(box);
+    root.append(label);
+    const draw = () => {
+      if (box.value !== classroom.codes) box.value = classroom.codes;
+    };
+    return { root, draw };
+  }
+
+  // src/class/reader.js
+  function reader(classroom, marked) {
+    const root = (
+      /** @type {HTMLDetailsElement} */
+      html("details", "carts-class-reader")
+    );
+    const title = html("summary", "", "Read and mark");
+    const body = html("div");
+    root.append(title, body);
+    let questions = [];
+    let chosen = "";
+    let at = 0;
+    const name = (one) => `${one.lesson} · ${one.form} · ${one.id}`;
+    const question = () => questions.find((one) => name(one) === chosen) ?? questions[0];
+    const markOf = (one, student) => classroom.marks.get(JSON.stringify([one.lesson, one.form, plain(student), one.id]))?.marks;
+    const give = (one, marks) => {
+      const answer = one.answers[at];
+      if (!answer || marks > one.worth) return;
+      const { lesson, form, id: item } = one;
+      classroom.give({ lesson, form, student: answer.student, item, marks });
+      at = Math.min(at + 1, one.answers.length - 1);
+      show();
+      marked();
+    };
+    const show = () => {
+      const one = question();
+      root.hidden = !one;
+      if (!one) return;
+      at = Math.min(at, one.answers.length - 1);
+      const answer = one.answers[at];
+      const done = one.answers.filter(({ student }) => markOf(one, student) !== void 0).length;
+      say(
+        title,
+        `Read and mark: ${questions.length === 1 ? "1 question" : `${questions.length} questions`}`
+      );
+      const pick = (
+        /** @type {HTMLSelectElement} */
+        html("select", "carts-class-question")
+      );
+      pick.setAttribute("aria-label", "Question");
+      pick.append(...questions.map((q) => new Option(name(q), name(q), false, q === one)));
+      pick.addEventListener("change", () => {
+        chosen = pick.value;
+        at = 0;
+        show();
+      });
+      const card = html("div", "carts-class-answer");
+      card.tabIndex = 0;
+      card.setAttribute("role", "group");
+      card.setAttribute("aria-label", "Answer; the keys 0, 1, 2 give marks");
+      if (answer) {
+        const given = markOf(one, answer.student);
+        const head = html("p", "carts-class-quiet");
+        head.append(
+          `${at + 1} of ${one.answers.length} · `,
+          html("bdi", "", answer.student),
+          given === void 0 ? " · not marked" : ` · ${given} of ${one.worth}`
+        );
+        card.append(head, html("p", "carts-class-text", answer.text));
+      }
+      const row = html("p", "carts-class-row");
+      for (let marks = 0; marks <= one.worth; marks += 1) {
+        row.append(
+          button(String(marks), () => give(one, marks), "carts-class-mark"),
+          " "
+        );
+      }
+      const step = (by) => () => {
+        at = Math.max(0, Math.min(one.answers.length - 1, at + by));
+        show();
+      };
+      row.append(button("Back", step(-1)), " ", button("Skip", step(1)));
+      const rubric = html("ul", "carts-class-rubric");
+      for (const [marks, text] of Object.entries(one.rubric)) {
+        rubric.append(html("li", "", `${marks}: ${text}`));
+      }
+      const focused = body.contains(document.activeElement);
+      body.replaceChildren(
+        pick,
+        html("p", "", one.ask),
+        rubric,
+        card,
+        row,
+        html("p", "carts-class-quiet", `${done} of ${one.answers.length} marked.`)
+      );
+      if (focused) card.focus({ preventScroll: true });
+    };
+    body.addEventListener("keydown", (event) => {
+      const one = question();
+      const inBox = event.target instanceof HTMLSelectElement;
+      if (!one || inBox || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (/^\d$/.test(event.key) && Number(event.key) <= one.worth) {
+        event.preventDefault();
+        give(one, Number(event.key));
+      }
+    });
+    return {
+      root,
+      /** @param {Words[]} found */
+      draw(found) {
+        questions = found;
+        show();
+      }
+    };
+  }
+
+  // src/answers/download.js
+  function download(name, text, type) {
+    const link = document.createElement("a");
+    const address = URL.createObjectURL(new Blob([text], { type }));
+    link.href = address;
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(address), 1e4);
+  }
+
+  // src/picture.js
+  var PIXELS = 2;
+  async function asPng(text) {
+    const image = new Image();
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    canvas.width = image.naturalWidth * PIXELS;
+    canvas.height = image.naturalHeight * PIXELS;
+    canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return new Promise((resolve, reject) => {
+      canvas.toBlob(
+        (blob) => blob ? resolve(blob) : reject(new Error("no picture was made")),
+        "image/png"
+      );
+    });
+  }
+
+  // src/class/plots.js
+  var WIDTH = 620;
+  var GAP = 16;
+  var LOOKS = [
+    "fill",
+    "stroke",
+    "stroke-width",
+    "opacity",
+    "font-size",
+    "font-family",
+    "text-anchor"
+  ];
+  async function plotsAsPng(report) {
+    const plots = (
+      /** @type {SVGSVGElement[]} */
+      [...report.querySelectorAll(".carts-class-plot")]
+    );
+    if (!plots.length) return null;
+    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH });
+    const paper = getComputedStyle(report).getPropertyValue("--carts-paper").trim() || "#fff";
+    const sheet = svg("rect", { width: WIDTH, fill: paper });
+    whole.append(sheet);
+    let y = GAP;
+    for (const plot of plots) {
+      const copy = (
+        /** @type {SVGSVGElement} */
+        plot.cloneNode(true)
+      );
+      const [from, to] = [[...plot.querySelectorAll("*")], [...copy.querySelectorAll("*")]];
+      from.forEach((part, k) => {
+        const style = getComputedStyle(part);
+        for (const look of LOOKS)
+          to[k]?.setAttribute(look, style.getPropertyValue(look).replaceAll('"', "'"));
+      });
+      const { width, height } = plot.viewBox.baseVal;
+      for (const [name, value] of Object.entries({ x: 0, y, width, height })) {
+        copy.setAttribute(name, String(value));
+      }
+      whole.append(copy);
+      y += height + GAP;
+    }
+    for (const part of [whole, sheet]) part.setAttribute("height", String(y));
+    return asPng(new XMLSerializer().serializeToString(whole));
+  }
+
+  // src/class/saves.js
+  function actions({ element, report, ask, say: say2, clear }) {
+    const root = html("div", "carts-class-actions");
+    const save = (what, name, type) => async () => {
+      try {
+        const { text } = await ask(what);
+        download(name, text, type);
+        say2(`Saved as ${name}: look in your folder “Downloads”.`);
+      } catch (error) {
+        say2(
+          /** @type {Error} */
+          error.message
+        );
+      }
+    };
+    const marks = button(
+      "Save marks",
+      () => {
+        download("class.marks.json", element.classroom.marksFile(), "application/json");
+        say2("Saved as class.marks.json. Drop it here with the files next time.");
+      },
+      "carts-class-save-marks"
+    );
+    const row = html("p", "carts-class-row");
+    row.append(
+      button("Print", () => window.print(), "carts-class-print"),
+      " ",
+      button("Save report", save("html", "class-results.html", "text/html"), "carts-class-save-html"),
+      " ",
+      button("Students (CSV)", save("csv", "class-students.csv", "text/csv"), "carts-class-save-csv"),
+      " ",
+      button(
+        "Questions (CSV)",
+        save("items", "class-questions.csv", "text/csv"),
+        "carts-class-save-items"
+      ),
+      " ",
+      button(
+        "Plots (PNG)",
+        async () => {
+          const picture = await plotsAsPng(report);
+          if (!picture) return say2("There is no plot yet: it takes five students and a key.");
+          downloadBlob("class-plots.png", picture);
+          return say2("Saved as class-plots.png.");
+        },
+        "carts-class-save-png"
+      ),
+      " ",
+      marks
+    );
+    const remove = askingButton(
+      "Delete everything",
+      "Forget all files, codes and marks on this page?",
+      "Delete",
+      clear,
+      "carts-class-clear"
+    );
+    root.append(row, remove);
+    const draw = () => {
+      root.hidden = element.classroom.empty;
+      marks.hidden = !element.classroom.marks.size;
+    };
+    return { root, draw };
+  }
+  function downloadBlob(name, blob) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
+  }
+
+  // src/class/element.js
+  var PACKAGES = ["numpy", "scipy"];
+  var SOON = 700;
+  function classElement(client) {
+    return class CartsClass extends HTMLElement {
+      classroom = new Classroom();
+      /** Whether Python has scipy by now. */
+      inference = false;
+      /** Resolves when everything that was dropped is read and shown. @type {Promise<void>} */
+      complete = Promise.resolve();
+      /** @type {Promise<void> | null} */
+      #statistics = null;
+      #reading = 0;
+      #drawn = 0;
+      #lifetime = 0;
+      #status = html("p", "carts-class-status");
+      #bar = (
+        /** @type {HTMLProgressElement} */
+        html("progress", "carts-class-progress")
+      );
+      #report = html("div", "carts-class-report");
+      /** @type {(() => void)[]} */
+      #parts = [];
+      /** @type {ReturnType<typeof reader> | null} */
+      #reader = null;
+      connectedCallback() {
+        if (this.#parts.length) return;
+        this.classList.add("carts", "carts-class");
+        const change = () => void this.show();
+        const field2 = drops(this.classroom, (files, group) => this.take(files, group), change);
+        const list = fileList(this.classroom, change);
+        const codes = typedCodes(this.classroom, change);
+        this.#reader = reader(this.classroom, change);
+        const doing = actions({
+          element: this,
+          report: this.#report,
+          ask: (what) => this.#ask({ ...this.classroom.told(), do: "save", what, inference: this.inference }),
+          say: (text) => say(this.#status, text),
+          clear: () => this.clear()
+        });
+        this.#parts = [field2.draw, list.draw, codes.draw, doing.draw];
+        this.#status.setAttribute("role", "status");
+        this.#bar.hidden = true;
+        const controls = html("div", "carts-class-controls");
+        controls.append(
+          field2.root,
+          this.#status,
+          this.#bar,
+          list.root,
+          codes.root,
+          this.#reader.root,
+          doing.root
+        );
+        this.replaceChildren(controls, this.#report);
+        this.#redraw();
+        this.dataset.state = "ready";
+      }
+      /** Reads files into a group. @param {File[]} files @param {number} group */
+      take(files, group) {
+        this.#reading += 1;
+        const reading = this.complete.then(() => this.#take(files, group));
+        this.complete = reading.finally(() => {
+          this.#reading -= 1;
+        });
+        return this.complete;
+      }
+      /** @param {File[]} files @param {number} group */
+      async #take(files, group) {
+        const lifetime = this.#lifetime;
+        const begun = performance.now();
+        say(this.#status, client.state === "ready" ? "Reading …" : "Starting Python …");
+        Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
+        let soon = 0;
+        try {
+          await readAll(
+            files,
+            (message) => this.#ask(message),
+            async (found, done) => {
+              if (lifetime !== this.#lifetime) throw new Error("cleared");
+              soon ||= performance.now() + SOON;
+              this.classroom.take(found, group);
+              this.#bar.value = done;
+              say(this.#status, `${done} of ${files.length} files read`);
+              if (!this.#drawn && this.classroom.files.length && performance.now() > soon)
+                await this.show();
+            }
+          );
+          await this.show();
+          const took = ((performance.now() - begun) / 1e3).toFixed(1);
+          say(
+            this.#status,
+            `${files.length} ${files.length === 1 ? "file" : "files"} read in ${took} s.`
+          );
+          void this.#addStatistics();
+        } catch (error) {
+          if (lifetime !== this.#lifetime) return;
+          say(
+            this.#status,
+            /** @type {Error} */
+            error.message
+          );
+        } finally {
+          this.#bar.hidden = true;
+        }
+      }
+      /** Loads scipy once; then the report has intervals and tests. */
+      #addStatistics() {
+        this.#statistics ??= client.need(PACKAGES).then(
+          async () => {
+            await this.#ask({ kind: "class", do: "ready" });
+            this.inference = true;
+            await this.show();
+            this.dataset.state = "complete";
+          },
+          (error) => {
+            this.#statistics = null;
+            say(this.#status, `Means are shown; intervals and tests are not there: ${error.message}`);
+          }
+        );
+        return this.#statistics;
+      }
+      /** Asks for the report on what is here and shows it. */
+      async show() {
+        this.#redraw();
+        const { classroom } = this;
+        if (classroom.empty) return this.#report.replaceChildren();
+        const lifetime = this.#lifetime;
+        try {
+          const { header } = await client.ask(this, () => ({
+            ...this.classroom.told(),
+            do: "report",
+            inference: this.inference
+          }));
+          if (lifetime !== this.#lifetime) return;
+          const made = document.createElement("template");
+          made.innerHTML = /** @type {any} */
+          header.html;
+          const open = [...this.#report.querySelectorAll("details[open] > summary")].map(
+            (summary) => summary.textContent
+          );
+          this.#report.replaceChildren(made.content);
+          for (const details of this.#report.querySelectorAll("details")) {
+            details.open = open.includes(details.querySelector("summary")?.textContent ?? "");
+          }
+          this.#drawn += 1;
+          if (this.#drawn === 1) performance.mark("carts:class-means");
+          this.#reader?.draw(
+            /** @type {any} */
+            header.words
+          );
+          this.#redraw();
+        } catch (error) {
+          say(
+            this.#status,
+            /** @type {Error} */
+            error.message
+          );
+        }
+      }
+      /** Forgets everything that was dropped and typed. */
+      clear() {
+        this.#lifetime += 1;
+        const kept = this.classroom;
+        Object.assign(kept, new Classroom());
+        this.#drawn = 0;
+        this.#report.replaceChildren();
+        this.#reader?.draw([]);
+        this.#redraw();
+        this.dataset.state = "ready";
+        say(
+          this.#status,
+          "Everything is deleted from this page. The files themselves are where they were."
+        );
+      }
+      #redraw() {
+        for (const draw of this.#parts) draw();
+      }
+      /** @param {Record<string, unknown>} message @returns {Promise<Record<string, any>>} */
+      async #ask(message) {
+        const { header } = await client.ask({}, () => message);
+        return (
+          /** @type {any} */
+          header
+        );
+      }
+    };
+  }
+
+  // src/client.js
+  var RESTARTS = 3;
+  var Client = class extends EventTarget {
+    /** @type {State} */
+    state = "idle";
+    /** @type {(Error & {reason?: string}) | null} */
+    error = null;
+    /** @type {Runtime | null} */
+    #runtime = null;
+    /** @type {Job[]} */
+    #waiting = [];
+    /** @type {Job | null} */
+    #flying = null;
+    #restarts = 0;
+    #lastId = 0;
+    /** @type {string[]} packages that were asked for after the start */
+    #asked = [];
+    /** @type {string[]} those of them that Python has, and gets again after a restart */
+    #more = [];
+    /** @type {Promise<void>} when they are there */
+    #growing = Promise.resolve();
+    /** @param {Start} start */
+    constructor(start) {
+      super();
+      this.start = start;
+    }
+    /** Starts Python if nobody has yet. */
+    wake() {
+      if (this.state === "idle") void this.#boot();
+    }
+    /**
+     * Has packages that no scene of the page called for. A second Python starts with them and takes
+     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+     * @param {string[]} names @returns {Promise<void>}
+     */
+    need(names) {
+      if (names.every((name) => this.#asked.includes(name))) return this.#growing;
+      const before = this.#asked;
+      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
+      const needed = this.#growing.catch(() => {
+      }).then(() => this.#grow(this.#asked));
+      this.#growing = needed;
+      needed.catch(() => {
+        this.#asked = before;
+      });
+      return needed;
+    }
+    /** @param {string[]} names */
+    async #grow(names) {
+      this.wake();
+      await this.#settled();
+      if (this.state === "failed") throw this.error;
+      this.#use(await this.start(names));
+      this.#more = names;
+      this.#become("ready");
+      this.#next();
+    }
+    /** Resolves when Python is not just starting. @returns {Promise<void>} */
+    #settled() {
+      if (this.state !== "starting") return Promise.resolve();
+      return new Promise((resolve) => {
+        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
+      });
+    }
+    /**
+     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
+     * both promises then get the newer answer.
+     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
+     */
+    ask(owner, message) {
+      if (this.state === "failed") return Promise.reject(this.error);
+      this.wake();
+      return new Promise((resolve, reject) => {
+        const settle = { resolve, reject };
+        const older = this.#waiting.find((job) => job.owner === owner);
+        if (older) {
+          older.message = message;
+          older.settle.push(settle);
+        } else this.#waiting.push({ owner, message, settle: [settle] });
+        this.#next();
+      });
+    }
+    #next() {
+      if (this.#flying || !this.#runtime) return;
+      const job = this.#waiting.shift();
+      if (!job) return;
+      this.#flying = job;
+      const runtime = this.#runtime;
+      this.#lastId += 1;
+      const sent = { ...job.message(), id: this.#lastId };
+      const landed = () => {
+        if (runtime !== this.#runtime || this.#flying !== job) return false;
+        this.#flying = null;
+        return true;
+      };
+      runtime.request(sent).then(
+        (reply) => {
+          if (!landed()) return;
+          this.#restarts = 0;
+          for (const { resolve } of job.settle) resolve({ ...reply, sent });
+          this.#next();
+        },
+        (error) => {
+          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (!landed()) return;
+          for (const { reject } of job.settle) reject(error);
+          this.#next();
+        }
+      );
+    }
+    async #boot() {
+      this.#become("starting");
+      try {
+        this.#use(await this.start(this.#more));
+        this.#become("ready");
+        this.#next();
+      } catch (error) {
+        this.#fail(error);
+      }
+    }
+    /** @param {Runtime} runtime @param {unknown} reason */
+    #lost(runtime, reason) {
+      if (runtime !== this.#runtime) return;
+      this.#runtime = null;
+      runtime.stop();
+      this.#takeBack();
+      this.#restarts += 1;
+      if (this.#restarts > RESTARTS) this.#fail(reason);
+      else void this.#boot();
+    }
+    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
+    #use(runtime) {
+      const older = this.#runtime;
+      runtime.onlost = (reason) => this.#lost(runtime, reason);
+      this.#runtime = runtime;
+      older?.stop();
+      this.#takeBack();
+    }
+    /** The request under way waits again, in front: whoever could answer it is gone. */
+    #takeBack() {
+      const job = this.#flying;
+      this.#flying = null;
+      if (!job) return;
+      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+      if (newer) newer.settle.unshift(...job.settle);
+      else this.#waiting.unshift(job);
+    }
+    /** @param {unknown} reason */
+    #fail(reason) {
+      this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
+      this.#become("failed");
+      for (const { settle } of this.#waiting.splice(0)) {
+        for (const { reject } of settle) reject(this.error);
+      }
+    }
+    /** @param {State} state */
+    #become(state) {
+      this.state = state;
+      this.dispatchEvent(new Event("state"));
+    }
+  };
+
+  // src/features.js
+  function missingFeatures() {
+    const needed = [
+      ["custom elements", typeof customElements === "object"],
+      ["WebAssembly", typeof WebAssembly === "object"],
+      ["workers", typeof Worker === "function"],
+      ["decompression", typeof DecompressionStream === "function"],
+      ["array methods", typeof Array.prototype.findLast === "function"],
+      ["container queries", typeof CSS === "object" && CSS.supports("container-type: inline-size")]
+    ];
+    return needed.filter(([, there]) => !there).map(([name]) => name);
+  }
+
+  // src/runtime-failure.js
+  var MESSAGES = {
+    "not-packed": "This page was built without Python. It shows only the runs that came with it.",
+    "payload-missing": "A file of this page is missing, so Python can't start. Copy the whole folder again.",
+    "payload-damaged": "A file of this page is damaged, so Python can't start. Copy the whole folder again.",
+    "no-wasm": "This browser has no WebAssembly, so Python can't start here. Try another browser.",
+    "wasm-refused": "This browser, or the rules of this network, do not allow Python to start. Try another browser.",
+    "too-old": "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer.",
+    "worker-refused": "This browser does not let the page start Python. Try another browser.",
+    "worker-lost": "Python stopped. It may have run out of memory.",
+    "snapshot-refused": "Python could not start the quick way.",
+    "python-failed": "Python could not start. Copy the whole folder again or try another browser.",
+    stalled: "Python does not answer. Close other programs and load the page again.",
+    stopped: "Python was stopped."
+  };
+  var RuntimeFailure = class extends Error {
+    /**
+     * @param {Reason} reason
+     * @param {string} [detail]
+     * @param {string} [file] the payload that is missing or damaged
+     */
+    constructor(reason, detail = "", file = "") {
+      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      this.name = "RuntimeFailure";
+      this.reason = reason;
+      this.detail = detail;
+      this.file = file;
+    }
+  };
+
+  // src/leaving.js
+  var STAYS = 3e3;
+  var leaving = false;
+  var waiting = [];
+  function stay() {
+    leaving = false;
+    for (const go of waiting) go();
+    waiting = [];
+  }
+  addEventListener("beforeunload", () => {
+    leaving = true;
+    setTimeout(stay, STAYS);
+  });
+  addEventListener("pagehide", () => {
+    leaving = true;
+  });
+  addEventListener("pageshow", stay);
+  var isLeaving = () => leaving;
+  function staying() {
+    return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
+  }
+
+  // src/runtime-watch.js
+  var SECOND = 1e3;
+  var PATIENCE = 8;
+  function watch(patience, late) {
+    let left = patience;
+    const timer = setInterval(() => {
+      left -= 1;
+      if (left > 0) return;
+      clearInterval(timer);
+      late();
+    }, SECOND);
+    return {
+      progress() {
+        left = patience;
+      },
+      stop() {
+        clearInterval(timer);
+      }
+    };
+  }
+
+  // src/runtime-payload.js
+  var page = self;
+  var indexes = /* @__PURE__ */ new Map();
+  function runScript(src, name) {
+    return new Promise((resolve, reject) => {
+      const script = document.createElement("script");
+      script.src = src;
+      script.async = true;
+      const settle = (then) => () => {
+        script.remove();
+        then();
+      };
+      script.onload = settle(resolve);
+      script.onerror = settle(() => {
+        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name));
+      });
+      document.head.append(script);
+    });
+  }
+  function patiently(promise) {
+    return new Promise((resolve, reject) => {
+      const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
+      promise.then(resolve, reject).finally(waiting2.stop);
+    });
+  }
+  function loadIndex(base) {
+    const known = indexes.get(base);
+    if (known) return known;
+    const loading = patiently(runScript(`${base}index.js`, "index.js")).then(() => {
+      const index = page.__cartsRuntime;
+      delete page.__cartsRuntime;
+      if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
+      if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
+      return index;
+    });
+    loading.catch(() => indexes.delete(base));
+    indexes.set(base, loading);
+    return loading;
+  }
+  async function loadPart(base, name, number, part) {
+    await runScript(base + part.src, name);
+    const key = `${name}.${number}`;
+    const text = page.__cartsParts?.[key];
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
+    delete page.__cartsParts[key];
+    const bytes = decode(text, part.src, name);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name);
+    }
+    return bytes;
+  }
+  function decode(text, src, name) {
+    try {
+      const fast = Uint8Array;
+      return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    } catch {
+      throw new RuntimeFailure("payload-damaged", src, name);
+    }
+  }
+  async function matches(bytes, sha256) {
+    if (!globalThis.crypto?.subtle) return true;
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
+  }
+  async function gunzip(parts) {
+    const zip = new DecompressionStream("gzip");
+    const writer = zip.writable.getWriter();
+    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    return bytes;
+  }
+
+  // src/runtime-wasm.js
+  var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
+  function requireWasm() {
+    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
+    try {
+      new WebAssembly.Module(NOTHING);
+    } catch (error) {
+      throw new RuntimeFailure("wasm-refused", String(error));
+    }
+  }
+  async function compile(parts) {
+    const zip = new DecompressionStream("gzip");
+    const headers = { "Content-Type": "application/wasm" };
+    const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
+    const written = write(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written]);
+    return module;
+  }
+  async function write(writer, parts) {
+    for (const part of parts) await writer.write(await part);
+    await writer.close();
+  }
+
+  // as-text:src/worker.js
+  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+
+  // src/runtime-start.js
+  var SNAPSHOT = "memory.snapshot";
+  var LOADER = "pyodide.js";
+  var WASM = "pyodide.asm.wasm";
+  var STDLIB = "python.zip";
+  var MORE = "python-more.zip";
+  var modules = /* @__PURE__ */ new Map();
+  var Start = class {
+    /**
+     * @param {{folder: string, index: Index, packages: string[],
+     *   onProgress: (progress: Progress) => void}} options
+     * @param {boolean} snapshot
+     */
+    constructor({ folder, index, packages, onProgress }, snapshot) {
+      this.folder = folder;
+      this.index = index;
+      this.packages = packages;
+      this.onProgress = onProgress;
+      this.snapshot = snapshot;
+      this.worker = null;
+      this.over = false;
+      this.done = 0;
+      this.names = this.files();
+      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
+    }
+    /** The files to load, the most urgent first. */
+    files() {
+      const { index, packages, snapshot } = this;
+      const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
+      if (snapshot) names.push(SNAPSHOT);
+      names.push(STDLIB);
+      if (packages.length && index.tableAt) names.push(MORE);
+      names.push(...this.toLoad().map((name) => index.wheels[name]));
+      if (names.every((name) => name in index.files)) return names;
+      throw new RuntimeFailure("not-packed", index.missing || packages.join());
+    }
+    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
+    toLoad() {
+      const { index, packages, snapshot } = this;
+      const ours = !snapshot || packages.length > 0 && index.later.length > 0;
+      return ours ? [index.package, ...packages] : packages;
+    }
+    /** @returns {Promise<Started>} */
+    async run() {
+      let reject = () => {
+      };
+      const failed = new Promise((_, no) => {
+        reject = no;
+      });
+      this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+      try {
+        const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
+        return await Promise.race([failed, this.boot(parts, reject)]);
+      } catch (error) {
+        this.worker?.terminate();
+        throw error;
+      } finally {
+        this.over = true;
+        this.watch.stop();
+      }
+    }
+    /**
+     * All parts of a file are asked for at once and come in any order.
+     * @param {string} name
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
+     */
+    load(name, reject) {
+      return this.index.files[name].parts.map(async (part, number) => {
+        try {
+          const bytes = await loadPart(this.folder, name, number, part);
+          this.done += part.size;
+          this.progress(name);
+          return bytes;
+        } catch (error) {
+          reject(
+            /** @type {RuntimeFailure} */
+            error
+          );
+          return new Promise(() => {
+          });
+        }
+      });
+    }
+    /** @param {string} stage */
+    progress(stage) {
+      if (this.over) return;
+      this.watch?.progress();
+      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
+    }
+    /**
+     * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<any>}
+     */
+    async boot(parts, reject) {
+      const compiling = this.module(parts.get(WASM) ?? []);
+      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+      const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
+      if (this.over) return null;
+      const { worker, address } = startWorker(loader);
+      this.worker = worker;
+      const ready = new Promise((resolve) => {
+        worker.onmessage = ({ data }) => {
+          if (data.tell === "hello") URL.revokeObjectURL(address);
+          else if (data.tell === "ready") resolve(data);
+          else if (data.tell === "failed") {
+            reject(new RuntimeFailure(data.reason, data.detail, data.file));
+          }
+          this.progress(data.stage ?? data.tell);
+        };
+        worker.onerror = (event) => {
+          event.preventDefault();
+          reject(new RuntimeFailure("worker-refused", event.message));
+        };
+      });
+      const { index, packages, snapshot } = this;
+      worker.postMessage({
+        do: "boot",
+        lock: index.lock,
+        entry: index.entry,
+        snapshot,
+        tableAt: packages.length ? index.tableAt : 0,
+        load: this.toLoad(),
+        modules: packages.length ? [...packages, ...index.later] : []
+      });
+      for (const [name, its] of parts) if (name !== LOADER && name !== WASM) this.send(name, its);
+      worker.postMessage({ do: "wasm", module: await compiling });
+      this.progress(WASM);
+      const { start } = await ready;
+      this.onProgress({ fraction: 1, stage: "ready" });
+      return { worker, start };
+    }
+    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
+    async module(parts) {
+      const module = modules.get(this.folder) ?? await compile(parts);
+      modules.set(this.folder, module);
+      return module;
+    }
+    /**
+     * @param {string} name
+     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
+     */
+    async send(name, parts) {
+      for (const [number, part] of parts.entries()) {
+        const bytes = await part;
+        if (this.over) return;
+        const last = number === parts.length - 1;
+        this.worker?.postMessage({ do: "part", name, bytes, last }, [bytes.buffer]);
+      }
+    }
+  };
+  function startWorker(loader) {
+    const address = URL.createObjectURL(new Blob([loader, worker_default], { type: "text/javascript" }));
+    try {
+      return { worker: new Worker(address), address };
+    } catch (error) {
+      throw new RuntimeFailure("worker-refused", String(error));
+    }
+  }
+
+  // src/runtime.js
+  var PICK_UP = 3;
+  async function startRuntime({ base, packages = [], onProgress = () => {
+  } }) {
+    requireWasm();
+    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
+    const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
+    const index = await loadIndex(folder);
+    const options = { folder, index, packages: order(packages), onProgress };
+    const start = (snapshot) => new Start(options, snapshot).run();
+    if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
+    try {
+      return new Runtime(await start(true));
+    } catch (error) {
+      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
+      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
+      return new Runtime(await start(false));
+    }
+  }
+  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
+  var order = (packages) => [
+    ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
+  ];
+  var Runtime = class {
+    /** @param {import("./runtime-start.js").Started} started */
+    constructor({ worker, start }) {
+      this.start = start;
+      this.onlost = () => {
+      };
+      this.worker = worker;
+      this.gone = "";
+      this.number = 0;
+      this.queue = [];
+      worker.onmessage = ({ data }) => this.hear(data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        this.lose("worker-lost", event.message);
+      };
+    }
+    /**
+     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
+     * @param {object} message
+     * @returns {Promise<Answer>}
+     */
+    request(message) {
+      if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
+      return new Promise((resolve, reject) => {
+        this.number += 1;
+        this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
+        if (this.queue.length === 1) this.send();
+      });
+    }
+    /** Ends Python. What is under way is rejected. */
+    stop() {
+      this.end("stopped", "");
+    }
+    send() {
+      const next = this.queue[0];
+      if (!next) return;
+      this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
+      this.worker.postMessage({ do: "request", number: next.number, text: next.text });
+    }
+    /** @param {any} data */
+    hear(data) {
+      const current = this.queue[0];
+      if (data.number !== current?.number) return;
+      this.watch?.stop();
+      if (data.tell === "begun") {
+        this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        return;
+      }
+      this.queue.shift();
+      if (data.tell === "answer") {
+        current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
+      } else {
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        if (data.dead) this.lose("worker-lost", data.detail);
+      }
+      if (!this.gone) this.send();
+    }
+    /** @param {Reason} reason @param {string} detail */
+    lose(reason, detail) {
+      if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
+    }
+    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
+    end(reason, detail) {
+      if (this.gone) return false;
+      this.gone = reason;
+      this.watch?.stop();
+      this.worker.terminate();
+      for (const { reject } of this.queue.splice(0)) reject(new RuntimeFailure(reason, detail));
+      return true;
+    }
+  };
+
+  // src/class-main.js
+  var own = (
+    /** @type {HTMLScriptElement | null} */
+    document.currentScript?.src ?? document.baseURI
+  );
+  var CLASSROOM = "newtons-carts-class";
+  var missing = missingFeatures();
+  if (missing.length) {
+    for (const place of document.querySelectorAll("carts-class")) {
+      place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
+    }
+  } else {
+    const base = new URL("runtime/", own).href;
+    const client = new Client((more) => startRuntime({ base, packages: [CLASSROOM, ...more] }));
+    customElements.define("carts-class", classElement(client));
+    if (typeof requestIdleCallback === "function") {
+      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
+    } else setTimeout(() => client.wake(), 200);
+  }
+})();

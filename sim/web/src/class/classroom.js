@@ -1,0 +1,78 @@
+/** What the teacher has dropped on the page so far. Nothing of it is kept when the page is closed. */
+
+/** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/records.py */
+/** @typedef {{row: Row, group: number, out: boolean}} Held `out`: left out by the teacher */
+/** @typedef {{lesson: string, form: string, student: string, item: string, marks: number}} GivenMark */
+/** @typedef {{records: Row[], keys: string[], marks: GivenMark[], refused: [string, string][], next: number | null}} Found */
+
+export const WHOLE = "class";
+
+export class Classroom {
+  /** @type {Held[]} */
+  files = [];
+  /** @type {string[]} the texts of key files */
+  keys = [];
+  /** @type {Map<string, GivenMark>} */
+  marks = new Map();
+  /** @type {[string, string][]} */
+  refused = [];
+  codes = "";
+  two = false;
+  /** @type {[string, string]} */
+  names = ["experimental", "control"];
+
+  /** @returns {boolean} whether there is nothing here */
+  get empty() {
+    return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
+  }
+
+  /** @returns {string[]} the names of the groups, each once */
+  get groups() {
+    if (!this.two) return [WHOLE];
+    const [one, other] = this.names.map((name, k) => name.trim() || `group ${k + 1}`);
+    return [one ?? "", one === other ? `${other} (2)` : (other ?? "")];
+  }
+
+  /** @param {Found} found @param {number} group */
+  take(found, group) {
+    for (const row of found.records) this.files.push({ row, group, out: false });
+    for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
+    for (const mark of found.marks) this.give(mark);
+    this.refused.push(...found.refused);
+  }
+
+  /** @param {GivenMark} mark */
+  give(mark) {
+    const { lesson, form, student, item } = mark;
+    this.marks.set(JSON.stringify([lesson, form, plain(student), item]), mark);
+  }
+
+  /** What Python is told with every question. @returns {Record<string, unknown>} */
+  told() {
+    const { groups } = this;
+    return {
+      kind: "class",
+      records: this.files
+        .filter((file) => !file.out)
+        .map(({ row, group }) => [row, groups[this.two ? group : 0]]),
+      keys: this.keys,
+      marks: [...this.marks.values()],
+      refused: this.refused,
+      codes: this.codes,
+      groups,
+      now: new Date().toISOString(),
+    };
+  }
+
+  /** @returns {string} the text of a file with the teacher's marks */
+  marksFile() {
+    const rows = [...this.marks.values()].map((mark) => ({
+      ...mark,
+      student: plain(mark.student),
+    }));
+    return `${JSON.stringify({ format: 1, kind: "newtons-carts-marks", marks: rows }, null, 1)}\n`;
+  }
+}
+
+/** A code word as it is compared, as in sim/classroom/marks_file.py. @param {string} student */
+export const plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();

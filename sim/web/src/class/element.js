@@ -1,0 +1,191 @@
+/** `<carts-class>`: the files of a class, read and reported by Python in the page's worker. */
+
+import { html, say } from "../dom.js";
+import { Classroom } from "./classroom.js";
+import { drops } from "./drops.js";
+import { readAll } from "./intake.js";
+import { fileList, typedCodes } from "./list.js";
+import { reader } from "./reader.js";
+import { actions } from "./saves.js";
+
+/** @typedef {import("./classroom.js").Found} Found */
+
+const PACKAGES = ["numpy", "scipy"]; // for intervals and tests; the first table does without
+const SOON = 700; // ms until a first table is made of what has been read so far
+
+/** The element class for a client. @param {import("../client.js").Client} client */
+export function classElement(client) {
+  return class CartsClass extends HTMLElement {
+    classroom = new Classroom();
+    /** Whether Python has scipy by now. */
+    inference = false;
+    /** Resolves when everything that was dropped is read and shown. @type {Promise<void>} */
+    complete = Promise.resolve();
+    /** @type {Promise<void> | null} */
+    #statistics = null;
+    #reading = 0;
+    #drawn = 0;
+    #lifetime = 0;
+    #status = html("p", "carts-class-status");
+    #bar = /** @type {HTMLProgressElement} */ (html("progress", "carts-class-progress"));
+    #report = html("div", "carts-class-report");
+    /** @type {(() => void)[]} */
+    #parts = [];
+    /** @type {ReturnType<typeof reader> | null} */
+    #reader = null;
+
+    connectedCallback() {
+      if (this.#parts.length) return;
+      this.classList.add("carts", "carts-class");
+      const change = () => void this.show();
+      const field = drops(this.classroom, (files, group) => this.take(files, group), change);
+      const list = fileList(this.classroom, change);
+      const codes = typedCodes(this.classroom, change);
+      this.#reader = reader(this.classroom, change);
+      const doing = actions({
+        element: this,
+        report: this.#report,
+        ask: (what) =>
+          this.#ask({ ...this.classroom.told(), do: "save", what, inference: this.inference }),
+        say: (text) => say(this.#status, text),
+        clear: () => this.clear(),
+      });
+      this.#parts = [field.draw, list.draw, codes.draw, doing.draw];
+      this.#status.setAttribute("role", "status");
+      this.#bar.hidden = true;
+      const controls = html("div", "carts-class-controls");
+      controls.append(
+        field.root,
+        this.#status,
+        this.#bar,
+        list.root,
+        codes.root,
+        this.#reader.root,
+        doing.root,
+      );
+      this.replaceChildren(controls, this.#report);
+      this.#redraw();
+      this.dataset.state = "ready";
+    }
+
+    /** Reads files into a group. @param {File[]} files @param {number} group */
+    take(files, group) {
+      this.#reading += 1;
+      const reading = this.complete.then(() => this.#take(files, group));
+      this.complete = reading.finally(() => {
+        this.#reading -= 1;
+      });
+      return this.complete;
+    }
+
+    /** @param {File[]} files @param {number} group */
+    async #take(files, group) {
+      const lifetime = this.#lifetime;
+      const begun = performance.now();
+      say(this.#status, client.state === "ready" ? "Reading …" : "Starting Python …");
+      Object.assign(this.#bar, { hidden: false, max: files.length, value: 0 });
+      let soon = 0;
+      try {
+        await readAll(
+          files,
+          (message) => this.#ask(message),
+          async (found, done) => {
+            if (lifetime !== this.#lifetime) throw new Error("cleared");
+            soon ||= performance.now() + SOON;
+            this.classroom.take(found, group);
+            this.#bar.value = done;
+            say(this.#status, `${done} of ${files.length} files read`);
+            if (!this.#drawn && this.classroom.files.length && performance.now() > soon)
+              await this.show();
+          },
+        );
+        await this.show();
+        const took = ((performance.now() - begun) / 1000).toFixed(1);
+        say(
+          this.#status,
+          `${files.length} ${files.length === 1 ? "file" : "files"} read in ${took} s.`,
+        );
+        void this.#addStatistics();
+      } catch (error) {
+        if (lifetime !== this.#lifetime) return;
+        say(this.#status, /** @type {Error} */ (error).message);
+      } finally {
+        this.#bar.hidden = true;
+      }
+    }
+
+    /** Loads scipy once; then the report has intervals and tests. */
+    #addStatistics() {
+      this.#statistics ??= client.need(PACKAGES).then(
+        async () => {
+          await this.#ask({ kind: "class", do: "ready" });
+          this.inference = true;
+          await this.show();
+          this.dataset.state = "complete";
+        },
+        (error) => {
+          this.#statistics = null;
+          say(this.#status, `Means are shown; intervals and tests are not there: ${error.message}`);
+        },
+      );
+      return this.#statistics;
+    }
+
+    /** Asks for the report on what is here and shows it. */
+    async show() {
+      this.#redraw();
+      const { classroom } = this;
+      if (classroom.empty) return this.#report.replaceChildren();
+      const lifetime = this.#lifetime;
+      try {
+        const { header } = await client.ask(this, () => ({
+          ...this.classroom.told(),
+          do: "report",
+          inference: this.inference,
+        }));
+        if (lifetime !== this.#lifetime) return;
+        const made = document.createElement("template");
+        made.innerHTML = /** @type {any} */ (header).html; // escaped where it was made
+        const open = [...this.#report.querySelectorAll("details[open] > summary")].map(
+          (summary) => summary.textContent,
+        );
+        this.#report.replaceChildren(made.content);
+        for (const details of this.#report.querySelectorAll("details")) {
+          details.open = open.includes(details.querySelector("summary")?.textContent ?? "");
+        }
+        this.#drawn += 1;
+        if (this.#drawn === 1) performance.mark("carts:class-means");
+        this.#reader?.draw(/** @type {any} */ (header).words);
+        this.#redraw();
+      } catch (error) {
+        say(this.#status, /** @type {Error} */ (error).message);
+      }
+    }
+
+    /** Forgets everything that was dropped and typed. */
+    clear() {
+      this.#lifetime += 1;
+      const kept = this.classroom;
+      Object.assign(kept, new Classroom());
+      this.#drawn = 0;
+      this.#report.replaceChildren();
+      this.#reader?.draw([]);
+      this.#redraw();
+      this.dataset.state = "ready";
+      say(
+        this.#status,
+        "Everything is deleted from this page. The files themselves are where they were.",
+      );
+    }
+
+    #redraw() {
+      for (const draw of this.#parts) draw();
+    }
+
+    /** @param {Record<string, unknown>} message @returns {Promise<Record<string, any>>} */
+    async #ask(message) {
+      const { header } = await client.ask({}, () => message);
+      return /** @type {any} */ (header);
+    }
+  };
+}

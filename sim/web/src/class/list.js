@@ -1,0 +1,62 @@
+/** The files that were read, each with a box to leave it out; and hand-in codes typed from paper. */
+
+import { html, say } from "../dom.js";
+
+/** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
+export function fileList(classroom, changed) {
+  const root = /** @type {HTMLDetailsElement} */ (html("details", "carts-class-list"));
+  const title = html("summary", "", "Files");
+  const rows = html("ul");
+  root.append(title, rows);
+  const fill = () => {
+    if (!root.open) return rows.replaceChildren();
+    rows.replaceChildren(
+      ...classroom.files.map((file) => {
+        const line = html("li");
+        const label = html("label");
+        const box = /** @type {HTMLInputElement} */ (html("input"));
+        Object.assign(box, { type: "checkbox", checked: !file.out });
+        box.addEventListener("change", () => {
+          file.out = !box.checked;
+          changed();
+        });
+        const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
+        const [name, , lesson, , student, form] = file.row;
+        label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
+        label.append(html("span", "carts-class-quiet", name));
+        line.append(label);
+        return line;
+      }),
+    );
+  };
+  root.addEventListener("toggle", fill);
+  const draw = () => {
+    const out = classroom.files.filter((file) => file.out).length;
+    const left = out ? `, ${out} left out` : "";
+    const keys = classroom.keys.length
+      ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}`
+      : ", no key yet";
+    say(title, `Files: ${classroom.files.length}${left}${keys}`);
+    fill();
+  };
+  return { root, draw };
+}
+
+/** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
+export function typedCodes(classroom, changed) {
+  const root = html("details", "carts-class-codes");
+  root.append(html("summary", "", "Typed codes"));
+  const label = html("label", "", "A line each: code word, form, code");
+  const box = /** @type {HTMLTextAreaElement} */ (html("textarea"));
+  Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
+  box.addEventListener("change", () => {
+    classroom.codes = box.value;
+    changed();
+  });
+  label.append(box);
+  root.append(label);
+  const draw = () => {
+    if (box.value !== classroom.codes) box.value = classroom.codes;
+  };
+  return { root, draw };
+}

@@ -1,0 +1,85 @@
+/** What can be done with a report: print it, save it, delete everything. */
+
+import { download } from "../answers/download.js";
+import { askingButton, button } from "../answers/parts.js";
+import { html } from "../dom.js";
+import { plotsAsPng } from "./plots.js";
+
+/** @typedef {{classroom: import("./classroom.js").Classroom}} Owner */
+
+/**
+ * @param {{element: Owner, report: HTMLElement, ask: (what: string) => Promise<Record<string, any>>,
+ *   say: (text: string) => void, clear: () => void}} given
+ */
+export function actions({ element, report, ask, say, clear }) {
+  const root = html("div", "carts-class-actions");
+  /** @param {string} what @param {string} name @param {string} type */
+  const save = (what, name, type) => async () => {
+    try {
+      const { text } = await ask(what);
+      download(name, text, type);
+      say(`Saved as ${name}: look in your folder “Downloads”.`);
+    } catch (error) {
+      say(/** @type {Error} */ (error).message);
+    }
+  };
+  const marks = button(
+    "Save marks",
+    () => {
+      download("class.marks.json", element.classroom.marksFile(), "application/json");
+      say("Saved as class.marks.json. Drop it here with the files next time.");
+    },
+    "carts-class-save-marks",
+  );
+  const row = html("p", "carts-class-row");
+  row.append(
+    button("Print", () => window.print(), "carts-class-print"),
+    " ",
+    button("Save report", save("html", "class-results.html", "text/html"), "carts-class-save-html"),
+    " ",
+    button("Students (CSV)", save("csv", "class-students.csv", "text/csv"), "carts-class-save-csv"),
+    " ",
+    button(
+      "Questions (CSV)",
+      save("items", "class-questions.csv", "text/csv"),
+      "carts-class-save-items",
+    ),
+    " ",
+    button(
+      "Plots (PNG)",
+      async () => {
+        const picture = await plotsAsPng(report);
+        if (!picture) return say("There is no plot yet: it takes five students and a key.");
+        downloadBlob("class-plots.png", picture);
+        return say("Saved as class-plots.png.");
+      },
+      "carts-class-save-png",
+    ),
+    " ",
+    marks,
+  );
+  const remove = askingButton(
+    "Delete everything",
+    "Forget all files, codes and marks on this page?",
+    "Delete",
+    clear,
+    "carts-class-clear",
+  );
+  root.append(row, remove);
+  const draw = () => {
+    root.hidden = element.classroom.empty;
+    marks.hidden = !element.classroom.marks.size;
+  };
+  return { root, draw };
+}
+
+/** @param {string} name @param {Blob} blob */
+function downloadBlob(name, blob) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
