@@ -11,6 +11,7 @@ from scipy import stats
 
 from sim.classroom.codes import read_codes
 from sim.classroom.reading import Reading, Source
+from sim.classroom.records import as_record, from_record
 from sim.classroom.report import Asked, class_report
 from sim.lesson.handin import encode
 from tests.classroom.makers import answers, bank, form, keys, random_class, sources
@@ -198,6 +199,11 @@ def test_a_code_that_fits_two_forms_asks_which() -> None:
     assert not read
     assert "pre or post" in refused[0].reason
     assert read_codes(f"FOX post {code}", reading.keys)[0][0].answers.form == "post"
+
+
+def test_a_record_comes_back_as_the_file_it_was() -> None:
+    for read in Reading.of(sources(random_class(bank(4, words=1), 3))).files:
+        assert from_record(json.loads(json.dumps(as_record(read)))) == read
 
 
 def test_hostile_names_stay_text() -> None:
