@@ -7,7 +7,8 @@
 is answered by a header (JSON) and one array of float64, column after column. The header of a
 refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
 what a reader or an author typed. The other kinds of request have modules of their own: `map`,
-`cost`, `how` and `hard`, see `map_answer`, `cost_answer`, `how_answer` and `hard_answer`.
+`cost`, `how`, `hard` and `model`; see `map_answer`, `cost_answer`, `how_answer`, `hard_answer` and
+`model_text`.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ Answer = tuple[dict[str, Any], "array[float]"]
 def answer(request: Mapping[str, Any]) -> Answer:
     """Answer one request."""
     identity = request.get("id")
-    if request.get("kind") in ("map", "cost", "how", "hard"):
+    if request.get("kind") in ("map", "cost", "how", "hard", "model"):
         return _other(request)
     if request.get("kind") == "class":
         return _class(request)
@@ -67,6 +68,8 @@ def _other(request: Mapping[str, Any]) -> Answer:
             from sim.bridge.cost_answer import cost_answer as asked
         elif request.get("kind") == "hard":
             from sim.bridge.hard_answer import hard_answer as asked
+        elif request.get("kind") == "model":
+            from sim.bridge.model_text import model_answer as asked
         else:
             from sim.bridge.how_answer import how_answer as asked
         header, numbers = asked(request)

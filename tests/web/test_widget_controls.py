@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -265,3 +266,32 @@ def test_a_link_restores_the_state_and_files_are_saved(
     other.goto((widget_site / "play.html").as_uri() + "#carts:play?A.mass=-1")
     live(other, "play")
     expect(other.locator("#play .carts-note")).to_contain_text("does not fit this scene")
+
+
+def test_a_program_of_the_values_on_screen_can_be_taken_along(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "meeting.html"))
+    on_scene(page, "await el.set({ 'A.mass': 2.5 })")
+    page.locator("#meeting .carts-take summary").click()
+    page.evaluate(SAVED)  # Firefox's driver tells of no downloads
+    page.locator("#meeting [data-take=program]").click()
+    page.wait_for_function("window.saved['meeting.py']")
+    text = page.locator("#meeting .carts-take textarea").input_value()
+    assert "mass = [2.5, 1.0]" in text
+    compile(text, "meeting.py", "exec")
+
+
+def test_a_hosted_page_shows_its_link_as_a_code_for_phones(
+    open_page: OpenPage, widget_site: Path, site_server: Callable[[Path], str]
+) -> None:
+    address = site_server(widget_site)
+    page = live(open_page(f"{address}/meeting.html", folder=widget_site))
+    page.locator("#meeting .carts-take summary").click()
+    page.locator("#meeting [data-take=link]").click()
+    picture = page.get_by_role("img", name="QR code of the link")
+    expect(picture).to_be_visible()
+    box = picture.bounding_box()
+    assert box and box["width"] == box["height"] >= 100
+    page.locator("#meeting [data-take=block]").click()
+    expect(picture).to_have_count(0)

@@ -96,3 +96,23 @@ def test_every_test_scene_can_be_copied_as_a_block() -> None:
     for name, block in blocks:
         plain = dict(load(block.removeprefix("```scene\n").removesuffix("```\n")).plain)
         assert read_fence(plain).scene == read_fence({"id": "one", **scenes[name]}).scene, name
+
+
+def test_the_table_tells_the_forces_of_effects_with_who_exerts_them() -> None:
+    rough = {"friction": {"coefficient": "0.02"}}
+    push = {"push": {"cart": "A", "force": "0.1 N", "until": "1 s", "by": "fan"}}
+    given = facts({**MEETING, "effects": [rough, push]})
+    text = in_node(
+        """const { fromWire } = await import(source + "/trajectory.js");
+        const { csv } = await import(source + "/csv.js");
+        const trajectory = fromWire(data.header, Float64Array.from(data.numbers));
+        const run = { header: data.header, trajectory };
+        give([csv(run, ["x", "F"], 0), csv(run, ["x", "v"], 0)]);""",
+        given,
+    )
+    heads, *rows = list(csv.reader(io.StringIO(text[0])))
+    first = dict(zip(heads, rows[0], strict=True))
+    assert float(first["force on A by fan (push) in N"]) == pytest.approx(0.1)
+    rubbing = float(first["force on A by the track (friction) in N"])
+    assert rubbing == pytest.approx(-0.02 * 0.5 * 9.81)
+    assert "force on" not in text[1]

@@ -208,7 +208,7 @@
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
       const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+      const digits = String(Math.abs(power)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
       return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
     }
     return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
@@ -260,11 +260,11 @@
     show(rows) {
       for (const [method, { group: group2, mark: mark2 }] of this.groups) {
         const places = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
-        const line = places.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join("");
+        const line = places.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join("");
         group2.replaceChildren(
           svg("path", { class: "carts-cost-line", d: line }),
           ...places.map(
-            ([x, y]) => svg("path", { class: "carts-cost-point", transform: `translate(${x} ${y})`, d: mark2 })
+            ([x2, y2]) => svg("path", { class: "carts-cost-point", transform: `translate(${x2} ${y2})`, d: mark2 })
           )
         );
       }
@@ -327,11 +327,11 @@
     show(header, numbers) {
       this.header = header;
       const { rows, bodies } = header;
-      const column = (k) => Array.from({ length: rows }, (_, row) => Number(numbers[k * rows + row]));
+      const column = (k) => Array.from({ length: rows }, (_2, row) => Number(numbers[k * rows + row]));
       this.t = column(0);
       const count2 = bodies.length;
-      this.x = bodies.map((_, k) => column(1 + k));
-      this.exact = bodies.map((_, k) => column(1 + count2 + k));
+      this.x = bodies.map((_2, k) => column(1 + k));
+      this.exact = bodies.map((_2, k) => column(1 + count2 + k));
       this.#lay();
       this.#plot(column(1 + 2 * count2), column(2 + 2 * count2));
       this.at(0);
@@ -374,22 +374,22 @@
         made3.append(shape(k, "carts-box"), name2);
         return made3;
       };
-      this.carts = bodies.map((_, k) => group2(k));
-      this.ghosts = bodies.map((_, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
+      this.carts = bodies.map((_2, k) => group2(k));
+      this.ghosts = bodies.map((_2, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
       const floor = svg("path", { class: "carts-rule", d: `M0 ${FLOOR_Y}H${WIDTH}` });
       const walls = [];
       if (track.left === "wall") walls.push(this.#place(0));
       if (track.right === "wall") walls.push(this.#place(Number(track.length)));
       this.stage.replaceChildren(
         floor,
-        ...walls.map((x) => svg("path", { class: "carts-wall-face", d: `M${px(x)} 14V${FLOOR_Y}` })),
+        ...walls.map((x2) => svg("path", { class: "carts-wall-face", d: `M${px(x2)} 14V${FLOOR_Y}` })),
         ...this.carts,
         ...this.ghosts
       );
     }
     /** @param {number} x in m */
-    #place(x) {
-      return SIDE + (x - Number(this.left)) * Number(this.scale);
+    #place(x2) {
+      return SIDE + (x2 - Number(this.left)) * Number(this.scale);
     }
     /** @param {number[]} stepped @param {number[]} exact J */
     #plot(stepped, exact) {
@@ -402,14 +402,14 @@
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
       const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
       const scale = axis(0, 100 * high, 4);
-      const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
-      const x = (t) => left + t / until * (right - left);
-      const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
+      const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
+      const x2 = (t3) => left + t3 / until * (right - left);
+      const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
       const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
-        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
+        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y2(tick / 100) + 4) });
         label.textContent = `${short(tick)} %`;
         return [
-          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / 100))}H${right}` }),
+          svg("path", { class: "carts-grid", d: `M${left} ${px(y2(tick / 100))}H${right}` }),
           label
         ];
       });
@@ -424,7 +424,7 @@
         last,
         svg("path", {
           class: "carts-cost-line carts-cost-true",
-          d: path2(exact.map((e) => e / start))
+          d: path2(exact.map((e2) => e2 / start))
         }),
         svg("path", { class: "carts-cost-line carts-cost-made", d: path2(finite) }),
         this.cursor
@@ -433,14 +433,14 @@
     /** Draw the carts at a time, between the samples on straight lines. @param {number} time s */
     at(time) {
       const times = this.t ?? [];
-      let k = times.findLastIndex((t) => t <= time);
+      let k = times.findLastIndex((t3) => t3 <= time);
       k = Math.min(Math.max(k, 0), Math.max(0, times.length - 2));
-      const [a, b] = [Number(times[k]), Number(times[k + 1])];
-      const part = b > a ? Math.min(1, (time - a) / (b - a)) : 0;
+      const [a2, b2] = [Number(times[k]), Number(times[k + 1])];
+      const part = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
       const between2 = (xs) => {
         const here = Number(xs?.[k]);
-        const x2 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
-        return Number.isFinite(x2) ? Math.min(5e3, Math.max(-5e3, x2)) : 5e3;
+        const x3 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
+        return Number.isFinite(x3) ? Math.min(5e3, Math.max(-5e3, x3)) : 5e3;
       };
       for (const [cart, shape] of this.carts.entries()) {
         put(shape, "transform", `translate(${px(between2(this.x?.[cart]), 2)} 0)`);
@@ -449,8 +449,8 @@
         put(shape, "transform", `translate(${px(between2(this.exact?.[cart]), 2)} 0)`);
       }
       const { left, top, right, bottom } = ENERGY;
-      const x = left + time / Number(this.header?.until ?? 1) * (right - left);
-      if (this.cursor) put(this.cursor, "d", `M${px(x)} ${top}V${bottom}`);
+      const x2 = left + time / Number(this.header?.until ?? 1) * (right - left);
+      if (this.cursor) put(this.cursor, "d", `M${px(x2)} ${top}V${bottom}`);
     }
   };
 
@@ -463,15 +463,15 @@
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
   }
-  function told({ v, energy, evaluations }) {
-    const speeds = Object.entries(v.stepped).map(([name2, speed]) => {
+  function told({ v: v2, energy, evaluations }) {
+    const speeds = Object.entries(v2.stepped).map(([name2, speed]) => {
       const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
       return (
         /** @type {[string, string, string]} */
         [
           `velocity of ${name2} at the end`,
           got,
-          `${plain(Number(v.exact[name2]), 4)} m/s`
+          `${plain(Number(v2.exact[name2]), 4)} m/s`
         ]
       );
     });
@@ -539,11 +539,11 @@
     }
     return parts2;
   }
-  function slowAt(parts2, t) {
-    return parts2.find((part) => t >= part.from && t < part.to);
+  function slowAt(parts2, t3) {
+    return parts2.find((part) => t3 >= part.from && t3 < part.to);
   }
-  function advance(t, seconds, speed, parts2, until) {
-    let now = t;
+  function advance(t3, seconds, speed, parts2, until) {
+    let now = t3;
     let left = seconds;
     while (left > 0 && now < until) {
       const inside = slowAt(parts2, now);
@@ -621,9 +621,9 @@
       this.changed(this.time, false);
     }
     /** @param {number} t in s */
-    seek(t) {
-      this.#move(t);
-      if (t <= 0) this.own = 0;
+    seek(t3) {
+      this.#move(t3);
+      if (t3 <= 0) this.own = 0;
       this.changed(this.time, false);
     }
     /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
@@ -632,7 +632,7 @@
       for (let k = 0; k < count2; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
-        const event = way > 0 ? this.stops.find((t) => t > before + 1e-12) : this.stops.findLast((t) => t < before - 1e-12);
+        const event = way > 0 ? this.stops.find((t3) => t3 > before + 1e-12) : this.stops.findLast((t3) => t3 < before - 1e-12);
         const passed = event !== void 0 && (way > 0 ? event < target : event > target);
         this.#move(passed ? event : target);
         this.changed(before, way > 0);
@@ -653,16 +653,16 @@
       const shown2 = this.stills ? this.#waited : seconds;
       this.#waited = 0;
       let next = advance(before, shown2, this.speed, this.#parts, this.until);
-      if (this.stills) next = this.stops.find((t) => t > before + 1e-12 && t < next) ?? next;
-      const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
+      if (this.stills) next = this.stops.find((t3) => t3 > before + 1e-12 && t3 < next) ?? next;
+      const halt = this.halting ? this.halts.find((t3) => t3 > before + 1e-12 && t3 <= next) : void 0;
       this.#move(halt ?? next);
       if (halt !== void 0 || this.time >= this.until) this.playing = false;
       this.changed(before, true);
       if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
     /** @param {number} t */
-    #move(t) {
-      this.time = Math.min(this.until, Math.max(0, t));
+    #move(t3) {
+      this.time = Math.min(this.until, Math.max(0, t3));
     }
   };
 
@@ -943,35 +943,35 @@
   function isTold({ trajectory }) {
     return trajectory.t.length > 1;
   }
-  function rowAt(times, t) {
+  function rowAt(times, t3) {
     let low = 0;
     let high = times.length;
     while (low < high) {
       const middle = low + high >> 1;
       if (
         /** @type {number} */
-        times[middle] <= t
+        times[middle] <= t3
       ) low = middle + 1;
       else high = middle;
     }
     return low - 1;
   }
-  function valueAt(times, values, slopes, t) {
-    const k = rowAt(times, t);
+  function valueAt(times, values, slopes, t3) {
+    const k = rowAt(times, t3);
     if (k < 0) return Number(values[0]);
     if (k >= times.length - 1) return Number(values[values.length - 1]);
-    return hermite(times, values, slopes, k, t);
+    return hermite(times, values, slopes, k, t3);
   }
-  function hermite(times, values, slopes, k, t) {
+  function hermite(times, values, slopes, k, t3) {
     const at = (
       /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
+      ((c2, i2) => c2[i2])
     );
-    const h = at(times, k + 1) - at(times, k);
-    const s = (t - at(times, k)) / h;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
-    const r = 1 - s;
-    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    const h2 = at(times, k + 1) - at(times, k);
+    const s3 = (t3 - at(times, k)) / h2;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s3;
+    const r2 = 1 - s3;
+    const found2 = at(values, k) * (1 + 2 * s3) * r2 * r2 + at(slopes, k) * h2 * s3 * r2 * r2 + at(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at(slopes, k + 1) * h2 * r2 * s3 * s3;
     return Number.isFinite(found2) ? found2 : at(values, k);
   }
 
@@ -1129,7 +1129,7 @@
       need(root, ".carts-number-box");
       this.error = need(root, ".carts-error");
       this.decimals = Math.max(
-        ...[control.step, control.low, control.value].map((v) => decimalsOf(v))
+        ...[control.step, control.low, control.value].map((v2) => decimalsOf(v2))
       );
       this.change = change2;
       this.slider.addEventListener("input", (event) => {
@@ -1242,16 +1242,16 @@
     const all = other ? union(earlier, [alone(old)]) : earlier;
     return all.length ? { ...value, earlier: all } : value;
   }
-  function alone({ earlier: _, ...entry }) {
+  function alone({ earlier: _2, ...entry }) {
     return entry;
   }
-  function union(a, b) {
+  function union(a2, b2) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a ?? [], ...b ?? []]) {
+    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
       found2.set(JSON.stringify([entry.hash, entry.value]), entry);
     }
     const all = [...found2.values()];
-    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
     return all.slice(-MOST_EARLIER);
   }
 
@@ -1488,10 +1488,10 @@
       const peak = peaks.get(touch.pair) ?? until;
       found2.push({ ...touch, end: peak > touch.start ? peak : until });
     }
-    return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+    return found2.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
   }
-  function latestTouch(windows, t) {
-    return windows.findLast((touch) => touch.start <= t);
+  function latestTouch(windows, t3) {
+    return windows.findLast((touch) => touch.start <= t3);
   }
 
   // src/words.js
@@ -1704,13 +1704,13 @@
         this.#run,
         mean
       );
-      const v = (t) => short(velocity(
+      const v2 = (t3) => short(velocity(
         /** @type {Run} */
         this.#run,
         mean.cart,
-        t
+        t3
       ));
-      return `${steps} Here: m = ${short(mass)} kg, v before ${v(touch.start)} m/s, v after ${v(touch.end)} m/s, Δt = ${short(touch.end - touch.start)} s.`;
+      return `${steps} Here: m = ${short(mass)} kg, v before ${v2(touch.start)} m/s, v after ${v2(touch.end)} m/s, Δt = ${short(touch.end - touch.start)} s.`;
     }
     /** @param {string} typed @param {string} said */
     async #keep(typed, said) {
@@ -1773,8 +1773,8 @@
   function massOf({ header }, name2) {
     return header.bodies.find((one) => one.name === name2)?.mass ?? 0;
   }
-  function velocity({ trajectory }, name2, t) {
-    return valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t);
+  function velocity({ trajectory }, name2, t3) {
+    return valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3);
   }
 
   // src/how-words.js
@@ -2227,9 +2227,9 @@
   function bodyWidth(body2) {
     return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
   }
-  function lane(i, tallest, layout) {
+  function lane(i2, tallest, layout) {
     const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
-    return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
+    return layout.track - above - LANE * (layout.lanes - 1 - i2 % layout.lanes);
   }
   function spring(start, end) {
     const low = (
@@ -2241,32 +2241,32 @@
       SPRING[1]
     );
     const step = (end - start) / 4;
-    let d = `M${px(start)} ${px(-(low + high) / 2)}`;
+    let d2 = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
-      d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
+      d2 += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
     }
-    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+    return `${d2}L${px(end)} ${px(-(low + high) / 2)}`;
   }
-  function blockArrow(x, y, length) {
-    if (Math.abs(length) < SHORTEST) return dot(x, y);
-    const tip = x + length;
+  function blockArrow(x2, y2, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x2, y2);
+    const tip = x2 + length;
     const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
-    return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
+    return `M${px(x2)} ${px(y2 - 3)}L${px(neck)} ${px(y2 - 3)}L${px(neck)} ${px(y2 - 6.5)}L${px(tip)} ${px(y2)}L${px(neck)} ${px(y2 + 6.5)}L${px(neck)} ${px(y2 + 3)}L${px(x2)} ${px(y2 + 3)}Z`;
   }
-  function cutArrow(x, y, length) {
+  function cutArrow(x2, y2, length) {
     const half = length / 2 - Math.sign(length) * TORN / 2;
-    const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
-    return piece + blockArrow(x + length - half, y, half);
+    const piece = `M${px(x2)} ${px(y2 - 3)}h${px(half)}v6h${px(-half)}Z`;
+    return piece + blockArrow(x2 + length - half, y2, half);
   }
-  function lineArrow(x, y, length) {
-    if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
-    const tip = x + length;
+  function lineArrow(x2, y2, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x2, y2, RING);
+    const tip = x2 + length;
     const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
-    return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
+    return `M${px(x2)} ${px(y2)}L${px(tip)} ${px(y2)}M${px(back)} ${px(y2 - 4.5)}L${px(tip)} ${px(y2)}L${px(back)} ${px(y2 + 4.5)}`;
   }
-  function dot(x, y, radius = DOT) {
-    const [r, d] = [px(radius), px(2 * radius)];
-    return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+  function dot(x2, y2, radius = DOT) {
+    const [r2, d2] = [px(radius), px(2 * radius)];
+    return `M${px(x2 - radius)} ${px(y2)}a${r2} ${r2} 0 1 0 ${d2} 0a${r2} ${r2} 0 1 0 -${d2} 0Z`;
   }
   function arrowLength(value, full, length, longest = LONGEST2) {
     const exact = full ? value / full * length : 0;
@@ -2275,15 +2275,15 @@
   function isCut(value, full, longest = LONGEST2) {
     return full > 0 && Math.abs(value) > longest * full;
   }
-  function velocityText(x, length, width) {
+  function velocityText(x2, length, width) {
     const room = 62;
-    if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
-    return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+    if (length >= 0) return x2 > room ? [x2 - 8, "end"] : [x2 + length + 8, "start"];
+    return x2 < width - room ? [x2 + 8, "start"] : [x2 + length - 8, "end"];
   }
-  function keptInside(x, length, width) {
-    if (x > EDGE && x < width - EDGE) {
-      if (x + length > width - EDGE) return width - EDGE - x;
-      if (x + length < EDGE) return EDGE - x;
+  function keptInside(x2, length, width) {
+    if (x2 > EDGE && x2 < width - EDGE) {
+      if (x2 + length > width - EDGE) return width - EDGE - x2;
+      if (x2 + length < EDGE) return EDGE - x2;
     }
     return length;
   }
@@ -2499,8 +2499,8 @@
       "aria-hidden": "true"
     });
     const draw = isCut(size, full) ? cutArrow : blockArrow;
-    const d = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
-    picture2.append(svg("path", { class: className, d }));
+    const d2 = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
+    picture2.append(svg("path", { class: className, d: d2 }));
     return picture2;
   }
 
@@ -2564,15 +2564,15 @@
         ({ bodies }) => bodies.includes(this.cart)
       );
       if (!touch) return [html("p", "", `In this run nothing touches ${this.cart}.`)];
-      const { t, F, dF } = run.trajectory;
-      const forces2 = Array.from({ length: FINE + 1 }, (_, k) => {
+      const { t: t3, F: F2, dF } = run.trajectory;
+      const forces2 = Array.from({ length: FINE + 1 }, (_2, k) => {
         const at = touch.start + (touch.end - touch.start) * k / FINE;
-        return valueAt(t, F[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
+        return valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
       });
       const top = Math.max(...forces2) || 1;
       const points = forces2.map((force, k) => {
-        const x = LEFT2 + 4 * STEP3 * k / FINE;
-        return `${px(x)} ${px(BOTTOM2 - HIGHEST * PER_HEIGHT * force / top)}`;
+        const x2 = LEFT2 + 4 * STEP3 * k / FINE;
+        return `${px(x2)} ${px(BOTTOM2 - HIGHEST * PER_HEIGHT * force / top)}`;
       });
       put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
       const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
@@ -2611,12 +2611,12 @@
     }
     #draw() {
       const points = this.#heights.map((height, k) => {
-        const y = px(BOTTOM2 - PER_HEIGHT * (height ?? 0));
+        const y2 = px(BOTTOM2 - PER_HEIGHT * (height ?? 0));
         const knob = this.pad.querySelector(`[data-index="${k}"]`);
-        if (knob) put(knob, "cy", y);
+        if (knob) put(knob, "cy", y2);
         const box2 = this.boxes[k];
         if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
-        return `${px(LEFT2 + STEP3 * k)} ${y}`;
+        return `${px(LEFT2 + STEP3 * k)} ${y2}`;
       });
       put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
     }
@@ -3021,24 +3021,24 @@
   function agent({ kind, by }) {
     return AGENTS[kind] ?? by ?? "";
   }
-  function actsAt({ kind, active, numbers }, t) {
+  function actsAt({ kind, active, numbers }, t3) {
     if (!active) return false;
     const { from = 0, until = Infinity } = numbers;
-    return kind !== "push" || t >= from && t < until;
+    return kind !== "push" || t3 >= from && t3 < until;
   }
-  function forcesAt({ header, trajectory }, t, always = false) {
+  function forcesAt({ header, trajectory }, t3, always = false) {
     const found2 = [];
     for (const kind of ON_ONE) {
       const acting = header.effects.filter(
-        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
+        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
       );
       for (const { name: name2 } of header.bodies) {
         const own2 = acting.filter((effect) => effect.carts.includes(name2));
         const column = trajectory.E[`${kind} ${name2}`];
         if (!own2.length || !column?.length) continue;
         const peak = greatest2(column);
-        const on = own2.some((effect) => actsAt(effect, t));
-        const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
+        const on = own2.some((effect) => actsAt(effect, t3));
+        const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
         const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
         found2.push({ kind, on: name2, by: [...new Set(own2.map(agent))].join(" and "), value, size });
@@ -3104,32 +3104,32 @@
   function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
     const times = Float64Array.from(run.t);
-    const curves = header.bodies.map((body2, i) => {
+    const curves = header.bodies.map((body2, i2) => {
       const { name: name2, mass } = body2;
-      const [x, v, a] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
-      const seen = Float64Array.from(v, (speed) => speed - camera);
-      const curve = { label: name2, style: styleOf(i), over: false };
+      const [x2, v2, a2] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
+      const seen = Float64Array.from(v2, (speed) => speed - camera);
+      const curve = { label: name2, style: styleOf(i2), over: false };
       switch (quantity) {
         case "x": {
-          const values = Float64Array.from(x, (place3, k) => place3 - camera * Number(times[k]));
+          const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times[k]));
           return { ...curve, values, slopes: seen };
         }
         case "v":
           return {
             ...curve,
             values: seen.map((speed) => speed / per),
-            slopes: Float64Array.from(a, (rate) => rate / per)
+            slopes: Float64Array.from(a2, (rate) => rate / per)
           };
         case "a":
-          return { ...curve, values: a, slopes: null };
+          return { ...curve, values: a2, slopes: null };
         case "p":
           return {
             ...curve,
             values: seen.map((speed) => mass * speed),
-            slopes: Float64Array.from(a, (value) => mass * value)
+            slopes: Float64Array.from(a2, (value) => mass * value)
           };
         default:
-          return { ...curve, values: seen.map((s) => mass * s * s / 2), slopes: null };
+          return { ...curve, values: seen.map((s3) => mass * s3 * s3 / 2), slopes: null };
       }
     });
     if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
@@ -3159,21 +3159,21 @@
       label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
       style: "total",
       over: false,
-      values: sum(curves.map((c) => c.values)),
-      slopes: curves.every((c) => c.slopes) ? sum(curves.map((c) => c.slopes)) : null
+      values: sum(curves.map((c2) => c2.values)),
+      slopes: curves.every((c2) => c2.slopes) ? sum(curves.map((c2) => c2.slopes)) : null
     };
   }
   function forces(header, run, signed) {
-    const styles = new Map(header.bodies.map((body2, i) => [body2.name, styleOf(i)]));
+    const styles = new Map(header.bodies.map((body2, i2) => [body2.name, styleOf(i2)]));
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
       let force = run.F[contact.pair];
       let slope = run.dF[contact.pair];
-      if (!force || !slope || !Array.prototype.some.call(force, (f) => f !== 0)) continue;
+      if (!force || !slope || !Array.prototype.some.call(force, (f2) => f2 !== 0)) continue;
       if (!signed) {
-        const pulls = Array.from(force, (f) => f < 0);
-        slope = Float64Array.from(slope, (s, k) => pulls[k] ? -s : s);
+        const pulls = Array.from(force, (f2) => f2 < 0);
+        slope = Float64Array.from(slope, (s3, k) => pulls[k] ? -s3 : s3);
         force = Float64Array.from(force, Math.abs);
       }
       const [left, right] = contact.bodies;
@@ -3181,8 +3181,8 @@
         label: `on ${brief(left)} by ${brief(right)}`,
         style: styles.get(left) ?? "wall",
         over: false,
-        values: Float64Array.from(force, (f) => sign * f),
-        slopes: Float64Array.from(slope, (s) => sign * s)
+        values: Float64Array.from(force, (f2) => sign * f2),
+        slopes: Float64Array.from(slope, (s3) => sign * s3)
       });
       curves.push({
         label: `on ${brief(right)} by ${brief(left)}`,
@@ -3207,12 +3207,23 @@
         columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
       }
     }
+    if (quantities.includes("F")) columns.push(...effectColumns(run));
     const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
     for (let k = 0; k < trajectory.t.length; k += 1) {
       lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
     }
     return `${lines2.join("\r\n")}\r
 `;
+  }
+  function effectColumns({ header, trajectory }) {
+    return Object.entries(trajectory.E).map(([key, values]) => {
+      const [kind, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
+      const own2 = header.effects.filter(
+        (effect) => effect.kind === kind && effect.active && effect.carts.includes(on)
+      );
+      const by = [...new Set(own2.map(agent))].join(" and ");
+      return [`force on ${on} by ${by} (${kind}) in N`, values];
+    });
   }
   function quoted(text) {
     return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
@@ -3249,10 +3260,10 @@
     const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH2 });
     const sheet = svg("rect", { width: WIDTH2, fill: paper });
     whole.append(sheet);
-    let y = GAP;
-    const write4 = (text, x, at, weight) => {
+    let y2 = GAP;
+    const write4 = (text, x2, at, weight) => {
       const line = svg("text", {
-        x,
+        x: x2,
         y: at,
         fill: ink,
         "font-family": "sans-serif",
@@ -3262,15 +3273,15 @@
       line.textContent = text;
       whole.append(line);
     };
-    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP, y + 12, "700");
-    y += LINE2 + 4;
+    write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP, y2 + 12, "700");
+    y2 += LINE2 + 4;
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
       const drawn2 = alone2(stage);
-      const height = place2(drawn2, 0, y, WIDTH2);
+      const height = place2(drawn2, 0, y2, WIDTH2);
       const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
-      whole.append(svg("rect", { y, width: WIDTH2, height, fill: sky }), drawn2);
-      y += height + GAP;
+      whole.append(svg("rect", { y: y2, width: WIDTH2, height, fill: sky }), drawn2);
+      y2 += height + GAP;
     }
     const graphs = [...scene.querySelectorAll(".carts-graph")];
     const half = WIDTH2 / 2;
@@ -3279,28 +3290,28 @@
       graphs.slice(k, k + 2).forEach((graph, column) => {
         const plot2 = graph.querySelector(".carts-plot");
         if (!plot2) return;
-        const x = column * half;
-        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x + GAP, y + 12, "700");
+        const x2 = column * half;
+        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x2 + GAP, y2 + 12, "700");
         const drawn2 = alone2(plot2);
-        const height = place2(drawn2, x, y + LINE2, half - GAP);
+        const height = place2(drawn2, x2, y2 + LINE2, half - GAP);
         whole.append(drawn2);
         const entries = [...graph.querySelectorAll(".carts-key > span")];
-        entries.forEach((entry, i) => {
-          const at = y + LINE2 + height + 14 + LINE2 * i;
+        entries.forEach((entry, i2) => {
+          const at = y2 + LINE2 + height + 14 + LINE2 * i2;
           const sample = entry.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
-            place2(swatch, x + GAP, at - 10, 26);
+            place2(swatch, x2 + GAP, at - 10, 26);
             whole.append(swatch);
           }
-          write4(entry.textContent ?? "", x + GAP + 34, at, "400");
+          write4(entry.textContent ?? "", x2 + GAP + 34, at, "400");
         });
         tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
       });
-      y += tallest + GAP;
+      y2 += tallest + GAP;
     }
-    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y)));
-    whole.setAttribute("viewBox", `0 0 ${WIDTH2} ${Math.ceil(y)}`);
+    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y2)));
+    whole.setAttribute("viewBox", `0 0 ${WIDTH2} ${Math.ceil(y2)}`);
     return new XMLSerializer().serializeToString(whole);
   }
   function alone2(original) {
@@ -3312,11 +3323,11 @@
       [original, ...original.querySelectorAll("*")],
       [copy, ...copy.querySelectorAll("*")]
     ];
-    from.forEach((part, i) => {
+    from.forEach((part, i2) => {
       const style = getComputedStyle(part);
       const made3 = (
         /** @type {Element} */
-        to[i]
+        to[i2]
       );
       if (style.display === "none" && part.closest("defs") === null)
         made3.setAttribute("display", "none");
@@ -3330,10 +3341,10 @@
     });
     return copy;
   }
-  function place2(drawn2, x, y, width) {
-    const [, , w = 1, h = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
-    const height = width * h / w;
-    for (const [name2, value] of Object.entries({ x, y, width, height })) {
+  function place2(drawn2, x2, y2, width) {
+    const [, , w2 = 1, h2 = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
+    const height = width * h2 / w2;
+    for (const [name2, value] of Object.entries({ x: x2, y: y2, width, height })) {
       drawn2.setAttribute(name2, String(value));
     }
     return height;
@@ -3354,14 +3365,273 @@
     });
   }
 
+  // ../../node_modules/lean-qr/index.mjs
+  var t = [0.2, 3 / 8, 5 / 9, 2 / 3];
+  var o = (o3, e2) => (r2) => {
+    const n3 = 4 * o3 + r2 - 4, s3 = "*-04-39?2$%%$%%'$%''%'''%')(%'))%(++'(++'(+.'+-.',/3',33)-/5)-43).36)058*18<+37<+4:<,4:E,5<A-7>C/8@F/:EH/<EK0=FM1?IP2@KS3BNV4DPY5FS\\6HV_6IXb7K[e8N^i9Pam;Rdp<Tgt".charCodeAt(n3) - 35, f2 = n3 > 8 ? s3 : 1, c2 = e2 / f2 | 0, i2 = e2 % f2, l2 = f2 - i2, a2 = n3 > 8 ? c2 * t[r2] + (o3 > 5) & -2 : s3, _2 = c2 - a2;
+    return { t: l2 * _2 + i2 * _2 + i2, o: [[l2, _2], [i2, _2 + 1]], i: a2 };
+  };
+  var r = (t3) => new Uint8Array(t3);
+  var n = (t3) => {
+    const o3 = new Error(`lean-qr error ${t3}`);
+    throw o3.code = t3, o3;
+  };
+  var s = (t3) => "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ $%*+-./:".indexOf(t3);
+  var f = (t3) => t3.charCodeAt(0);
+  var c = (...t3) => (o3, e2) => t3.forEach((t4) => t4(o3, e2));
+  var i = (t3) => (o3) => {
+    o3.eci !== t3 && (o3.push(7, 4), t3 < 128 ? o3.push(t3, 8) : t3 < 16384 ? o3.push(32768 | t3, 16) : o3.push(12582912 | t3, 24), o3.eci = t3);
+  };
+  var l = (t3) => (o3, e2) => {
+    o3.push(4, 4), o3.push(t3.length, 8 + 8 * (e2 > 9)), t3.forEach((t4) => o3.push(t4, 8));
+  };
+  var a = (t3, o3, e2, r2, n3 = (t4, o4) => e2(t4.length, o4), s3 = r2 ? (o4) => c(i(r2), t3(o4)) : t3) => (s3.test = o3, s3.l = e2, s3.est = n3, s3.eci = r2 && [r2], s3);
+  var _ = a((t3) => (o3, e2) => {
+    o3.push(1, 4), o3.push(t3.length, 10 + 2 * (e2 > 26) + 2 * (e2 > 9));
+    let r2 = 0;
+    for (; r2 < t3.length - 2; r2 += 3) o3.push(+t3.slice(r2, r2 + 3), 10);
+    r2 < t3.length - 1 ? o3.push(+t3.slice(r2), 7) : r2 < t3.length && o3.push(+t3[r2], 4);
+  }, (t3) => /[0-9]/.test(t3), (t3, o3) => 14 + 2 * (o3 > 26) + 2 * (o3 > 9) + 10 * t3 / 3);
+  var u = a((t3) => (o3, e2) => {
+    o3.push(2, 4), o3.push(t3.length, 9 + 2 * (e2 > 26) + 2 * (e2 > 9));
+    let r2 = 0;
+    for (; r2 < t3.length - 1; r2 += 2) o3.push(45 * s(t3[r2]) + s(t3[r2 + 1]), 11);
+    r2 < t3.length && o3.push(s(t3[r2]), 6);
+  }, (t3) => s(t3) >= 0, (t3, o3) => 13 + 2 * (o3 > 26) + 2 * (o3 > 9) + 5.5 * t3);
+  var d = a((t3) => l([...t3].map(f)), (t3) => f(t3) < 128, (t3, o3) => 12 + 8 * (o3 > 9) + 8 * t3);
+  d._ = true, d.u = true;
+  var p = a(d, (t3) => f(t3) < 256, d.l, 3);
+  p._ = true;
+  var m = new TextEncoder();
+  var h = a((t3) => l(m.encode(t3)), () => 1, 0, 26, (t3, o3) => 12 + 8 * (o3 > 9) + 8 * m.encode(t3).length);
+  h._ = true;
+  var w = () => {
+    const t3 = /* @__PURE__ */ new Map(), o3 = new TextDecoder("sjis"), e2 = r(2);
+    for (let r2 = 0; r2 < 7973; ++r2) e2[0] = r2 / 192 + 129 + 64 * (r2 > 5951), e2[1] = r2 % 192 + 64, t3.set(o3.decode(e2), r2);
+    return t3.delete("�"), w = () => t3, t3;
+  };
+  var y = a((t3) => (o3, e2) => {
+    o3.push(8, 4), o3.push(t3.length, 8 + 2 * (e2 > 26) + 2 * (e2 > 9));
+    for (const e3 of t3) o3.push(w().get(e3), 13);
+  }, (t3) => w().has(t3), (t3, o3) => 12 + 2 * (o3 > 26) + 2 * (o3 > 9) + 13 * t3);
+  y._ = true;
+  var g = [_, u, d, p, y, h];
+  var b = { auto: (t3, { modes: o3 = g } = {}) => (e2, r2) => {
+    const s3 = o3.map((o4, e3) => {
+      const n3 = /* @__PURE__ */ new Map(), s4 = (t4, o5) => (n3.has(t4) || n3.set(t4, o5(t4, r2)), n3.get(t4));
+      return { m: o4, h: 1 << e3, C: o4.est("", r2), S: o4.l ? (t4, e4) => s4(e4 - t4, o4.l) : (e4, r3) => s4(t3.slice(e4, r3), o4.est) };
+    });
+    let f2 = [{ v: 0 }], c2 = 0, i2 = 0, l2 = -1;
+    for (const o4 of [...t3, ""]) {
+      let t4 = 0;
+      if (o4) for (const e3 of s3) e3.m.test(o4) && (t4 |= e3.h);
+      if (!o4 || t4 !== l2) {
+        if (-1 !== l2) {
+          const t5 = new Set(f2.map((t6) => t6.D)), o5 = [];
+          for (const { m: e3, C: r3, S: n3, h: a3 } of s3) if (l2 & a3) {
+            const s4 = n3(c2, i2);
+            for (const l3 of e3.eci ?? t5) if (!e3.u || !l3) {
+              let t6;
+              for (const o6 of f2) if (o6.D === l3 || e3.eci) {
+                const f3 = o6.m === e3 && o6.D === l3, a4 = f3 ? o6.V : o6, _2 = e3._ && f3 ? o6.v + s4 - r3 : a4.v + 12 * (a4.D !== l3) + (f3 ? n3(f3 ? o6.$ : c2, i2) : s4);
+                (!t6 || _2 < t6.v) && (t6 = { $: f3 ? o6.$ : c2, V: a4, m: e3, D: l3, A: i2, v: _2 });
+              }
+              t6 && o5.push(t6);
+            }
+          }
+          f2 = o5;
+        }
+        l2 = t4, c2 = i2;
+      }
+      i2 += o4.length;
+    }
+    f2.length || n(5);
+    const a2 = [];
+    for (let o4 = f2.reduce((t4, o5) => o5.v < t4.v ? o5 : t4); o4.m; o4 = o4.V) a2.push(o4.m(t3.slice(o4.$, o4.A)));
+    a2.reverse().forEach((t4) => t4(e2, r2));
+  }, multi: c, eci: i, bytes: l, numeric: _, alphaNumeric: u, ascii: d, iso8859_1: p, shift_jis: y, utf8: h };
+  var C = () => ({ F: r(2956), I: 0, push(t3, o3) {
+    for (let e2 = o3, r2 = 8 - (7 & this.I); e2 > 0; e2 -= r2, r2 = 8) this.F[this.I >> 3] |= t3 << r2 >> e2, this.I += e2 < r2 ? e2 : r2;
+  } });
+  var x = (t3, o3 = t3 * t3, e2 = r(o3)) => ({ size: t3, K: e2, get: (o4, r2) => o4 >= 0 && o4 < t3 && !!(1 & e2[r2 * t3 + o4]), toString({ on: o4 = "##", off: e3 = "  ", lf: r2 = "\n", pad: n3 = 4, padX: s3 = n3, padY: f2 = n3 } = {}) {
+    let c2 = "";
+    for (let n4 = -f2; n4 < t3 + f2; ++n4) {
+      for (let r3 = -s3; r3 < t3 + s3; ++r3) c2 += this.get(r3, n4) ? o4 : e3;
+      c2 += r2;
+    }
+    return c2;
+  }, toImageData(o4, { on: e3 = [0, 0, 0], off: r2 = [0, 0, 0, 0], pad: n3 = 4, padX: s3 = n3, padY: f2 = n3 } = {}) {
+    const c2 = t3 + 2 * s3, i2 = t3 + 2 * f2, l2 = o4.createImageData(c2, i2), a2 = new Uint32Array(l2.data.buffer);
+    l2.data.set([...e3, 255]);
+    const _2 = a2[0];
+    l2.data.set([...r2, 255]);
+    const u2 = a2[0];
+    for (let t4 = 0; t4 < i2; ++t4) for (let o5 = 0; o5 < c2; ++o5) a2[t4 * c2 + o5] = this.get(o5 - s3, t4 - f2) ? _2 : u2;
+    return l2;
+  }, toCanvas(t4, o4) {
+    const e3 = t4.getContext("2d"), r2 = this.toImageData(e3, o4);
+    t4.width = r2.width, t4.height = r2.height, e3.putImageData(r2, 0, 0);
+  }, toDataURL({ type: t4 = "image/png", scale: o4 = 1, ...e3 } = {}) {
+    const r2 = document.createElement("canvas"), n3 = r2.getContext("2d"), s3 = this.toImageData(n3, e3);
+    return r2.width = s3.width * o4, r2.height = s3.height * o4, n3.putImageData(s3, 0, 0), n3.imageSmoothingEnabled = false, n3.globalCompositeOperation = "copy", n3.drawImage(r2, 0, 0, s3.width, s3.height, 0, 0, r2.width, r2.height), r2.toDataURL(t4, 1);
+  } });
+  var z = [(t3, o3) => 1 & (t3 ^ o3), (t3, o3) => 1 & o3, (t3) => t3 % 3, (t3, o3) => (t3 + o3) % 3, (t3, o3) => 1 & (t3 / 3 ^ o3 >> 1), (t3, o3) => (t3 & o3 & 1) + t3 * o3 % 3, (t3, o3) => (t3 & o3) + t3 * o3 % 3 & 1, (t3, o3) => (t3 ^ o3) + t3 * o3 % 3 & 1];
+  var E = r(511);
+  for (let t3 = 0, o3 = 1; t3 < 255; o3 = 2 * o3 ^ 285 * (o3 > 127)) E[E[o3 + 255] = t3++] = o3;
+  var M = (t3) => E[t3 % 255];
+  var S = (t3) => E[t3 + 255];
+  var v = (t3, o3) => {
+    const e2 = r(t3.length + o3.length - 1);
+    for (let r2 = 0; r2 < t3.length; ++r2) for (let n3 = 0; n3 < o3.length; ++n3) e2[r2 + n3] ^= M(t3[r2] + o3[n3]);
+    return e2.map(S);
+  };
+  var D = (t3, o3) => {
+    const e2 = r(t3.length + o3.length - 1);
+    e2.set(t3, 0);
+    for (let r2 = 0; r2 < t3.length; ++r2) if (e2[r2]) {
+      const t4 = S(e2[r2]);
+      for (let n3 = 0; n3 < o3.length; ++n3) e2[r2 + n3] ^= M(o3[n3] + t4);
+    }
+    return e2.slice(t3.length);
+  };
+  var L = [[0], [0, 0]];
+  for (let t3 = 1; t3 < 30; ++t3) L.push(v(L[t3], [0, t3]));
+  var V = (t3, o3) => {
+    const e2 = [[], []];
+    let n3 = 0, s3 = 0;
+    for (const [r2, f3] of o3.o) for (let c2 = 0; c2 < r2; ++c2, n3 += f3) {
+      const r3 = t3.slice(n3, n3 + f3);
+      e2[0].push(r3), e2[1].push(D(r3, L[o3.i])), s3 += f3 + o3.i;
+    }
+    const f2 = r(s3);
+    s3 = 0;
+    for (const t4 of e2) for (let o4 = 0, e3 = -1; e3 < s3; ++o4) {
+      e3 = s3;
+      for (const e4 of t4) o4 < e4.length && (f2[s3++] = e4[o4]);
+    }
+    return f2;
+  };
+  var $ = (t3, o3, e2) => {
+    let r2 = t3 <<= e2;
+    for (let t4 = 134217728; t4 >>= 1; ) r2 & t4 && (r2 ^= o3 * (t4 >> e2));
+    return r2 | t3;
+  };
+  var A = ({ size: t3, K: o3 }, e2) => {
+    const r2 = (e3, r3, n4, s4) => {
+      for (; n4-- > 0; e3 += t3) o3.fill(s4, e3, e3 + r3);
+    }, n3 = (o4, e3, n4) => {
+      for (let s4 = 0; s4++ < 3; n4 -= 2) r2(e3 * t3 + o4 - (n4 >> 1) * (t3 + 1), n4, n4, 2 | s4);
+    }, s3 = 2 * ((t3 - 13) / (1 + (e2 / 7 | 0)) / 2 + 0.75 | 0);
+    if (e2 > 1) for (let o4 = t3 - 7; o4 > 8; o4 -= s3) {
+      for (let t4 = o4; t4 > 8; t4 -= s3) n3(o4, t4, 5);
+      o4 < t3 - 7 && n3(o4, 6, 5);
+    }
+    if (e2 > 6) for (let r3 = $(e2, 7973, 12), n4 = 1; n4 < 7; ++n4) for (let e3 = 12; e3-- > 9; r3 >>= 1) o3[n4 * t3 - e3] = 2 | 1 & r3;
+    r2(7, 2, 9, 2), r2(t3 - 8, 8, 9, 2);
+    for (let e3 = 0; e3 < t3; ++e3) o3[6 * t3 + e3] = 3 ^ 1 & e3;
+    n3(3, 3, 7), n3(t3 - 4, 3, 7);
+    for (let e3 = 0; e3 < t3; ++e3) for (let r3 = e3; r3 < t3; ++r3) o3[r3 * t3 + e3] = o3[e3 * t3 + r3];
+    o3[(t3 - 8) * t3 + 8] = 3;
+  };
+  var F = ({ size: t3, K: o3 }) => {
+    const e2 = [];
+    for (let r2 = t3 - 2, n3 = t3, s3 = -1; r2 >= 0; r2 -= 2) {
+      for (5 === r2 && (r2 = 4); n3 += s3, -1 !== n3 && n3 !== t3; ) {
+        const s4 = n3 * t3 + r2;
+        o3[s4 + 1] || e2.push(s4 + 1), o3[s4] || e2.push(s4);
+      }
+      s3 *= -1;
+    }
+    return e2;
+  };
+  var H = ({ K: t3 }, o3, e2) => o3.forEach((o4, r2) => t3[o4] = e2[r2 >> 3] >> (7 & ~r2) & 1);
+  var I = ({ size: t3, K: o3 }, e2, r2, n3) => {
+    for (let r3 = 0; r3 < t3; ++r3) for (let n4 = 0; n4 < t3; ++n4) {
+      const s4 = r3 * t3 + n4;
+      o3[s4] ^= !(e2(n4, r3) || 2 & o3[s4]);
+    }
+    let s3 = 21522 ^ $((1 ^ n3) << 3 | r2, 1335, 10);
+    for (let e3 = 0; e3++ < 8; s3 >>= 1) o3[(e3 - (e3 < 7)) * t3 + 8] = 1 & s3, o3[9 * t3 - e3] = 1 & s3;
+    for (let e3 = 8; --e3, s3; s3 >>= 1) o3[8 * t3 + e3 - (e3 < 7)] = 1 & s3, o3[(t3 - e3) * t3 + 8] = 1 & s3;
+  };
+  var K = ({ size: t3, K: o3 }, e2 = 0, r2 = 0) => {
+    for (let n3 = 0; n3 < t3; ++n3) {
+      for (let s3 = 0; s3 < 2; ++s3) for (let f2, c2 = 0, i2 = 0, l2 = 2; c2 < t3; ++c2) {
+        const a2 = 1 & o3[s3 ? n3 * t3 + c2 : c2 * t3 + n3];
+        r2 += a2, i2 = (i2 >> 1 | 2098176) & (3047517 ^ a2 - 1), 2049 & i2 && (e2 += 40), a2 ^ l2 && (f2 = 0), l2 = a2, e2 += 5 === ++f2 ? 3 : f2 > 5;
+      }
+      if (n3) for (let r3 = t3 + n3, s3 = 5 * o3[n3 - 1] ^ o3[n3]; r3 < t3 * t3; r3 += t3) {
+        const t4 = 5 * o3[r3 - 1] ^ o3[r3];
+        e2 += 3 * !(1 & (s3 | t4) | 4 & (s3 ^ t4)), s3 = t4;
+      }
+    }
+    return e2 + 10 * (10 * Math.abs(r2 / (t3 * t3) - 1) | 0);
+  };
+  var N = [];
+  var P = (t3 = n(1), { minCorrectionLevel: e2 = 0, maxCorrectionLevel: r2 = 3, minVersion: s3 = 1, maxVersion: f2 = 40, mask: c2, trailer: i2 = 60433, ...l2 } = {}) => {
+    r2 < e2 && n(3), f2 < s3 && n(2), "string" == typeof t3 && (t3 = b.auto(t3, l2));
+    for (let n3 = s3, l3 = 0; n3 <= f2; ++n3) {
+      let s4 = N[n3];
+      s4 || (N[n3] = s4 = x(4 * n3 + 17), A(s4, n3), s4.p = F(s4));
+      const f3 = o(n3, s4.p.length >> 3);
+      if (8 * f3(e2).t < l3) continue;
+      const a2 = C();
+      t3(a2, n3), l3 = a2.I;
+      for (let t4 = r2; t4 >= e2; --t4) {
+        const o3 = f3(t4);
+        if (8 * o3.t < l3) continue;
+        for (a2.I = l3 + 11 & -8; a2.I < 8 * o3.t; ) a2.push(i2, 16);
+        const e3 = x(s4.size, s4.K);
+        return H(e3, s4.p, V(a2.F, o3)), (z[c2] ? [z[c2]] : z).map((o4, r3) => {
+          const n4 = x(e3.size, e3.K);
+          return I(n4, o4, c2 ?? r3, t4), n4.s = z[c2] ? 0 : K(n4), n4;
+        }).reduce((t5, o4) => o4.s < t5.s ? o4 : t5);
+      }
+    }
+    n(4);
+  };
+  P.with = (...t3) => (o3, e2) => P(o3, { modes: [...g, ...t3], ...e2 });
+
+  // ../../node_modules/lean-qr/extras/svg.mjs
+  var t2 = "http://www.w3.org/2000/svg";
+  var e = (e2, i2, o3, n3 = [], s3 = e2.createElementNS(t2, i2)) => (Object.entries(o3).map(([t3, e3]) => s3.setAttribute(t3, e3)), s3.replaceChildren(...n3), s3);
+  var o2 = (t3) => {
+    const e2 = [];
+    let i2 = "";
+    for (let o3 = 0; o3 <= t3.size; ++o3) for (let n3 = 0; n3 <= t3.size; ++n3) {
+      const s3 = t3.get(n3, o3), l2 = n3 << 8 | o3;
+      let r2 = t3.get(n3 - 1, o3) ^ s3 && l2 + 1, a2 = t3.get(n3, o3 - 1) ^ s3 && l2 + 256;
+      if (r2 || a2) {
+        s3 || ([r2, a2] = [a2, r2]);
+        const t4 = e2[r2 || l2] ||= [], o4 = e2[a2 || l2];
+        r2 && t4.push(l2), a2 && t4.push(a2), t4 === o4 ? i2 += `M${t4.map((t5) => `${t5 >> 8} ${255 & t5}`).join("L")}Z` : (o4 && t4.push(...o4), e2[t4[t4.length - 1]] = t4);
+      }
+    }
+    return i2;
+  };
+  var n2 = (e2, { on: i2 = "black", off: n3, pad: s3 = 4, padX: l2 = s3, padY: r2 = s3, width: a2, height: c2, scale: g2 = 1 }, h2, $2, d2) => {
+    const p2 = e2.size + 2 * l2, w2 = e2.size + 2 * r2;
+    return h2($2, "svg", { xmlns: t2, version: "1.1", viewBox: `${-l2} ${-r2} ${p2} ${w2}`, width: a2 ?? p2 * g2, height: c2 ?? w2 * g2, "shape-rendering": "crispedges" }, [n3 ? h2($2, "rect", { x: -l2, y: -r2, width: p2, height: w2, fill: n3 }) : "", h2($2, "path", { d: o2(e2), fill: i2 })], d2);
+  };
+  var s2 = (t3, i2, o3 = {}) => i2.body ? n2(t3, o3, e, i2) : n2(t3, o3, e, i2.ownerDocument, i2);
+
+  // src/qr.js
+  function qrCode(link) {
+    if (!/^https?:/.test(link)) return [];
+    const picture2 = s2(P(link), document, { on: "#000", off: "#fff", pad: 4, scale: 4 });
+    picture2.setAttribute("role", "img");
+    picture2.setAttribute("aria-label", "QR code of the link");
+    return [picture2, html("p", "carts-quiet", "A phone that reads this opens the same state.")];
+  }
+
   // src/share.js
   var MARK = "carts:";
   var MOST_KEYS = 60;
   var LONGEST3 = 4e3;
   var LONGEST_VALUE = 40;
   var TARGET = /^[A-Za-z][\w-]*(\.[\w-]+){0,3}$/;
-  function linkTo(id, settings, t) {
-    const parts2 = Object.entries({ ...settings, t: Number(t.toPrecision(6)) });
+  function linkTo(id, settings, t3) {
+    const parts2 = Object.entries({ ...settings, t: Number(t3.toPrecision(6)) });
     return `${MARK}${id}?${parts2.map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join("&")}`;
   }
   function readLink(hash, id) {
@@ -3369,18 +3639,18 @@
     if (!text.startsWith(`${MARK}${id}?`)) return null;
     if (text.length > LONGEST3) return { problem: "This link is too long: it was not used." };
     const settings = {};
-    let t = 0;
+    let t3 = 0;
     const parts2 = text.slice(MARK.length + id.length + 1).split("&");
     for (const part of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
       const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
       if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
         return { problem: "This link is damaged: it was not used." };
       }
-      if (key === "t") t = Number(value);
+      if (key === "t") t3 = Number(value);
       else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
       else settings[key] = Number.isFinite(Number(value)) ? Number(value) : value;
     }
-    return { settings, t: Number.isFinite(t) ? Math.max(0, t) : 0 };
+    return { settings, t: Number.isFinite(t3) ? Math.max(0, t3) : 0 };
   }
   async function followLink(scene, id, say2) {
     const asked2 = readLink(location.hash, id);
@@ -3419,7 +3689,7 @@
     }
     lines2.push(`show: ${flow(fence.show)}`);
     if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
-    if (fence.boxes !== "mass") lines2.push(`boxes: ${fence.boxes}`);
+    if (fence.boxes === "alike") lines2.push(`boxes: ${fence.boxes}`);
     if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
     if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
     const switches = fence.switches ?? [];
@@ -3459,11 +3729,16 @@ ${lines2.join("\n")}
     ["svg", "picture (SVG)"],
     ["png", "picture (PNG)"],
     ["link", "link to this state"],
-    ["block", "scene block"]
+    ["block", "scene block"],
+    ["program", "Python program"]
   ];
   var TakeAlong = class {
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => State} state of the scene now */
-    constructor(root, baked, state) {
+    /**
+     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {() => State} state of the scene now
+     * @param {() => Promise<string>} program the scene's model as a text that Python writes
+     */
+    constructor(root, baked, state, program) {
       const place3 = need(root, ".carts-take");
       const { fence } = baked;
       const text = document.createElement("textarea");
@@ -3480,7 +3755,8 @@ ${lines2.join("\n")}
         button.dataset.take = key;
         row.append(button);
       }
-      place3.append(row, note, text);
+      const code = html("div", "carts-take-code");
+      place3.append(row, note, text, code);
       const offer = async (made3, what) => {
         text.hidden = false;
         text.value = made3;
@@ -3502,8 +3778,15 @@ ${lines2.join("\n")}
         svg: () => save(new Blob([picture(root)], { type: "image/svg+xml" }), `${fence.id}.svg`),
         png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
         link: () => {
-          const { settings, t } = state();
-          return offer(`${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`, "The link");
+          const { settings, t: t3 } = state();
+          const link = `${location.href.split("#")[0]}#${linkTo(fence.id, settings, t3)}`;
+          code.replaceChildren(...qrCode(link));
+          return offer(link, "The link");
+        },
+        program: async () => {
+          const text2 = await program();
+          save(new Blob([text2], { type: "text/x-python" }), `${fence.id}.py`);
+          return offer(text2, "The program");
         },
         block: () => offer(sceneBlock(fence, state().settings), "The scene block")
       };
@@ -3516,6 +3799,7 @@ ${lines2.join("\n")}
         if (!act) return;
         try {
           say(note, "");
+          code.replaceChildren();
           await act();
         } catch (error) {
           say(note, `This browser could not do it: ${/** @type {Error} */
@@ -3545,11 +3829,22 @@ ${lines2.join("\n")}
       );
       button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
     }
-    new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }));
+    const scene = baked.fence.scene;
+    const writing = {};
+    const program = async () => {
+      const set = { ...acts.settings() };
+      const { header } = await client.ask(writing, () => ({ kind: "model", scene, set }));
+      if (!header.ok) throw refusal2(header.problems ?? []);
+      return String(
+        /** @type {any} */
+        header.text
+      );
+    };
+    new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }), program);
     offerProjector(element);
     const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
     const how = new How(element, view, client, (more) => {
-      return { kind: "how", scene: baked.fence.scene, set: { ...acts.settings() }, ...more };
+      return { kind: "how", scene, set: { ...acts.settings() }, ...more };
     });
     return { find, how };
   }
@@ -3592,15 +3887,15 @@ ${lines2.join("\n")}
     return `In this model: ${inside}.${outside2}`;
   }
   function phrase(effect, header, numbers) {
-    const { kind, numbers: n, carts, between: between2 } = effect;
+    const { kind, numbers: n3, carts, between: between2 } = effect;
     const names = between2 ?? carts;
     const on = carts.length === header.bodies.length ? "" : ` on ${listed(carts)}`;
     const both = listed(names.map(body));
     const told2 = (text) => numbers ? `, ${text}` : "";
-    const value = (key) => n[key] ?? 0;
+    const value = (key) => n3[key] ?? 0;
     switch (kind) {
       case "friction": {
-        const held = n.static ?? value("coefficient");
+        const held = n3.static ?? value("coefficient");
         const rest = held > value("coefficient") ? ` (at rest up to ${short(held)})` : "";
         return `friction${on} by the track${told2(`μ = ${short(value("coefficient"))}${rest}`)}`;
       }
@@ -3616,7 +3911,7 @@ ${lines2.join("\n")}
       case "push":
         return `a push on ${names[0]} by ${agent(effect)}${told2(pushText(value("force")))}${pushTimes(effect)}`;
       case "spring": {
-        const damped = n.damping ? ", damped" : "";
+        const damped = n3.damping ? ", damped" : "";
         const stiff = `${short(value("stiffness"))} N/m, natural length ${short(value("length"))} m`;
         return `a spring between ${both}${damped}${told2(stiff)}`;
       }
@@ -3671,8 +3966,8 @@ ${lines2.join("\n")}
   var BELOW_LINE = 4;
   var NEAR2 = 0.7;
   var STRAIGHT = 0.05;
-  function timeX(plane, t) {
-    return LEFT3 + (t - plane.time.low) * ((RIGHT2 - LEFT3) / (plane.time.high - plane.time.low));
+  function timeX(plane, t3) {
+    return LEFT3 + (t3 - plane.time.low) * ((RIGHT2 - LEFT3) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
     return BOTTOM3 - (value - plane.value.low) * ((BOTTOM3 - TOP2) / (plane.value.high - plane.value.low));
@@ -3709,38 +4004,38 @@ ${lines2.join("\n")}
     let drawn2 = 0;
     let x0 = timeX(plane, Number(times[0]));
     let y0 = valueY(plane, Number(values[0]));
-    let d = `M${px(x0)} ${px(y0)}`;
+    let d2 = `M${px(x0)} ${px(y0)}`;
     for (let k = 1; k <= last; k += 1) {
-      const x = timeX(plane, Number(times[k]));
-      const y = valueY(plane, Number(values[k]));
-      if (k < last && Math.abs(x - x0) < NEAR2 && Math.abs(y - y0) < NEAR2) continue;
+      const x2 = timeX(plane, Number(times[k]));
+      const y2 = valueY(plane, Number(values[k]));
+      if (k < last && Math.abs(x2 - x0) < NEAR2 && Math.abs(y2 - y0) < NEAR2) continue;
       const third = (Number(times[k]) - Number(times[k - 1])) / 3;
       let bent = false;
       if (slopes && drawn2 === k - 1 && third > 0) {
-        const [x1, x2] = [x0 + third * kx, x - third * kx];
+        const [x1, x22] = [x0 + third * kx, x2 - third * kx];
         const y1 = y0 - Number(slopes[k - 1]) * third * ky;
-        const y2 = y + Number(slopes[k]) * third * ky;
-        bent = Math.abs(y1 - (2 * y0 + y) / 3) > STRAIGHT || Math.abs(y2 - (y0 + 2 * y) / 3) > STRAIGHT;
-        if (bent) d += `C${px(x1)} ${px(y1)} ${px(x2)} ${px(y2)} ${px(x)} ${px(y)}`;
+        const y22 = y2 + Number(slopes[k]) * third * ky;
+        bent = Math.abs(y1 - (2 * y0 + y2) / 3) > STRAIGHT || Math.abs(y22 - (y0 + 2 * y2) / 3) > STRAIGHT;
+        if (bent) d2 += `C${px(x1)} ${px(y1)} ${px(x22)} ${px(y22)} ${px(x2)} ${px(y2)}`;
       }
-      if (!bent) d += `L${px(x)} ${px(y)}`;
+      if (!bent) d2 += `L${px(x2)} ${px(y2)}`;
       drawn2 = k;
-      x0 = x;
-      y0 = y;
+      x0 = x2;
+      y0 = y2;
     }
-    return d;
+    return d2;
   }
   function timeMarks(plane) {
     const decimals = axisDecimals(plane.time);
-    return ticks(plane.time).map((t) => ({ at: px(timeX(plane, t)), label: fixed(t, decimals) }));
+    return ticks(plane.time).map((t3) => ({ at: px(timeX(plane, t3)), label: fixed(t3, decimals) }));
   }
   function valueMarks(plane) {
     const decimals = axisDecimals(plane.value);
-    return ticks(plane.value).map((v) => ({
-      at: px(valueY(plane, v)),
-      textY: px(valueY(plane, v) + BELOW_LINE),
-      label: fixed(v, decimals),
-      zero: v === 0
+    return ticks(plane.value).map((v2) => ({
+      at: px(valueY(plane, v2)),
+      textY: px(valueY(plane, v2) + BELOW_LINE),
+      label: fixed(v2, decimals),
+      zero: v2 === 0
     }));
   }
 
@@ -3772,7 +4067,7 @@ ${lines2.join("\n")}
       place3.replaceChildren(
         group("Graphs", graphs, acts.graph),
         group("Views", views, acts.view),
-        group("Picture", [areas], (_, on) => acts.areas(on)),
+        group("Picture", [areas], (_2, on) => acts.areas(on)),
         group("Playing", lasting && slow !== "never" ? [stops, still] : [still], acts.playing)
       );
     }
@@ -3959,15 +4254,15 @@ ${lines2.join("\n")}
       this.#group = group2;
     }
     /** @param {number} t in s */
-    at(t) {
+    at(t3) {
       if (!this.#run || !this.#group) return;
       const { header, trajectory } = this.#run;
       const { layout, camera } = this.stage;
-      header.bodies.forEach(({ name: name2 }, i) => {
-        const [x, v] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
-        const place3 = layout.origin + (valueAt(trajectory.t, x, v, t) - camera * t) * layout.scale;
+      header.bodies.forEach(({ name: name2 }, i2) => {
+        const [x2, v2] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
+        const place3 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
         const at = `translate(${px(place3)} ${px(layout.track)})`;
-        this.#group?.children[i]?.setAttribute("transform", at);
+        this.#group?.children[i2]?.setAttribute("transform", at);
       });
     }
   };
@@ -3984,15 +4279,15 @@ ${lines2.join("\n")}
   }
 
   // src/forces.js
-  function contactForce({ trajectory }, pair, t, zero) {
-    const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
+  function contactForce({ trajectory }, pair, t3, zero) {
+    const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t3);
     return Math.abs(force) < zero ? 0 : force;
   }
-  function contactForces(run, name2, t, zero) {
+  function contactForces(run, name2, t3, zero) {
     return run.header.contacts.filter(
       ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkKind(run.header, pair))
     ).map(({ pair, bodies: [left, right] }) => {
-      const size = contactForce(run, pair, t, zero);
+      const size = contactForce(run, pair, t3, zero);
       const isLeft = left === name2;
       const by = isLeft ? right : left;
       return {
@@ -4012,10 +4307,10 @@ ${lines2.join("\n")}
         ),
         value: isLeft ? -size : size
       };
-    }).sort((a, b) => a.side < b.side ? -1 : 1);
+    }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
   }
-  function effectForces(run, name2, t) {
-    return forcesAt(run, t, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
+  function effectForces(run, name2, t3) {
+    return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
       const face = value < 0 ? "right" : "left";
       const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
       return {
@@ -4046,30 +4341,30 @@ ${lines2.join("\n")}
 
   // src/impulse.js
   function area({ trajectory }, pair, from, to) {
-    const { t, F, dF } = trajectory;
-    const [values, slopes] = [F[pair] ?? [], dF[pair] ?? []];
+    const { t: t3, F: F2, dF } = trajectory;
+    const [values, slopes] = [F2[pair] ?? [], dF[pair] ?? []];
     let sum = 0;
-    for (let k = Math.max(0, rowAt(t, from)); k < t.length - 1 && Number(t[k]) < to; k += 1) {
-      const [low, high] = [Math.max(from, Number(t[k])), Math.min(to, Number(t[k + 1]))];
+    for (let k = Math.max(0, rowAt(t3, from)); k < t3.length - 1 && Number(t3[k]) < to; k += 1) {
+      const [low, high] = [Math.max(from, Number(t3[k])), Math.min(to, Number(t3[k + 1]))];
       if (high <= low) continue;
-      const at = (when) => hermite(t, values, slopes, k, when);
+      const at = (when) => hermite(t3, values, slopes, k, when);
       sum += (high - low) / 6 * (at(low) + 4 * at((low + high) / 2) + at(high));
     }
     return sum;
   }
-  function changes({ header, trajectory }, windows, touch, t) {
+  function changes({ header, trajectory }, windows, touch, t3) {
     return touch.bodies.map((name2) => {
       const mass = header.bodies.find((body2) => body2.name === name2)?.mass;
       const others = windows.some(
-        (one) => one !== touch && one.bodies.includes(name2) && one.start < t && one.end > touch.start
+        (one) => one !== touch && one.bodies.includes(name2) && one.start < t3 && one.end > touch.start
       );
       const acting = header.effects.some(
         ({ active, carts, between: between2, kind }) => active && carts.includes(name2) && (kind === "release" || between2?.join("-") !== touch.pair)
         // what a pair's own spring does is in its F
       );
       if (mass === void 0 || others || acting) return { name: name2, change: null };
-      const v = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
-      return { name: name2, change: mass * (v(t) - v(touch.start)) };
+      const v2 = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
+      return { name: name2, change: mass * (v2(t3) - v2(touch.start)) };
     });
   }
 
@@ -4088,17 +4383,17 @@ ${lines2.join("\n")}
       this.windows = touches(header.events, header.until);
     }
     /** @param {import("./types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
-    at(run, plane, t, signed) {
-      const touch = latestTouch(this.windows, t);
+    at(run, plane, t3, signed) {
+      const touch = latestTouch(this.windows, t3);
       const paths = this.shade.children;
       for (const path2 of paths) put(path2, "d", "");
       if (!touch) {
         const hint = "Move into a touch: the shaded area is the impulse.";
         return say(this.note, this.windows.length ? hint : "");
       }
-      const end = Math.min(t, touch.end);
+      const end = Math.min(t3, touch.end);
       const outline2 = (sign) => {
-        const points = Array.from({ length: POINTS + 1 }, (_, k) => {
+        const points = Array.from({ length: POINTS + 1 }, (_2, k) => {
           const at = touch.start + (end - touch.start) * k / POINTS;
           const force = sign * contactForce(run, touch.pair, at, 0);
           return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
@@ -4121,7 +4416,7 @@ ${lines2.join("\n")}
       const impulse = area(run, touch.pair, touch.start, end);
       const [names, amount3] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
       const parts2 = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(({ name: name2, change: change2 }) => `m Δv of ${name2}: ${fixed(change2 ?? 0, this.decimals)}`);
-      const whole = t >= touch.end ? "" : " so far";
+      const whole = t3 >= touch.end ? "" : " so far";
       const all = [`${names}, shaded area${whole}: ${amount3}`, ...parts2].join("; ");
       say(this.note, `${all}, all in N s.`);
     }
@@ -4129,18 +4424,18 @@ ${lines2.join("\n")}
 
   // src/ledger.js
   function ledger({ header, trajectory }, windows, camera) {
-    const moving = seriesOf("energy", header, trajectory, camera).filter((c) => c.style !== "total");
+    const moving = seriesOf("energy", header, trajectory, camera).filter((c2) => c2.style !== "total");
     const times = trajectory.t;
-    const sum = (k) => moving.reduce((s, c) => s + Number(c.values[k]), 0);
+    const sum = (k) => moving.reduce((s3, c2) => s3 + Number(c2.values[k]), 0);
     const start = sum(0);
     const squeezed = new Float64Array(times.length);
     const warmed = new Float64Array(times.length);
     const groups = together(windows);
     let kept = 0;
     for (let k = 0; k < times.length; k += 1) {
-      const t = Number(times[k]);
+      const t3 = Number(times[k]);
       const away = Math.max(0, start - sum(k));
-      const on = groups.some((group2) => t >= group2.start && t < group2.end);
+      const on = groups.some((group2) => t3 >= group2.start && t3 < group2.end);
       if (!on) kept = away;
       warmed[k] = Math.min(kept, away);
       squeezed[k] = away - Number(warmed[k]);
@@ -4209,13 +4504,13 @@ ${lines2.join("\n")}
     draw(times, plane) {
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
-      this.tops.forEach((top, i) => {
+      this.tops.forEach((top, i2) => {
         const path2 = (
           /** @type {Element} */
-          this.areas.children[i]
+          this.areas.children[i2]
         );
         put(path2, "class", `carts-band carts-${top.style}`);
-        put(path2, "d", band(times, plane, top.values, this.tops[i - 1]?.values));
+        put(path2, "d", band(times, plane, top.values, this.tops[i2 - 1]?.values));
       });
       delete this.key.dataset.curves;
       this.key.replaceChildren(
@@ -4231,10 +4526,10 @@ ${lines2.join("\n")}
       );
     }
     /** @param {ArrayLike<number>} times @param {number} t in s */
-    at(times, t) {
-      this.entries.forEach(({ label, values }, i) => {
-        const now = Math.max(0, valueAt(times, values, null, t));
-        const text = this.key.children[i]?.querySelector("b");
+    at(times, t3) {
+      this.entries.forEach(({ label, values }, i2) => {
+        const now = Math.max(0, valueAt(times, values, null, t3));
+        const text = this.key.children[i2]?.querySelector("b");
         if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
       });
     }
@@ -4244,13 +4539,13 @@ ${lines2.join("\n")}
     const below = [];
     let [x0, y0, z0] = [-9, -9, -9];
     for (let k = 0; k < times.length; k += 1) {
-      const x = timeX(plane, Number(times[k]));
-      const [y, z] = [Number(top[k]), Number(bottom?.[k] ?? 0)].map((v) => valueY(plane, v));
-      const moved = Math.max(Math.abs(x - x0), Math.abs(Number(y) - y0), Math.abs(Number(z) - z0));
+      const x2 = timeX(plane, Number(times[k]));
+      const [y2, z2] = [Number(top[k]), Number(bottom?.[k] ?? 0)].map((v2) => valueY(plane, v2));
+      const moved = Math.max(Math.abs(x2 - x0), Math.abs(Number(y2) - y0), Math.abs(Number(z2) - z0));
       if (moved < NEAR3 && k < times.length - 1) continue;
-      [x0, y0, z0] = [x, Number(y), Number(z)];
-      above.push(`${px(x)} ${px(y0)}`);
-      below.unshift(`${px(x)} ${px(z0)}`);
+      [x0, y0, z0] = [x2, Number(y2), Number(z2)];
+      above.push(`${px(x2)} ${px(y0)}`);
+      below.unshift(`${px(x2)} ${px(z0)}`);
     }
     return `M${above.join("L")}L${below.join("L")}Z`;
   }
@@ -4288,11 +4583,11 @@ ${lines2.join("\n")}
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
       const scale = greatest3(curves);
-      const rows = tableTimes(run).map((t) => {
+      const rows = tableTimes(run).map((t3) => {
         const row = html("tr");
-        row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
+        row.append(html("td", "", fixed(t3, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
-          const value = valueAt(run.trajectory.t, values, slopes, t);
+          const value = valueAt(run.trajectory.t, values, slopes, t3);
           row.append(html("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
         }
         return row;
@@ -4303,7 +4598,7 @@ ${lines2.join("\n")}
   function tableTimes({ header }) {
     const times = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
-    return [...times].sort((a, b) => a - b);
+    return [...times].sort((a2, b2) => a2 - b2);
   }
   function heading(text) {
     const cell = html("th", "", text);
@@ -4360,8 +4655,8 @@ ${lines2.join("\n")}
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame3 = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame3.left) / frame3.width * WIDTH3;
-        const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT2 - LEFT3)));
+        const x2 = (event.clientX - frame3.left) / frame3.width * WIDTH3;
+        const part = Math.min(1, Math.max(0, (x2 - LEFT3) / (RIGHT2 - LEFT3)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
       };
@@ -4372,32 +4667,32 @@ ${lines2.join("\n")}
       if (this.button) this.button.disabled = false;
     }
     /** @param {Run} run @param {number} t the instant shown */
-    show(run, t) {
+    show(run, t3) {
       if (!isTold(run)) return;
       this.#run = run;
       if (run.trajectory.t.length > 1) this.#first ??= run;
       this.impulse?.show(run);
       this.ledger?.show(run);
-      this.#draw(t);
+      this.#draw(t3);
       this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
     }
     /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
-    zoom(window, t) {
+    zoom(window, t3) {
       this.#window = window;
-      if (this.#run) this.#draw(t);
+      if (this.#run) this.#draw(t3);
     }
     /** @param {number} t in s */
-    at(t) {
+    at(t3) {
       const run = this.#run;
       if (!run) return;
-      const x = px(timeX(this.#plane, t));
-      this.impulse?.at(run, this.#plane, t, this.#pressed);
-      if (this.#stacked) this.ledger?.at(run.trajectory.t, t);
-      put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
-      this.#curves.forEach((curve, i) => {
-        const y = valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t));
-        const dot2 = this.#dots[i];
-        if (dot2) put(dot2, "transform", `translate(${x} ${px(y)})`);
+      const x2 = px(timeX(this.#plane, t3));
+      this.impulse?.at(run, this.#plane, t3, this.#pressed);
+      if (this.#stacked) this.ledger?.at(run.trajectory.t, t3);
+      put(need(this.root, ".carts-cursor"), "transform", `translate(${x2} 0)`);
+      this.#curves.forEach((curve, i2) => {
+        const y2 = valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t3));
+        const dot2 = this.#dots[i2];
+        if (dot2) put(dot2, "transform", `translate(${x2} ${px(y2)})`);
       });
     }
     get #signed() {
@@ -4415,7 +4710,7 @@ ${lines2.join("\n")}
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
     /** @param {number} t */
-    #draw(t) {
+    #draw(t3) {
       const run = (
         /** @type {Run} */
         this.#run
@@ -4437,10 +4732,10 @@ ${lines2.join("\n")}
       this.#axes();
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));
-      this.#curves.forEach((curve, i) => {
+      this.#curves.forEach((curve, i2) => {
         const line = (
           /** @type {Element} */
-          group2.children[i]
+          group2.children[i2]
         );
         put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
         put(line, "d", path(curve, trajectory.t, this.#plane));
@@ -4452,7 +4747,7 @@ ${lines2.join("\n")}
         this.ledger?.clear();
         this.#key();
       }
-      this.at(t);
+      this.at(t3);
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -4462,10 +4757,10 @@ ${lines2.join("\n")}
     #axes() {
       const times = timeMarks(this.#plane);
       const rows = valueMarks(this.#plane);
-      marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
+      marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i2) => {
         const { at, label } = (
           /** @type {{at: string, label: string}} */
-          times[i]
+          times[i2]
         );
         put(line, "class", "carts-grid");
         put(line, "d", `M${at} ${TOP2}V${BOTTOM3}`);
@@ -4474,10 +4769,10 @@ ${lines2.join("\n")}
         put(text, "y", String(BOTTOM3 + 14));
         say(text, label);
       });
-      marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
+      marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i2) => {
         const { at, textY, label, zero } = (
           /** @type {(typeof rows)[number]} */
-          rows[i]
+          rows[i2]
         );
         put(line, "class", zero ? "carts-zero" : "carts-grid");
         put(line, "d", `M${LEFT3} ${at}H${RIGHT2}`);
@@ -4491,8 +4786,8 @@ ${lines2.join("\n")}
       const group2 = need(this.root, '[data-part="cursor"]');
       fit(group2, this.#curves.length + 1, () => svg("path"));
       this.#dots = [...group2.children].slice(1);
-      this.#dots.forEach((dot2, i) => {
-        const style = this.#curves[i]?.style ?? "b0";
+      this.#dots.forEach((dot2, i2) => {
+        const style = this.#curves[i2]?.style ?? "b0";
         put(dot2, "class", `carts-dot carts-${style}`);
         put(dot2, "d", MARKERS[style] ?? "");
       });
@@ -4500,7 +4795,7 @@ ${lines2.join("\n")}
     #key() {
       const key = need(this.root, ".carts-key");
       const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
-      const wanted = [...this.#curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
+      const wanted = [...this.#curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note].join("|");
       if (key.dataset.curves === wanted) return;
       const first = key.dataset.curves === void 0;
       key.dataset.curves = wanted;
@@ -4540,13 +4835,13 @@ ${lines2.join("\n")}
   function marks(group2, count2, draw) {
     while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();
     while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
-    for (let i = 0; i < count2; i += 1) {
+    for (let i2 = 0; i2 < count2; i2 += 1) {
       draw(
         /** @type {Element} */
-        group2.children[2 * i],
+        group2.children[2 * i2],
         /** @type {Element} */
-        group2.children[2 * i + 1],
-        i
+        group2.children[2 * i2 + 1],
+        i2
       );
     }
   }
@@ -4566,7 +4861,7 @@ ${lines2.join("\n")}
           /** @type {NodeListOf<HTMLElement>} */
           card.querySelectorAll(".carts-value")
         );
-        return { name: name2, outputs: new Map([...outputs].map((o) => [o.dataset.quantity ?? "", o])) };
+        return { name: name2, outputs: new Map([...outputs].map((o3) => [o3.dataset.quantity ?? "", o3])) };
       });
     }
     /** @param {Run} run */
@@ -4574,17 +4869,17 @@ ${lines2.join("\n")}
       this.#run = run;
     }
     /** @param {number} t in s */
-    at(t) {
+    at(t3) {
       const run = this.#run;
       if (!run) return;
-      const { t: times, x, v, a } = run.trajectory;
+      const { t: times, x: x2, v: v2, a: a2 } = run.trajectory;
       const told2 = isTold(run);
       for (const { name: name2, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
-        const acceleration = told2 ? valueAt(times, a[name2] ?? [], null, t) : null;
+        const acceleration = told2 ? valueAt(times, a2[name2] ?? [], null, t3) : null;
         const values = /* @__PURE__ */ new Map([
-          ["x", valueAt(times, x[name2] ?? [], v[name2] ?? [], t) - this.camera * t],
-          ["v", (valueAt(times, v[name2] ?? [], a[name2] ?? [], t) - this.camera) / this.per],
+          ["x", valueAt(times, x2[name2] ?? [], v2[name2] ?? [], t3) - this.camera * t3],
+          ["v", (valueAt(times, v2[name2] ?? [], a2[name2] ?? [], t3) - this.camera) / this.per],
           ["F", acceleration === null ? null : mass * acceleration],
           ["a", acceleration]
         ]);
@@ -4614,65 +4909,65 @@ ${lines2.join("\n")}
   ];
   var STEEPEST = 22;
   var WEDGE = { wide: 120, narrow: 90 };
-  function props(header, layout, t, face, centre) {
+  function props(header, layout, t3, face, centre) {
     return header.effects.filter(({ active }) => active).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      const y = layout.track;
-      const [a, b] = effect.between ?? ["", ""];
+      const y2 = layout.track;
+      const [a2, b2] = effect.between ?? ["", ""];
       switch (effect.kind) {
         case "friction":
           return rough(effect, header, layout, key, face, centre);
         case "incline":
           return tilt(effect, layout, key);
         case "push":
-          return actsAt(effect, t) ? [hand(effect, header, layout, key, centre)] : [];
+          return actsAt(effect, t3) ? [hand(effect, header, layout, key, centre)] : [];
         case "spring":
-          return springCoil(effect, layout, key, face(a, "right"), face(b, "left"));
+          return springCoil(effect, layout, key, face(a2, "right"), face(b2, "left"));
         case "magnets":
           return [
-            ...magnet(`${key} ${a}`, face(a, "right"), y, -1, layout),
-            ...magnet(`${key} ${b}`, face(b, "left"), y, 1, layout)
+            ...magnet(`${key} ${a2}`, face(a2, "right"), y2, -1, layout),
+            ...magnet(`${key} ${b2}`, face(b2, "left"), y2, 1, layout)
           ];
         case "release":
-          if (t >= (effect.numbers.at ?? 0)) return [];
-          return exploder(key, (face(a, "right") + face(b, "left")) / 2, y);
+          if (t3 >= (effect.numbers.at ?? 0)) return [];
+          return exploder(key, (face(a2, "right") + face(b2, "left")) / 2, y2);
         default:
           return [];
       }
     });
   }
-  function coil(start, end, y, turns = TURNS, high = COIL) {
+  function coil(start, end, y2, turns = TURNS, high = COIL) {
     const span3 = Math.max(0, end - start);
     const lead = Math.min(LEAD, span3 / 4);
     const step = (span3 - 2 * lead) / turns;
-    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+    let d2 = `M${px(start)} ${px(y2)}L${px(start + lead)} ${px(y2)}`;
     for (let k = 0; k < turns; k += 1) {
-      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+      d2 += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y2 - high : y2 + high)}`;
     }
-    return `${d}L${px(start + span3 - lead)} ${px(y)}L${px(start + span3)} ${px(y)}`;
+    return `${d2}L${px(start + span3 - lead)} ${px(y2)}L${px(start + span3)} ${px(y2)}`;
   }
   function springCoil(effect, layout, key, start, end) {
     const length = (effect.numbers.length ?? 0) * layout.scale;
-    const [a, b] = effect.between ?? ["", ""];
+    const [a2, b2] = effect.between ?? ["", ""];
     const middle = (start + end) / 2;
-    const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
-    const y = layout.track - PUSH - COIL - 5;
+    const low = a2 === "left" ? start : b2 === "right" ? end - length : middle - length / 2;
+    const y2 = layout.track - PUSH - COIL - 5;
     return [
       { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
       {
         key: `${key} natural`,
         cls: "carts-natural",
-        d: `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`
+        d: `M${px(low)} ${px(y2 - 3)}v6M${px(low)} ${px(y2)}h${px(length)}m0 -3v6`
       }
     ];
   }
-  function magnet(key, x, y, way, { kind }) {
-    const top = y - 40;
+  function magnet(key, x2, y2, way, { kind }) {
+    const top = y2 - 40;
     return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole, cls], k) => {
-      const start = x + way * k * POLE;
-      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
+      const start = x2 + way * k * POLE;
+      const d2 = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
       return [
-        { key: `${key} ${pole}`, cls: String(cls), d },
+        { key: `${key} ${pole}`, cls: String(cls), d: d2 },
         {
           key: `${key} ${pole} letter`,
           cls: "carts-pole",
@@ -4685,21 +4980,21 @@ ${lines2.join("\n")}
     });
   }
   function hand({ carts: [name2 = ""], numbers }, { bodies }, layout, key, centre) {
-    const y = layout.track;
+    const y2 = layout.track;
     const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
     const body2 = bodies.find((one) => one.name === name2);
-    const x = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
-    const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
-    return { key, cls: "carts-hand", d };
+    const x2 = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+    const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
+    return { key, cls: "carts-hand", d: d2 };
   }
-  function exploder(key, x, y) {
-    const low = y - 28;
+  function exploder(key, x2, y2) {
+    const low = y2 - 28;
     return [
-      { key, cls: "carts-coil", d: coil(x - 9, x + 9, low, 7, 4) },
+      { key, cls: "carts-coil", d: coil(x2 - 9, x2 + 9, low, 7, 4) },
       {
         key: `${key} latch`,
         cls: "carts-latch",
-        d: `M${px(x - 10)} ${px(low + 7)}v-15h20v15`
+        d: `M${px(x2 - 10)} ${px(low + 7)}v-15h20v15`
       }
     ];
   }
@@ -4708,8 +5003,8 @@ ${lines2.join("\n")}
     if (carts.length < bodies.length) {
       return carts.map((name2) => {
         const length = (bodies.find((body2) => body2.name === name2)?.length ?? 0) * layout.scale;
-        const d = teeth(centre(name2) - length / 2, length, layout.track);
-        return { key: `${key} ${name2}`, cls, d };
+        const d2 = teeth(centre(name2) - length / 2, length, layout.track);
+        return { key: `${key} ${name2}`, cls, d: d2 };
       });
     }
     const start = track.left === "wall" ? face("left", "right") : -layout.width;
@@ -4718,31 +5013,31 @@ ${lines2.join("\n")}
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
     return [{ key, cls, d: teeth(first, Math.min(end, layout.width) - first, layout.track) }];
   }
-  function teeth(x, length, y) {
+  function teeth(x2, length, y2) {
     const count2 = Math.max(0, Math.floor(length / (2 * TOOTH)));
-    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
+    return `M${px(x2)} ${px(y2)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
   }
   function tilt({ numbers }, layout, key) {
     const angle = numbers.angle ?? 0;
     const slope = Math.abs(Math.tan(angle));
     const longest = WEDGE[layout.kind] ?? 0;
     const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
-    const [x, y, rise] = [12, layout.tilt, length * slope];
-    const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
+    const [x2, y2, rise] = [12, layout.tilt, length * slope];
+    const [tall, flat] = angle > 0 ? [x2, x2 + length] : [x2 + length, x2];
     const words = angle ? `track tilted ${slopeText(angle)}` : "the track is level: 0°";
     const text = angle > 0 ? `${words} →` : angle < 0 ? `← ${words}` : words;
     return [
       {
         key,
         cls: "carts-wedge",
-        d: `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`
+        d: `M${px(tall)} ${px(y2)}V${px(y2 - rise)}L${px(flat)} ${px(y2)}Z`
       },
       {
         key: `${key} words`,
         cls: "carts-tilt",
         text,
-        x: px(x + length + 10),
-        y: px(y),
+        x: px(x2 + length + 10),
+        y: px(y2),
         anchor: "start"
       }
     ];
@@ -4780,11 +5075,11 @@ ${lines2.join("\n")}
       this.#run = run;
     }
     /** @param {number} t in s @param {import("./effects-props.js").Face} face @param {Centre} centre */
-    at(t, face, centre) {
+    at(t3, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run.header, this.layout, t, face, centre);
-      if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
+      const pieces = props(run.header, this.layout, t3, face, centre);
+      if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t3, centre));
       const seen = new Set(pieces.map(({ key }) => key));
       for (const [key, element] of this.#drawn) {
         if (!seen.has(key)) {
@@ -4795,64 +5090,64 @@ ${lines2.join("\n")}
       for (const piece of pieces) this.#draw(piece);
     }
     /** @param {Piece} piece */
-    #draw({ key, cls, d, text, x, y, anchor }) {
+    #draw({ key, cls, d: d2, text, x: x2, y: y2, anchor }) {
       let element = this.#drawn.get(key);
       if (!element) {
-        element = svg(d === void 0 ? "text" : "path", { "data-key": key, class: cls });
+        element = svg(d2 === void 0 ? "text" : "path", { "data-key": key, class: cls });
         const group2 = BEHIND.includes(cls) ? this.behind : this.front;
         if (cls.startsWith("carts-leader")) group2.prepend(element);
         else group2.append(element);
         this.#drawn.set(key, element);
       }
-      if (d !== void 0) return put(element, "d", d);
-      put(element, "x", x ?? "0");
-      put(element, "y", y ?? "0");
+      if (d2 !== void 0) return put(element, "d", d2);
+      put(element, "x", x2 ?? "0");
+      put(element, "y", y2 ?? "0");
       put(element, "text-anchor", anchor ?? "start");
       say(element, text ?? "");
     }
   };
-  function arrows(run, layout, full, t, centre) {
-    const styles = new Map(run.header.bodies.map(({ name: name2 }, i) => [name2, `carts-${styleOf(i)}`]));
+  function arrows(run, layout, full, t3, centre) {
+    const styles = new Map(run.header.bodies.map(({ name: name2 }, i2) => [name2, `carts-${styleOf(i2)}`]));
     const named = run.header.bodies.length <= FEW;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
-    for (const force of forcesAt(run, t)) {
+    for (const force of forcesAt(run, t3)) {
       const key = `${force.kind} ${force.on}`;
-      const x = centre(force.on);
-      const y = layout.slots[key] ?? layout.track;
+      const x2 = centre(force.on);
+      const y2 = layout.slots[key] ?? layout.track;
       const exact = arrowLength(force.value, full, layout.force);
       const length = Math.abs(exact) < SLIVER ? 0 : exact;
       const cut = isCut(force.value, full);
       const style = styles.get(force.on);
-      lowest.set(force.on, Math.max(y, lowest.get(force.on) ?? y));
-      const d = (cut ? cutArrow : blockArrow)(x, y, length);
-      pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
+      lowest.set(force.on, Math.max(y2, lowest.get(force.on) ?? y2));
+      const d2 = (cut ? cutArrow : blockArrow)(x2, y2, length);
+      pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d: d2 });
       const row = `row ${force.kind}`;
       if (named) {
         const told2 = labels(force).map((one) => one + (cut ? ", arrow cut" : ""));
-        const text = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
-        const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
+        const text = told2.find((one) => fits(x2, length, one, layout.width)) ?? String(told2.at(-1));
+        const [at, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y2 + 4), anchor });
       } else if (!pieces.some((piece) => piece.key === row)) {
         const text = `by ${force.by}`;
-        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
+        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 4), anchor: "start" });
       }
     }
-    const leaders = [...lowest].map(([name2, y]) => ({
+    const leaders = [...lowest].map(([name2, y2]) => ({
       key: `leader ${name2}`,
       cls: `carts-leader carts-acts ${styles.get(name2)}`,
-      d: `M${px(centre(name2))} ${px(layout.track)}V${px(y)}`
+      d: `M${px(centre(name2))} ${px(layout.track)}V${px(y2)}`
     }));
     return [...leaders, ...pieces];
   }
-  function fits(x, length, text, picture2) {
+  function fits(x2, length, text, picture2) {
     const needed = text.length * PER_CHARACTER + GAP2 + 4;
-    return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture2 - needed;
+    return Math.min(x2, x2 + length) >= needed || Math.max(x2, x2 + length) <= picture2 - needed;
   }
-  function beside(x, length, width, picture2) {
-    const left = Math.min(x, x + length) - GAP2;
-    const right = Math.max(x, x + length) + GAP2;
+  function beside(x2, length, width, picture2) {
+    const left = Math.min(x2, x2 + length) - GAP2;
+    const right = Math.max(x2, x2 + length) + GAP2;
     const toLeft = left - width >= 4;
     const toRight = right + width <= picture2 - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
@@ -4899,28 +5194,28 @@ ${lines2.join("\n")}
       });
     }
     /** @param {number} t in s @param {Face} face */
-    at(t, face) {
+    at(t3, face) {
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
       const told2 = [];
       for (const push of this.#pushes) {
-        const { t: times, F, dF } = run.trajectory;
-        const [column, slopes] = [F[push.pair], dF[push.pair]];
-        const force = column && slopes ? valueAt(times, column, slopes, t) : 0;
+        const { t: times, F: F2, dF } = run.trajectory;
+        const [column, slopes] = [F2[push.pair], dF[push.pair]];
+        const force = column && slopes ? valueAt(times, column, slopes, t3) : 0;
         const signed = Math.abs(force) < 1e-9 * view.force ? 0 : force;
         const size = Math.abs(signed);
         const length = arrowLength(signed, view.force, layout.force);
-        const y = layout.track - PUSH;
+        const y2 = layout.track - PUSH;
         const [left, right] = push.bodies;
         const ends = [face(left, "right"), face(right, "left")];
         const draw = isCut(size, view.force) ? cutArrow : blockArrow;
         push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
-          put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
+          put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y2, way * length));
         });
         const touching = this.#windows.some(
-          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+          (w2) => w2.pair === push.pair && t3 >= w2.start && t3 <= w2.end
         );
         const link = touching ? "" : linkKind(run.header, push.pair);
         if (touching || link && size > 0) {
@@ -4941,14 +5236,14 @@ ${lines2.join("\n")}
       if (told2.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push, size, x } of told2) {
+      for (const { push, size, x: x2 } of told2) {
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
         const label = `${this.#value(size)} on each`;
         const half = label.length * PER_CHARACTER2 / 2;
-        const at = Math.min(Math.max(x, low + half), high - half);
+        const at = Math.min(Math.max(x2, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
-          (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
+          (y2) => taken.every(([row, from, to]) => row !== y2 || at + half < from || at - half > to)
         );
         put(other, "visibility", "hidden");
         if (free === void 0) put(text, "visibility", "hidden");
@@ -4963,7 +5258,7 @@ ${lines2.join("\n")}
       return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
     }
     /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
-    #named({ push, size, x }, through) {
+    #named({ push, size, x: x2 }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
@@ -4973,8 +5268,8 @@ ${lines2.join("\n")}
       if (!first || !second || !left || !right) return false;
       const [low, high] = this.#between();
       if (high - low >= left + right + 2 * GAP3 && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x + GAP3, low + left + 2 * GAP3), high - right);
-        const end = Math.max(low + left, Math.min(x - GAP3, begin - 2 * GAP3));
+        const begin = Math.min(Math.max(x2 + GAP3, low + left + 2 * GAP3), high - right);
+        const end = Math.max(low + left, Math.min(x2 - GAP3, begin - 2 * GAP3));
         write2(first, labels2[0] ?? "", end, push.row, "end");
         write2(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
@@ -4984,7 +5279,7 @@ ${lines2.join("\n")}
       if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
-      const start = Math.min(Math.max(x - way * longest, low), high - longest);
+      const start = Math.min(Math.max(x2 - way * longest, low), high - longest);
       write2(first, labels2[0] ?? "", start, top, "start");
       write2(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
@@ -5005,9 +5300,9 @@ ${lines2.join("\n")}
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function write2(text, label, x, y, anchor) {
-    put(text, "x", px(x));
-    put(text, "y", px(y));
+  function write2(text, label, x2, y2, anchor) {
+    put(text, "x", px(x2));
+    put(text, "y", px(y2));
     put(text, "text-anchor", anchor);
     say(text, label);
   }
@@ -5040,15 +5335,15 @@ ${lines2.join("\n")}
       this.#run = run;
       const { layout, view } = this;
       const boxes = run.header.bodies.map(
-        (body2, i) => box(body2, view, layout, layout.stagger * (i % layout.ranks))
+        (body2, i2) => box(body2, view, layout, layout.stagger * (i2 % layout.ranks))
       );
       this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));
-      this.#carts = run.header.bodies.map((body2, i) => {
+      this.#carts = run.header.bodies.map((body2, i2) => {
         const group2 = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
         const box2 = (
           /** @type {shapes.Box} */
-          boxes[i]
+          boxes[i2]
         );
         drawBox(group2, body2.name, box2);
         return {
@@ -5056,7 +5351,7 @@ ${lines2.join("\n")}
           edge: -box2.x,
           bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
           top: layout.track + labelTop(box2),
-          lane: lane(i, tallest, layout),
+          lane: lane(i2, tallest, layout),
           group: group2,
           velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
@@ -5065,31 +5360,31 @@ ${lines2.join("\n")}
       this.#effects.show(run);
     }
     /** Draws the instant t. @param {number} t in s */
-    at(t) {
+    at(t3) {
       const { header, trajectory } = this.#run;
-      const shift = this.camera * t;
+      const shift = this.camera * t3;
       put(
         need(this.root, '[data-part="ground"]'),
         "transform",
         `translate(${px(-shift * this.layout.scale)} 0)`
       );
       const centres = header.bodies.map((body2) => {
-        const x = valueAt(
+        const x2 = valueAt(
           trajectory.t,
           trajectory.x[body2.name] ?? [],
           trajectory.v[body2.name] ?? [],
-          t
+          t3
         );
-        return this.layout.origin + (x - shift) * this.layout.scale;
+        return this.layout.origin + (x2 - shift) * this.layout.scale;
       });
       const { left, right } = this.#squeezes(centres, shift);
-      this.#carts.forEach((cart, i) => {
-        const centre = Number(centres[i]);
+      this.#carts.forEach((cart, i2) => {
+        const centre = Number(centres[i2]);
         const faces = (
           /** @type {const} */
           [
-            -cart.half + Number(left[i]),
-            cart.half - Number(right[i])
+            -cart.half + Number(left[i2]),
+            cart.half - Number(right[i2])
           ]
         );
         put(cart.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
@@ -5101,21 +5396,21 @@ ${lines2.join("\n")}
           "transform",
           `translate(${px(faces[1])} 0)`
         );
-        this.#velocity(cart, header.bodies[i]?.name ?? "", centre, t);
+        this.#velocity(cart, header.bodies[i2]?.name ?? "", centre, t3);
       });
       const face = (name2, side) => {
-        const i = header.bodies.findIndex((body2) => body2.name === name2);
-        if (i < 0) {
+        const i2 = header.bodies.findIndex((body2) => body2.name === name2);
+        if (i2 < 0) {
           const wall = name2 === "left" ? 0 : header.track.length ?? 0;
           return this.layout.origin + (wall - shift) * this.layout.scale;
         }
-        const half = this.#carts[i]?.half ?? 0;
-        const centre = Number(centres[i]);
-        return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
+        const half = this.#carts[i2]?.half ?? 0;
+        const centre = Number(centres[i2]);
+        return side === "left" ? centre - half + Number(left[i2]) : centre + half - Number(right[i2]);
       };
-      this.#pushes.at(t, face);
+      this.#pushes.at(t3, face);
       this.#effects.at(
-        t,
+        t3,
         face,
         (name2) => Number(centres[header.bodies.findIndex((body2) => body2.name === name2)])
       );
@@ -5128,17 +5423,17 @@ ${lines2.join("\n")}
       const { header } = this.#run;
       const group2 = need(this.root, '[data-part="guess"]');
       const arrows2 = guesses.map(({ pair, on, side, size }) => {
-        const i = header.bodies.findIndex((body3) => body3.name === on);
-        const body2 = header.bodies[i];
+        const i2 = header.bodies.findIndex((body3) => body3.name === on);
+        const body2 = header.bodies[i2];
         const half = (body2?.length ?? 0) / 2;
         const wall = on === "left" ? 0 : header.track.length ?? 0;
-        const x = body2 ? body2.position + (side === "left" ? half : -half) : wall;
+        const x2 = body2 ? body2.position + (side === "left" ? half : -half) : wall;
         const way = side === "left" ? -1 : 1;
         const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
-        const from = this.layout.origin + x * this.layout.scale;
+        const from = this.layout.origin + x2 * this.layout.scale;
         const draw = isCut(size, this.view.force || 10) ? cutArrow : blockArrow;
         return svg("path", {
-          class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
+          class: `carts-guessed carts-${i2 < 0 ? "wall" : styleOf(i2)}`,
           d: draw(from, this.layout.track - PUSH, length),
           "data-pair": pair,
           "data-on": on
@@ -5157,45 +5452,45 @@ ${lines2.join("\n")}
       const right = bodies.map(() => 0);
       const at = (
         /** @param {number} x */
-        (x) => this.layout.origin + (x - shift) * this.layout.scale
+        (x2) => this.layout.origin + (x2 - shift) * this.layout.scale
       );
       for (let gap = 0; gap <= bodies.length; gap += 1) {
-        const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
-        if (!a && track.left !== "wall" || !b && track.right !== "wall") continue;
-        const end = a ? Number(centres[gap - 1]) + a.half : at(0);
-        const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
+        const [a2, b2] = [this.#carts[gap - 1], this.#carts[gap]];
+        if (!a2 && track.left !== "wall" || !b2 && track.right !== "wall") continue;
+        const end = a2 ? Number(centres[gap - 1]) + a2.half : at(0);
+        const start = b2 ? Number(centres[gap]) - b2.half : at(track.length ?? 0);
         const overlap = Math.max(0, end - start);
-        const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
-        const rest = Math.min(b?.bumper ?? 0, overlap - share);
-        if (b) left[gap] = rest;
-        if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+        const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
+        const rest = Math.min(b2?.bumper ?? 0, overlap - share);
+        if (b2) left[gap] = rest;
+        if (a2) right[gap - 1] = Math.min(a2.bumper, overlap - rest);
       }
       return { left, right };
     }
     /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
-    #velocity(cart, name2, x, t) {
+    #velocity(cart, name2, x2, t3) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
-      const v = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t) - this.camera;
-      const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
+      const v2 = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3) - this.camera;
+      const seen = Math.abs(v2) < 1e-9 * view.velocity ? 0 : v2;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
-      const length = keptInside(x, exact, layout.width);
-      const [at, anchor] = velocityText(x, length, layout.width);
-      put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x, cart.lane, length));
+      const length = keptInside(x2, exact, layout.width);
+      const [at, anchor] = velocityText(x2, length, layout.width);
+      put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x2, cart.lane, length));
       put(
         need(cart.velocity, '[data-part="leader"]'),
         "d",
-        `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`
+        `M${px(x2)} ${px(cart.lane)}V${px(cart.top)}`
       );
       const shortened = length !== exact || isCut(seen, view.velocity, FASTEST);
       const cut = shortened ? ", arrow cut" : "";
       const [per, unit] = speedUnit(view.velocity);
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
-      const outside2 = x < 0 || x > layout.width;
-      put(text, "x", px(outside2 ? x < 0 ? 8 : layout.width - 8 : at));
+      const outside2 = x2 < 0 || x2 > layout.width;
+      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at));
       put(text, "y", px(cart.lane + 4));
-      put(text, "text-anchor", outside2 ? x < 0 ? "start" : "end" : anchor);
+      put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
       say(text, outside2 ? `${name2} is outside: ${speed}` : speed);
     }
   };
@@ -5219,12 +5514,12 @@ ${lines2.join("\n")}
   // src/exits.js
   var HALVINGS = 40;
   function exits({ header, trajectory }, { low, high }, camera) {
-    const { t: times, x: places, v, a } = trajectory;
+    const { t: times, x: places, v: v2, a: a2 } = trajectory;
     const found2 = [];
     for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
-      const place3 = (t) => valueAt(times, places[name2] ?? [], v[name2] ?? [], t) - camera * t;
-      const isOut = (t) => Math.max(place3(t) - half - high, low - place3(t) - half) > 0;
+      const place3 = (t3) => valueAt(times, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
+      const isOut = (t3) => Math.max(place3(t3) - half - high, low - place3(t3) - half) > 0;
       const row = Array.prototype.findIndex.call(times, isOut);
       if (row < 1) continue;
       let before = Number(times[row - 1]);
@@ -5234,7 +5529,7 @@ ${lines2.join("\n")}
         if (isOut(middle)) after = middle;
         else before = middle;
       }
-      const velocity2 = valueAt(times, v[name2] ?? [], a[name2] ?? [], after) - camera;
+      const velocity2 = valueAt(times, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
       found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity: velocity2 });
     }
     return found2;
@@ -5283,13 +5578,13 @@ ${lines2.join("\n")}
           t: exit.t,
           sentence: exitSentence(exit, decimals, this.view.velocity)
         }))
-      ].sort((a, b) => a.t - b.t);
-      const items = this.told.slice(0, MOST_EVENTS2).map(({ t, sentence: sentence2 }) => {
+      ].sort((a2, b2) => a2.t - b2.t);
+      const items = this.told.slice(0, MOST_EVENTS2).map(({ t: t3, sentence: sentence2 }) => {
         const item = html("li");
-        const button = html("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+        const button = html("button", "", `${fixed(t3, this.view.decimals.t ?? 3)} s`);
         button.setAttribute("type", "button");
         button.className = "carts-jump";
-        button.dataset.time = String(t);
+        button.dataset.time = String(t3);
         item.append(button, " ", html("span", "", sentence2));
         return item;
       });
@@ -5304,7 +5599,7 @@ ${lines2.join("\n")}
     }
     /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before, now) {
-      return this.told.filter(({ t }) => t > before && t <= now).map(({ sentence: sentence2 }) => sentence2);
+      return this.told.filter(({ t: t3 }) => t3 > before && t3 <= now).map(({ sentence: sentence2 }) => sentence2);
     }
   };
 
@@ -5324,21 +5619,21 @@ ${lines2.join("\n")}
     show(run, windows) {
       const { header } = run;
       const pushes = isTold(run) ? pushMarks(header, false) : [];
-      const at = (t) => `${px(100 * t / header.until, 3)}%`;
+      const at = (t3) => `${px(100 * t3 / header.until, 3)}%`;
       this.bands.replaceChildren(
         ...windows.map(
-          (w) => svg("rect", {
+          (w2) => svg("rect", {
             class: "carts-contact-band",
-            x: at(w.start),
+            x: at(w2.start),
             y: 0,
-            width: at(w.end - w.start),
+            width: at(w2.end - w2.start),
             height: 18
           })
         )
       );
       this.marks.replaceChildren(
         .../** @type {{t: number, kind: string}[]} */
-        header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes.map(({ t }) => ({ t, kind: "push" }))).map(
+        header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes.map(({ t: t3 }) => ({ t: t3, kind: "push" }))).map(
           (event) => svg("line", {
             class: `carts-event carts-event-${event.kind}`,
             x1: at(event.t),
@@ -5351,8 +5646,8 @@ ${lines2.join("\n")}
       if (Number(this.scrub.max) !== header.until) this.#renumber(header.until);
     }
     /** @param {number} t in s @param {string} spoken */
-    at(t, spoken) {
-      this.scrub.valueAsNumber = t;
+    at(t3, spoken) {
+      this.scrub.valueAsNumber = t3;
       put(this.scrub, "aria-valuetext", spoken);
     }
     /** @param {number} until */
@@ -5361,11 +5656,11 @@ ${lines2.join("\n")}
       const axis2 = span(0, until, 6);
       const times = ticks(axis2);
       this.numbers.replaceChildren(
-        ...times.flatMap((t, i) => {
-          const x = `${px(100 * t / until, 3)}%`;
-          const text = svg("text", { class: "carts-number", x, y: 32 });
-          text.textContent = fixed(t, axisDecimals(axis2)) + (i === times.length - 1 ? " s" : "");
-          return [svg("line", { class: "carts-fine", x1: x, x2: x, y1: 14, y2: 20 }), text];
+        ...times.flatMap((t3, i2) => {
+          const x2 = `${px(100 * t3 / until, 3)}%`;
+          const text = svg("text", { class: "carts-number", x: x2, y: 32 });
+          text.textContent = fixed(t3, axisDecimals(axis2)) + (i2 === times.length - 1 ? " s" : "");
+          return [svg("line", { class: "carts-fine", x1: x2, x2, y1: 14, y2: 20 }), text];
         })
       );
     }
@@ -5483,10 +5778,10 @@ ${lines2.join("\n")}
       this.#full = most || 1;
     }
     /** @param {number} t in s */
-    at(t) {
+    at(t3) {
       const run = this.#run;
       if (!run) return;
-      const start = latestTouch(this.#windows, t)?.start ?? 0;
+      const start = latestTouch(this.#windows, t3)?.start ?? 0;
       say(this.since, `at ${fixed(start, 2)} s`);
       this.rows.forEach((row, k) => {
         const curve = this.#curves[k];
@@ -5496,11 +5791,11 @@ ${lines2.join("\n")}
           const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
           return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
         };
-        const [before, now] = [at(start), at(t)];
+        const [before, now] = [at(start), at(t3)];
         say(need(row, "th"), curve.label);
         const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
-        row.querySelectorAll("td[data-when]").forEach((cell, i) => {
-          say(cell, texts[i] ?? "");
+        row.querySelectorAll("td[data-when]").forEach((cell, i2) => {
+          say(cell, texts[i2] ?? "");
         });
         bar(need(row, '[data-part="before"]'), before / this.#full);
         bar(need(row, '[data-part="now"]'), now / this.#full);
@@ -5550,19 +5845,19 @@ ${lines2.join("\n")}
       this.#windows = windows;
     }
     /** @param {number} t in s */
-    at(t) {
+    at(t3) {
       const run = this.#run;
       if (!run) return;
-      const touch = latestTouch(this.#windows, t);
+      const touch = latestTouch(this.#windows, t3);
       say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
       const room = this.#vertical ? this.#roomFor(run) : 0;
       for (const { name: name2, mass } of run.header.bodies) {
-        const along = [...contactForces(run, name2, t, this.zero), ...effectForces(run, name2, t)];
+        const along = [...contactForces(run, name2, t3, this.zero), ...effectForces(run, name2, t3)];
         this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
-        const { t: times, v, a } = run.trajectory;
-        const speed = (at) => valueAt(times, v[name2] ?? [], a[name2] ?? [], at);
-        const change2 = speed(t) - speed(touch?.start ?? 0);
+        const { t: times, v: v2, a: a2 } = run.trajectory;
+        const speed = (at) => valueAt(times, v2[name2] ?? [], a2[name2] ?? [], at);
+        const change2 = speed(t3) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
         const seen = Math.abs(change2) < 1e-9 * velocity2 ? 0 : change2 / this.per;
         this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
@@ -5598,10 +5893,10 @@ ${lines2.join("\n")}
           /** @type {Element} */
           group2.children[k]
         );
-        const [x, y] = tail(force);
+        const [x2, y2] = tail(force);
         put(path2, "class", "carts-block-arrow");
-        put(path2, "d", (cut ? cutArrow : blockArrow)(x, y, length));
-        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x)} ${px(y)})` : "");
+        put(path2, "d", (cut ? cutArrow : blockArrow)(x2, y2, length));
+        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x2)} ${px(y2)})` : "");
         say(
           /** @type {Element} */
           list.children[k],
@@ -5683,23 +5978,23 @@ ${lines2.join("\n")}
       this.#windows = windows;
     }
     /** @param {number} t in s */
-    at(t) {
+    at(t3) {
       const run = this.#run;
-      const touch = this.#windows.find(({ end }) => t <= end) ?? this.#windows.at(-1);
+      const touch = this.#windows.find(({ end }) => t3 <= end) ?? this.#windows.at(-1);
       put(this.plot, "visibility", touch ? "visible" : "hidden");
       this.root.classList.toggle(
         "carts-is-slow",
-        Boolean(touch && t >= touch.start && t <= touch.end)
+        Boolean(touch && t3 >= touch.start && t3 <= touch.end)
       );
       if (!run || !touch) return say(this.note, "Nothing touches in this run.");
-      this.#t = t;
+      this.#t = t3;
       const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
       const overlap = Math.max(0, left.face - right.face);
       const give = Math.min(overlap, left.bumper + right.bumper);
       const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
       const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
       const faces = [left.face - share, Math.max(right.face, left.face - share)];
-      const force = contactForce(run, touch.pair, t, 1e-9 * (this.view.force || 1));
+      const force = contactForce(run, touch.pair, t3, 1e-9 * (this.view.force || 1));
       [left, right].forEach((side, k) => {
         this.#draw(k, side, Number(faces[k]), middle, force);
       });
@@ -5707,7 +6002,7 @@ ${lines2.join("\n")}
       const gap = right.face - left.face;
       const apart = gap > 0 ? `${lengthText(gap)} apart` : `squeezed by ${lengthText(overlap)}`;
       const push = `${fixed(force, this.view.decimals.F ?? 2)} N on each`;
-      say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t, 4)} s`);
+      say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t3, 4)} s`);
     }
     /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
     #side({ header, trajectory }, touch, k) {
@@ -5717,15 +6012,15 @@ ${lines2.join("\n")}
         const wall = name2 === "left" ? 0 : header.track.length ?? 0;
         return { name: name2, edge: wall, face: wall, bumper: 0 };
       }
-      const { t, x, v } = trajectory;
-      const centre = valueAt(t, x[name2] ?? [], v[name2] ?? [], this.#t);
+      const { t: t3, x: x2, v: v2 } = trajectory;
+      const centre = valueAt(t3, x2[name2] ?? [], v2[name2] ?? [], this.#t);
       const way = k === 0 ? 1 : -1;
       const face = centre + way * cart.length / 2;
       return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
-      const at = (x) => WIDTH5 / 2 + (x - middle) * this.#perMetre;
+      const at = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
@@ -5789,17 +6084,17 @@ ${lines2.join("\n")}
       this.#again();
     }
     /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
-    show(run, windows, t) {
+    show(run, windows, t3) {
       if (!isTold(run)) return;
       if (this.frame) this.frame.hidden = false;
-      this.#now = { run, windows, t };
+      this.#now = { run, windows, t: t3 };
       for (const view of this.#views) view.show(run, windows);
     }
     /** @param {number} t in s */
-    at(t) {
+    at(t3) {
       if (!this.#now) return;
-      this.#now.t = t;
-      for (const view of this.#views) if (!view.root.hidden) view.at(t);
+      this.#now.t = t3;
+      for (const view of this.#views) if (!view.root.hidden) view.at(t3);
     }
     #again() {
       if (this.#now) this.at(this.#now.t);
@@ -5821,9 +6116,9 @@ ${lines2.join("\n")}
       this.baked = baked;
       this.run = baked.run;
       this.player = new Player((before, forward) => this.#moved(before, forward));
-      const seek = (t) => {
+      const seek = (t3) => {
         this.player.pause();
-        this.player.seek(t);
+        this.player.seek(t3);
       };
       const stages = (
         /** @type {NodeListOf<SVGElement>} */
@@ -5885,11 +6180,11 @@ ${lines2.join("\n")}
       this.player.until = header.until;
       this.player.parts = slowParts(this.#windows);
       const pushes = isTold(run) ? pushMarks(header, false) : [];
-      this.player.stops = [...header.events, ...pushes].map(({ t }) => t).sort((a, b) => a - b);
+      this.player.stops = [...header.events, ...pushes].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
       const acting = this.root.querySelector(".carts-acting");
       const numbers = isTold(run) && this.baked.fence.forces === "shown";
       if (acting) say(acting, actingSentences(header, numbers));
-      this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t }) => t);
+      this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t: t3 }) => t3);
       this.#offerWindows();
       for (const stage of this.stages) stage.show(run, this.#windows);
       this.#tellTorn();
@@ -5922,15 +6217,15 @@ ${lines2.join("\n")}
     }
     /** @param {number} before @param {boolean} forward */
     #moved(before, forward) {
-      const t = this.player.time;
-      for (const stage of this.stages) stage.at(t);
-      for (const ghost of this.ghosts) ghost.at(t);
-      for (const graph of this.graphs) graph.at(t);
-      this.views.at(t);
-      this.readouts.at(t);
-      this.timeline.at(t, `${fixed(t, 2)} seconds`);
+      const t3 = this.player.time;
+      for (const stage of this.stages) stage.at(t3);
+      for (const ghost of this.ghosts) ghost.at(t3);
+      for (const graph of this.graphs) graph.at(t3);
+      this.views.at(t3);
+      this.readouts.at(t3);
+      this.timeline.at(t3, `${fixed(t3, 2)} seconds`);
       this.transport.show();
-      if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
+      if (forward && t3 !== before) this.announcer.tell(this.story.between(before, t3));
     }
     /** @param {string} quantity @param {boolean} seen */
     #chooseGraph(quantity, seen) {
@@ -5964,10 +6259,10 @@ ${lines2.join("\n")}
     #offerWindows() {
       if (!this.zoom) return;
       const chosen = this.zoom.selectedIndex;
-      const options = this.#windows.map(({ bodies, start }, i) => {
+      const options = this.#windows.map(({ bodies, start }, i2) => {
         const names = bodies.map(brief).join("–");
         const option2 = html("option", "", `${names} at ${fixed(start, 2)} s`);
-        option2.setAttribute("value", String(i));
+        option2.setAttribute("value", String(i2));
         return option2;
       });
       while (this.zoom.options.length > 1) this.zoom.remove(1);
@@ -6125,7 +6420,7 @@ ${lines2.join("\n")}
       }
       /** A force was found: now they are all shown, at the same values and the same instant. */
       async #showForces() {
-        const [t, values] = [this.time, { ...this.#values.good }];
+        const [t3, values] = [this.time, { ...this.#values.good }];
         this.#view?.player.pause();
         showForces(this);
         if (this.#asBaked) this.#asBaked = this.innerHTML;
@@ -6134,7 +6429,7 @@ ${lines2.join("\n")}
         if (!this.#told) return;
         if (Object.keys(values).length) await this.#compute({}, performance.now()).catch(() => {
         });
-        this.time = t;
+        this.time = t3;
       }
       /** Resolves when Python has answered for this scene; rejects when it cannot start. */
       get ready() {
@@ -6149,10 +6444,10 @@ ${lines2.join("\n")}
       get time() {
         return this.#view?.player.time ?? 0;
       }
-      set time(t) {
+      set time(t3) {
         if (!this.#told) return;
         this.#view?.player.pause();
-        this.#view?.player.seek(Number(t));
+        this.#view?.player.seek(Number(t3));
       }
       /**
        * Changes values and resolves when the new run is drawn. Rejects with a message for the reader
@@ -6413,7 +6708,7 @@ ${lines2.join("\n")}
         this.answers = {};
         this.#working(true);
         const all = Object.entries(this.#cases ?? {});
-        all.sort(([, a], [, b]) => a.packages.length - b.packages.length);
+        all.sort(([, a2], [, b2]) => a2.packages.length - b2.packages.length);
         let [good, seconds] = [0, 0];
         try {
           for (const [k, [name2, one]] of all.entries()) {
@@ -6602,19 +6897,19 @@ ${lines2.join("\n")}
     const place3 = Math.floor((value - low) / step + STEP_SLACK2);
     return Math.min(count2 - 1, Math.max(0, place3));
   }
-  function mixed(a, b, part) {
-    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
-    return a * (1 - part) + b * part;
+  function mixed(a2, b2, part) {
+    if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
+    return a2 * (1 - part) + b2 * part;
   }
   function between(values, lines2, count2, factor, next, line) {
     const fine = (count2 - 1) * factor + 1;
     const found2 = new Float64Array(lines2 * fine);
-    for (let i = 0; i < lines2; i += 1) {
+    for (let i2 = 0; i2 < lines2; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at = i * line + left * next;
+        const at = i2 * line + left * next;
         const part = (k - left * factor) / factor;
-        found2[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
+        found2[i2 * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
     }
     return found2;
@@ -6627,9 +6922,9 @@ ${lines2.join("\n")}
     const wide = between(values, rows, columns, factor, 1, columns);
     const fine = between(wide, width, rows, factor, width, 1);
     const bands = new Uint8Array(width * height);
-    for (let y = 0; y < height; y += 1) {
-      for (let x = 0; x < width; x += 1) {
-        bands[y * width + x] = band2(Number(fine[x * height + (height - 1 - y)]), scale);
+    for (let y2 = 0; y2 < height; y2 += 1) {
+      for (let x2 = 0; x2 < width; x2 += 1) {
+        bands[y2 * width + x2] = band2(Number(fine[x2 * height + (height - 1 - y2)]), scale);
       }
     }
     return { places: lines(bands, width, scale), width, height };
@@ -6667,7 +6962,7 @@ ${lines2.join("\n")}
   function palette({ colours, none, line }) {
     const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE3 * part)));
     const all = [...colours, none, ...edges, line];
-    return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => 255 << 24 | b << 16 | g << 8 | r);
+    return Uint32Array.from(all, ([r2 = 0, g2 = 0, b2 = 0]) => 255 << 24 | b2 << 16 | g2 << 8 | r2);
   }
 
   // src/map-figure.js
@@ -6700,15 +6995,15 @@ ${lines2.join("\n")}
     /** @param {number[]} places @param {number} value */
     mark(places, value) {
       const [left, top, right, bottom] = this.facts.plot;
-      const x = this.#x(this.#fraction(0, places[0] ?? 0));
+      const x2 = this.#x(this.#fraction(0, places[0] ?? 0));
       const flat = places.length === 1;
-      const y = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
-      const across = flat ? "" : `M${left} ${px(y)}H${right}`;
-      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x)} ${top}V${bottom}${across}`);
+      const y2 = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
+      const across = flat ? "" : `M${left} ${px(y2)}H${right}`;
+      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x2)} ${top}V${bottom}${across}`);
       const point = need(this.over, '[data-part="point"]');
-      put(point, "cx", px(x));
-      put(point, "cy", px(Number.isNaN(y) ? bottom : y));
-      put(point, "visibility", Number.isNaN(y) ? "hidden" : "visible");
+      put(point, "cx", px(x2));
+      put(point, "cy", px(Number.isNaN(y2) ? bottom : y2));
+      put(point, "visibility", Number.isNaN(y2) ? "hidden" : "visible");
     }
     /** The canvas lies between the picture, which it hides, and the cross. */
     #laid() {
@@ -6765,9 +7060,9 @@ ${lines2.join("\n")}
       const box2 = this.over.getBoundingClientRect();
       const [left, top, right, bottom] = this.facts.plot;
       const [width, height] = this.facts.size;
-      const x = (event.clientX - box2.left) / box2.width * width;
-      const y = (event.clientY - box2.top) / box2.height * height;
-      const fractions = [(x - left) / (right - left), (bottom - y) / (bottom - top)];
+      const x2 = (event.clientX - box2.left) / box2.width * width;
+      const y2 = (event.clientY - box2.top) / box2.height * height;
+      const fractions = [(x2 - left) / (right - left), (bottom - y2) / (bottom - top)];
       return this.axes.map(({ length }, k) => {
         const place3 = Math.round(Number(fractions[k]) * (length - 1));
         return Math.min(length - 1, Math.max(0, place3));
@@ -6808,7 +7103,7 @@ ${lines2.join("\n")}
     const wanted = Math.min(most, count2);
     return Array.from(
       { length: wanted },
-      (_, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
+      (_2, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
     );
   }
   function fillTable(table, grid, axisText, valueText) {
@@ -7315,7 +7610,7 @@ ${lines2.join("\n")}
     async run() {
       let reject = () => {
       };
-      const failed = new Promise((_, no) => {
+      const failed = new Promise((_2, no) => {
         reject = no;
       });
       this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));

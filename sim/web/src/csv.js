@@ -1,5 +1,6 @@
 /** A run as a table for a spreadsheet: every row of the run, in full precision. */
 
+import { agent } from "./effects-forces.js";
 import { seriesOf } from "./series.js";
 import { isTold } from "./trajectory.js";
 import { QUANTITIES } from "./words.js";
@@ -23,11 +24,24 @@ export function csv(run, quantities, camera) {
       columns.push([`${title.toLowerCase()} ${name} in ${unit}`, values]);
     }
   }
+  if (quantities.includes("F")) columns.push(...effectColumns(run));
   const lines = [columns.map(([name]) => quoted(name)).join(",")];
   for (let k = 0; k < trajectory.t.length; k += 1) {
     lines.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
   }
   return `${lines.join("\r\n")}\r\n`;
+}
+
+/** Forces of effects on single carts: friction, slope, drag, pushes. @param {Run} run @returns {[string, ArrayLike<number>][]} */
+function effectColumns({ header, trajectory }) {
+  return Object.entries(trajectory.E).map(([key, values]) => {
+    const [kind, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
+    const own = header.effects.filter(
+      (effect) => effect.kind === kind && effect.active && effect.carts.includes(on),
+    );
+    const by = [...new Set(own.map(agent))].join(" and ");
+    return [`force on ${on} by ${by} (${kind}) in N`, values];
+  });
 }
 
 /** @param {string} text */

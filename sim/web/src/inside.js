@@ -5,6 +5,7 @@ import { How } from "./how.js";
 import { Predict } from "./predict.js";
 import { offerProjector } from "./projector.js";
 import { TakeAlong } from "./take-along.js";
+import { refusal } from "./waiting.js";
 
 /** @typedef {import("./values.js").Settings} Settings */
 /**
@@ -24,13 +25,21 @@ export function wireInside(element, baked, view, client, acts) {
     const name = /** @type {HTMLElement} */ (button).dataset.preset ?? "";
     button.addEventListener("click", () => acts.preset(baked.fence.presets[name] ?? {}));
   }
-  new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }));
+  const scene = baked.fence.scene;
+  const writing = {}; // who asks: apart from the requests for runs
+  const program = async () => {
+    const set = { ...acts.settings() };
+    const { header } = await client.ask(writing, () => ({ kind: "model", scene, set }));
+    if (!header.ok) throw refusal(header.problems ?? []);
+    return String(/** @type {any} */ (header).text);
+  };
+  new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }), program);
   offerProjector(element);
   const find = element.querySelector(".carts-find")
     ? new FindForces(element, baked.fence.id, acts.found)
     : null;
   const how = new How(element, view, client, (more) => {
-    return { kind: "how", scene: baked.fence.scene, set: { ...acts.settings() }, ...more };
+    return { kind: "how", scene, set: { ...acts.settings() }, ...more };
   });
   return { find, how };
 }

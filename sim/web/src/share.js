@@ -89,7 +89,7 @@ export function sceneBlock(fence, settings) {
   }
   lines.push(`show: ${flow(fence.show)}`);
   if (fence.slow !== "auto") lines.push(`slow: ${fence.slow}`);
-  if (fence.boxes !== "mass") lines.push(`boxes: ${fence.boxes}`);
+  if (fence.boxes === "alike") lines.push(`boxes: ${fence.boxes}`);
   if (fence.forces !== "shown") lines.push(`forces: ${fence.forces}`);
   if (fence.camera) lines.push(`view: moving ${fence.camera} m/s`);
   const switches = fence.switches ?? [];

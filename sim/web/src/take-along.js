@@ -3,6 +3,7 @@
 import { csv } from "./csv.js";
 import { html, need, say } from "./dom.js";
 import { asPng, picture } from "./picture.js";
+import { qrCode } from "./qr.js";
 import { linkTo, sceneBlock } from "./share.js";
 
 /** @typedef {import("./types.js").Run} Run */
@@ -15,11 +16,16 @@ const KINDS = [
   ["png", "picture (PNG)"],
   ["link", "link to this state"],
   ["block", "scene block"],
+  ["program", "Python program"],
 ];
 
 export class TakeAlong {
-  /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => State} state of the scene now */
-  constructor(root, baked, state) {
+  /**
+   * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+   * @param {() => State} state of the scene now
+   * @param {() => Promise<string>} program the scene's model as a text that Python writes
+   */
+  constructor(root, baked, state, program) {
     const place = need(root, ".carts-take");
     const { fence } = baked;
     const text = document.createElement("textarea");
@@ -36,7 +42,8 @@ export class TakeAlong {
       button.dataset.take = key;
       row.append(button);
     }
-    place.append(row, note, text);
+    const code = html("div", "carts-take-code");
+    place.append(row, note, text, code);
     /** @param {string} made @param {string} what */
     const offer = async (made, what) => {
       text.hidden = false;
@@ -61,7 +68,14 @@ export class TakeAlong {
       png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
       link: () => {
         const { settings, t } = state();
-        return offer(`${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`, "The link");
+        const link = `${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`;
+        code.replaceChildren(...qrCode(link));
+        return offer(link, "The link");
+      },
+      program: async () => {
+        const text = await program();
+        save(new Blob([text], { type: "text/x-python" }), `${fence.id}.py`);
+        return offer(text, "The program");
       },
       block: () => offer(sceneBlock(fence, state().settings), "The scene block"),
     };
@@ -71,6 +85,7 @@ export class TakeAlong {
       if (!act) return;
       try {
         say(note, "");
+        code.replaceChildren();
         await act();
       } catch (error) {
         say(note, `This browser could not do it: ${/** @type {Error} */ (error).message}`);

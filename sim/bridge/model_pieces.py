@@ -1,0 +1,228 @@
+"""The pieces of the plain program that `model_text` puts together."""
+
+HEAD = """\
+# {title}: a model in plain Python. It needs nothing else.
+# It goes in small steps of time, so it is nearly right. The lesson computes the same run exactly.
+from math import copysign, sqrt
+
+names = {names}
+mass = {mass}  # kg
+x = {x}  # m, the middle of each cart; + is to the right
+v = {v}  # m/s
+half = {half}  # m, half the length of each cart
+end = {end}  # m, where the right wall stands
+until, dt = {until}, {dt}  # s
+
+# Who may touch whom: left, right (None is a wall), law, stiffness k, bounciness e, damping c
+contacts = [
+{contacts}]
+deepest = [0.0] * len(contacts)  # m, how far each pair was pressed in
+stuck = set()  # contacts that hold together
+t = 0.0
+"""
+
+SAYS = {
+    "slopes": "cart, acceleration down the slope in m/s²",
+    "drags": "cart, drag per speed, drag per speed squared",
+    "pushes": "cart, force in N, from when to when",
+    "springs": "left, right, stiffness, natural length, damping",
+    "magnets": "left, right, strength C, power n",
+    "releases": "when, left, right, energy in J",
+    "rough": "cart, friction while it slides and at most at rest, in N",
+}
+
+PLACES = '''
+
+def gap(left, right):
+    """Room between two bodies in m; below 0 they are pressed into each other."""
+    start = 0.0 if left is None else x[left] + half[left]
+    stop = end if right is None else x[right] - half[right]
+    return stop - start
+
+
+def approach(left, right):
+    """How fast the gap closes, in m/s."""
+    return (0.0 if left is None else v[left]) - (0.0 if right is None else v[right])
+
+
+def push_apart(force, left, right, size):
+    """The third law: one force, on both, away from each other."""
+    if left is not None:
+        force[left] -= size
+    if right is not None:
+        force[right] += size
+
+'''
+
+KICK = '''
+def light(left, right):
+    """1/m of both together: what an impulse does to the speed between them."""
+    return sum(1 / sum(mass[i] for i in team(one)) for one in (left, right) if free(one))
+
+
+def kick(left, right, impulse):
+    """An impulse in N s that pushes both apart at once."""
+    for one, way in ((left, -1), (right, 1)):
+        if free(one):
+            for i in team(one):
+                v[i] += way * impulse / sum(mass[j] for j in team(one))
+
+'''
+
+ALONE = '''
+def team(one):
+    """The carts that move as one with this cart."""
+    return [one]
+
+
+def free(one):
+    return one is not None
+
+'''
+
+GROUPS = '''
+def team(one):
+    """The carts that move as one with this cart."""
+    found = [one]
+    for _ in stuck:
+        for k in stuck:
+            left, right = contacts[k][:2]
+            if left in found and right is not None and right not in found:
+                found.append(right)
+            if right in found and left is not None and left not in found:
+                found.append(left)
+    return found
+
+
+def free(one):
+    """A wall does not move, and what sticks to it does not either."""
+    walls = [k for k in stuck if None in contacts[k][:2]]
+    held = {i for k in walls for i in contacts[k][:2] if i is not None}
+    return one is not None and not held & set(team(one))
+
+'''
+
+STEP = '''
+def step():
+    """One small step: forces, then velocities, then positions."""
+    global t
+    force = [0.0] * len(names)
+'''
+
+CONTACT_FORCES = """\
+    for k, (left, right, law, stiffness, e, c) in enumerate(contacts):
+        d, s = -gap(left, right), approach(left, right)
+        deepest[k] = max(d, deepest[k]) if d > 0 else 0.0
+        if d <= 0 or k in stuck:
+            continue
+        if law == "bumper" and e > 0:  # back more steeply: e² of the energy
+            size = max(0.0, stiffness / e**2 * (d - (1 - e**2) * deepest[k]))
+        elif law == "bumper":
+            size = stiffness * d if d == deepest[k] else 0.0
+        elif law == "hertz":
+            size = max(0.0, stiffness * d**1.5 + c * d**0.25 * s)
+        else:
+            size = stiffness * d + c * s
+            if law.startswith("push-only"):
+                size = max(0.0, size)
+        push_apart(force, left, right, size)
+"""
+
+FORCES = {
+    "incline": """\
+    for i, a in slopes:
+        force[i] += mass[i] * a
+""",
+    "drag": """\
+    for i, linear, quadratic in drags:
+        force[i] -= linear * v[i] + quadratic * v[i] * abs(v[i])
+""",
+    "push": """\
+    for i, size, start, stop in pushes:
+        if start <= t < stop:
+            force[i] += size
+""",
+    "spring": """\
+    for left, right, stiffness, length, damping in springs:
+        pull = stiffness * (gap(left, right) - length) - damping * approach(left, right)
+        push_apart(force, left, right, -pull)
+""",
+    "magnets": """\
+    for left, right, strength, power in magnets:
+        push_apart(force, left, right, strength / max(gap(left, right), 1e-6) ** power)
+""",
+}
+
+MOVE_ALONE = """\
+    for i in range(len(names)):
+        v[i] += force[i] / mass[i] * dt
+        x[i] += v[i] * dt
+    t += dt
+"""
+
+MOVE = """\
+    for i in range(len(names)):
+        if free(i):
+            v[i] += sum(force[j] for j in team(i)) / sum(mass[j] for j in team(i)) * dt
+    for i in range(len(names)):
+        x[i] += (v[i] if free(i) else 0.0) * dt
+    t += dt
+"""
+
+FRICTION = """\
+    before = list(v)
+    for i in range(len(names)):
+        if not free(i):
+            continue
+        carts = team(i)
+        total, m = sum(force[j] for j in carts), sum(mass[j] for j in carts)
+        slide = sum(kinetic for j, kinetic, static in rough if j in carts)
+        hold = sum(static for j, kinetic, static in rough if j in carts)
+        if before[i] == 0 and abs(total) <= hold:
+            continue  # the track holds it
+        way = before[i] or total
+        v[i] = before[i] + (total - copysign(slide, way)) / m * dt
+        if v[i] * before[i] < 0:
+            v[i] = 0.0  # friction stops a cart; it does not turn it round
+    for i in range(len(names)):
+        x[i] += (v[i] if free(i) else 0.0) * dt
+    t += dt
+"""
+
+IMPACTS = """\
+    for _ in range(50):  # one impact may lead to the next
+        for k, (left, right, law, stiffness, e, c) in enumerate(contacts):
+            s = approach(left, right)
+            if law in ("instant", "velcro") and k not in stuck and gap(left, right) <= 0 and s > 0:
+                kick(left, right, (1 + e) * s / light(left, right))
+                if law == "velcro":
+                    stuck.add(k)
+"""
+
+RELEASE = """\
+    for when, left, right, energy in releases:
+        k = [row[:2] for row in contacts].index((left, right))
+        if t - dt <= when < t and gap(left, right) < 1e-6:
+            stuck.discard(k)
+            s = -approach(left, right)
+            more = sqrt(s * s + 2 * energy * light(left, right)) - s
+            kick(left, right, more / light(left, right))
+
+
+for k, (left, right, *_) in enumerate(contacts):  # a latch holds what is to be released
+    latched = any((left, right) == (a, b) for _, a, b, _ in releases)
+    if latched and gap(left, right) <= 1e-12 and approach(left, right) == 0:
+        stuck.add(k)
+"""
+
+RUN = """
+
+print("t in s", *(f"{name}: x in m, v in m/s" for name in names), sep=" | ")
+shown = 0
+while t < until - dt / 2:
+    if t >= shown * until / 20:
+        print(f"{t:.3f}", *(f"{x[i]:.4f}, {v[i]:+.4f}" for i in range(len(names))), sep=" | ")
+        shown += 1
+    step()
+print(f"{t:.3f}", *(f"{x[i]:.4f}, {v[i]:+.4f}" for i in range(len(names))), sep=" | ")
+"""

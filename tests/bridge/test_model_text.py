@@ -1,0 +1,73 @@
+"""The plain program of a scene comes to the same end as the exact run, with nothing but Python."""
+
+from __future__ import annotations
+
+import ast
+import math
+import sys
+
+import pytest
+
+from sim.bridge.model_text import MOST_STEPS, model_text
+from sim.bridge.protocol import answer
+from sim.dynamics.run import run
+from sim.scene import read_scene
+from tests import registry
+
+NEAR = 0.02
+"""Of the fastest cart: first order, a hundred steps in a quarter swing."""
+
+LONG = 400_000
+"""Steps; scenes with more are compiled, and not run."""
+
+
+def played(text: str) -> dict[str, object]:
+    names: dict[str, object] = {"print": lambda *_, **__: None}
+    exec(compile(text, "model", "exec"), names)
+    return names
+
+
+@pytest.mark.parametrize("name", registry.NAMES)
+def test_the_plain_program_ends_as_the_run_does(name: str) -> None:
+    scene = registry.scene(name)
+    text = model_text(scene)
+    imported = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ImportFrom)]
+    assert {node.module for node in imported} <= set(sys.stdlib_module_names)
+    exact = run(scene, keep_motion=False)
+    program = played(text.split("\nprint(")[0])
+    if scene.until / float(program["dt"]) > LONG:  # type: ignore[arg-type]
+        return
+    program = played(text)
+    fastest = max(*map(abs, exact.v), *(abs(c.velocity) for c in scene.carts), 1e-3)
+    for got, expected in zip(program["v"], exact.v, strict=True):  # type: ignore[arg-type]
+        assert got == pytest.approx(expected, abs=NEAR * fastest), name
+
+
+def test_a_program_holds_only_what_its_scene_calls_for() -> None:
+    plain = model_text(registry.scene("light-meets-heavy"))
+    for word in ("friction", "springs", "magnets", "slopes", "drags", "pushes", "releases"):
+        assert word not in plain
+    assert "stiffness / e**2" in plain
+    assert "rough" in model_text(registry.scene("release-and-friction"))
+
+
+def test_a_page_asks_for_the_program_of_the_values_it_shows() -> None:
+    plain = {
+        "carts": {"A": {"mass": 1, "position": 0.5, "velocity": 1}, "B": {"position": 1.5}},
+        "until": 2,
+    }
+    plain["carts"]["B"]["mass"] = 2  # type: ignore[index]
+    header, numbers = answer({"id": 1, "kind": "model", "scene": plain, "set": {"A.mass": 3}})
+    assert header["ok"] and len(numbers) == 0
+    assert "mass = [3.0, 2.0]" in header["text"]
+    refused, _ = answer({"id": 2, "kind": "model", "scene": {"carts": 3}})
+    assert not refused["ok"]
+
+
+def test_the_longest_program_ends_within_seconds() -> None:
+    stiff = read_scene(
+        {"carts": {"A": {"mass": 1, "position": 0.5, "velocity": 1}}, "track": {"right": "wall",
+         "length": 2}, "contact": {"stiffness": 1e12}, "until": 100}
+    )  # fmt: skip
+    program = played(model_text(stiff).split("\nprint(")[0])
+    assert math.ceil(100 / float(program["dt"])) <= 1.1 * MOST_STEPS  # type: ignore[arg-type]
