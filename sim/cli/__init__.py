@@ -15,9 +15,11 @@ COMMANDS = {
     "build": ("sim.cli.build", "Build the site and print the file to double-click."),
     "class": ("sim.cli.class_results", "Say what a class answered and learned."),
     "check": ("sim.cli.check", "Look for mistakes in lessons and scene files."),
+    "export": ("sim.cli.export", "Write a bank of questions for a learning platform."),
     "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),
     "plan": ("sim.cli.plan", "Say how a scene would be solved, and why."),
+    "single": ("sim.cli.single", "Write one scene as one HTML file."),
     "run": ("sim.cli.run", "Run a scene."),
 }
 

@@ -9,7 +9,7 @@ import pytest
 from tests.web.boot_site import ROOT, bundle
 
 DIST = ROOT / "sim" / "web" / "dist"
-ENTRIES = {"carts.js": "main.js", "answers.js": "answers-main.js"}
+ENTRIES = {"carts.js": "main.js", "answers.js": "answers-main.js", "class.js": "class-main.js"}
 
 
 @pytest.mark.parametrize("name", ENTRIES)

@@ -1,0 +1,95 @@
+"""Moodle XML: one file with all questions, to be imported into a question bank."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from xml.sax.saxutils import escape, quoteattr
+
+from sim.pages.classroom.portable import Portable
+
+KINDS = {
+    "choice": "multichoice", "choices": "multichoice", "number": "numerical",
+    "short": "shortanswer", "essay": "essay", "pairs": "matching",
+}  # fmt: skip
+
+
+def moodle_xml(title: str, questions: Iterable[Portable]) -> str:
+    """The file; `title` names the category."""
+    category = escape(title.replace("/", "//"))  # a single slash would make a sub-category
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        "<quiz>",
+        '<question type="category">',
+        f"<category><text>$course$/top/{category}</text></category>",
+        "</question>",
+        *(line for question in questions for line in _question(question)),
+        "</quiz>",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _question(q: Portable) -> list[str]:
+    return [
+        f'<question type="{KINDS[q.shape]}">',
+        f"<name><text>{escape(q.id)}</text></name>",
+        _html("questiontext", q.ask),
+        *([_html("generalfeedback", q.explain)] if q.explain else []),
+        f"<defaultgrade>{q.marks}</defaultgrade>",
+        f"<idnumber>{escape(q.id)}</idnumber>",
+        *_parts(q),
+        *_tags(q),
+        "</question>",
+    ]
+
+
+def _parts(q: Portable) -> list[str]:
+    if q.shape in ("choice", "choices"):
+        head = [
+            f"<single>{'true' if q.shape == 'choice' else 'false'}</single>",
+            "<shuffleanswers>true</shuffleanswers>",
+            "<answernumbering>ABCD</answernumbering>",
+        ]
+        return head + [_answer(*answer, form="html") for answer in q.answers]
+    if q.shape == "short":
+        return [
+            "<usecase>0</usecase>",
+            *(_answer(*a, form="moodle_auto_format") for a in q.answers),
+        ]
+    if q.shape == "number":
+        value, tolerance = q.number
+        return [
+            '<answer fraction="100" format="moodle_auto_format">',
+            f"<text>{value!r}</text><tolerance>{tolerance!r}</tolerance>",
+            "</answer>",
+            "<unitgradingtype>0</unitgradingtype><showunits>3</showunits>",
+        ]
+    if q.shape == "pairs":
+        pairs = [*q.pairs, *(("", other) for other in q.others)]
+        return ["<shuffleanswers>true</shuffleanswers>", *(_pair(*pair) for pair in pairs)]
+    rubric = "".join(f"<p>{marks}: {escape(text)}</p>" for marks, text in q.rubric.items())
+    return ["<responseformat>plain</responseformat>", _html("graderinfo", rubric)]
+
+
+def _answer(text: str, percent: float, feedback: str, *, form: str) -> str:
+    said = f'<feedback format="html"><text>{escape(feedback)}</text></feedback>'
+    fraction = f"{percent:.5f}".rstrip("0").rstrip(".")
+    return (
+        f'<answer fraction="{fraction}" format={quoteattr(form)}>'
+        f"<text>{escape(text)}</text>{said}</answer>"
+    )
+
+
+def _pair(left: str, right: str) -> str:
+    return (
+        f'<subquestion format="html"><text>{escape(left)}</text>'
+        f"<answer><text>{escape(right)}</text></answer></subquestion>"
+    )
+
+
+def _html(name: str, content: str) -> str:
+    return f'<{name} format="html"><text>{escape(content)}</text></{name}>'
+
+
+def _tags(q: Portable) -> list[str]:
+    tags = "".join(f"<tag><text>{escape(topic)}</text></tag>" for topic in q.topics)
+    return [f"<tags>{tags}</tags>"] if tags else []

@@ -1,0 +1,89 @@
+"""Questions of a bank in the few shapes that learning platforms have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from sim.lesson.kinds.arrange import Matching, Ordering
+from sim.lesson.kinds.choice import Single
+from sim.lesson.kinds.number import Number
+from sim.lesson.kinds.words import Long, Short
+from sim.lesson.question import Question
+from sim.pages.question.inside import to_html, to_inline
+
+Shape = Literal["choice", "choices", "number", "short", "essay", "pairs"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Portable:
+    """One question; texts are HTML. `answers`: text, percent of the marks, feedback."""
+
+    id: str
+    shape: Shape
+    ask: str
+    marks: int
+    answers: tuple[tuple[str, float, str], ...] = ()
+    number: tuple[float, float] = (0.0, 0.0)  # the answer and its tolerance
+    pairs: tuple[tuple[str, str], ...] = ()
+    others: tuple[str, ...] = ()  # on the right, belonging to nothing
+    rubric: Mapping[int, str] = field(default_factory=dict)
+    explain: str = ""
+    topics: tuple[str, ...] = ()
+
+
+def portable(questions: Iterable[Question]) -> tuple[list[Portable], list[str]]:
+    """The questions that can be taken along, and a sentence for each that cannot."""
+    taken, left = [], []
+    for question in questions:
+        made = _made(question)
+        if made is None:
+            left.append(f"{question.id}: a question of type {question.KIND} stays here")
+        else:
+            taken.append(made)
+    return taken, left
+
+
+def _made(question: Question) -> Portable | None:
+    common = question.common
+    ask, explain = to_html(common.ask), to_html(common.explain)
+
+    def part(shape: Shape, **more: object) -> Portable:
+        facts = {"id": question.id, "shape": shape, "ask": ask, "marks": common.marks,
+                 "explain": explain, "topics": common.topics}  # fmt: skip
+        return Portable(**{**facts, **more})  # type: ignore[arg-type]
+
+    if isinstance(question, Single):
+        several = question.KIND == "multiple"
+        right = sum(option.correct for option in question.options)
+        answers = tuple(
+            (
+                to_inline(option.text),
+                100 / right if option.correct else (-100.0 if several else 0.0),
+                to_inline(option.feedback),
+            )
+            for option in question.options
+        )
+        return part("choices" if several else "choice", answers=answers)
+    if isinstance(question, Number):
+        unit = f"<p>Answer in {question.unit}.</p>" if question.unit else ""
+        return part("number", number=(question.answer, question.tolerance), ask=f"{ask}{unit}")
+    if isinstance(question, Short) and question.accept:
+        known = tuple((text, 0.0, said) for texts, _, said in question.wrong for text in texts)
+        right_ones = tuple((text, 100.0, "") for text in question.accept)
+        return part("short", answers=(*right_ones, *known))
+    if isinstance(question, Long):
+        return part("essay", rubric=question.rubric, marks=question.worth)
+    if isinstance(question, Ordering):
+        lines = enumerate(question.order, start=1)
+        return part("pairs", pairs=tuple((f"{k}.", to_inline(line)) for k, line in lines))
+    if isinstance(question, Matching):
+        count = len(question.left)
+        pairs = zip(question.left, question.right, strict=False)
+        return part(
+            "pairs",
+            pairs=tuple((to_inline(left), to_inline(right)) for left, right in pairs),
+            others=tuple(map(to_inline, question.right[count:])),
+        )
+    return None

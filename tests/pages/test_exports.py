@@ -1,0 +1,171 @@
+"""Banks for learning platforms: golden files, and readers of our own that find every fact again.
+
+The readers below follow Moodle's own documents (Moodle XML format, GIFT format), not our writer.
+"""
+
+from __future__ import annotations
+
+import re
+from html import unescape
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.lesson.bank import Bank
+from sim.pages.classroom.gift import gift
+from sim.pages.classroom.moodle import moodle_xml
+from sim.pages.classroom.portable import Portable, portable
+from sim.pages.question.quiz import read_bank_text
+
+ROOT = Path(__file__).parents[2]
+GOLDEN = ROOT / "tests" / "golden" / "exports"
+OWN = ROOT / "worksheets" / "banks" / "forces-and-motion.yml"
+
+
+def read(path: Path) -> Bank:
+    bank, findings = read_bank_text(path.read_text(encoding="utf-8"), path.name)
+    assert bank is not None, findings
+    return bank
+
+
+BANKS = {"every-kind": read(GOLDEN / "every-kind.yml"), "own": read(OWN)}
+TAKEN = {name: portable(bank.items.values())[0] for name, bank in BANKS.items()}
+WRITERS = {"moodle.xml": moodle_xml, "gift.txt": gift}
+
+
+@pytest.mark.parametrize("ending", WRITERS)
+def test_the_export_of_every_kind_is_the_golden_file(ending: str) -> None:
+    made = WRITERS[ending](BANKS["every-kind"].title, TAKEN["every-kind"])
+    assert made == (GOLDEN / f"every-kind.{ending}").read_text(encoding="utf-8")
+
+
+def test_what_cannot_be_taken_along_is_named() -> None:
+    assert portable(BANKS["every-kind"].items.values())[1] == [
+        "sure: a question of type confidence stays here"
+    ]
+
+
+def facts(q: Portable) -> dict[str, object]:
+    """What a reader must find again."""
+    found: dict[str, object] = {"id": q.id, "ask": q.ask}
+    if q.shape == "number":
+        found["number"] = q.number
+    elif q.shape == "pairs":
+        found["pairs"] = [*q.pairs, *(("", other) for other in q.others)]
+    elif q.shape != "essay":
+        found["answers"] = [(t, round(p, 3), said) for t, p, said in q.answers]
+    return found
+
+
+def from_moodle(text: str) -> list[dict[str, object]]:
+    """Moodle XML, as its documentation describes it."""
+
+    def inner(node: ElementTree.Element, path: str) -> str:
+        return node.findtext(path) or ""
+
+    found = []
+    for node in ElementTree.fromstring(text):
+        kind = node.get("type")
+        if kind == "category":
+            continue
+        fact: dict[str, object] = {
+            "id": inner(node, "name/text"), "ask": inner(node, "questiontext/text"),
+        }  # fmt: skip
+        answers = node.findall("answer")
+        if kind == "numerical":
+            numbers = (inner(answers[0], "text"), inner(answers[0], "tolerance"))
+            fact["number"] = tuple(map(float, numbers))
+        elif kind == "matching":
+            fact["pairs"] = [
+                (inner(s, "text"), inner(s, "answer/text")) for s in node.findall("subquestion")
+            ]
+        elif kind in ("multichoice", "shortanswer"):
+            fact["answers"] = [
+                (inner(a, "text"), round(float(a.get("fraction") or 0), 3),
+                 inner(a, "feedback/text"))
+                for a in answers
+            ]  # fmt: skip
+        found.append(fact)
+    return found
+
+
+def plain(text: str) -> str:
+    """GIFT's escapes taken out."""
+    return re.sub(
+        r"\\(.)", lambda m: "\n" if m[1] == "n" else m[1], text
+    ).replace("-&gt;", "->")  # fmt: skip
+
+
+def from_gift(text: str) -> list[dict[str, object]]:
+    """GIFT: blocks between empty lines; an answer begins with an unescaped = or ~."""
+    found = []
+    for whole in re.split(r"\n\n+", text.strip()):
+        block = "\n".join(line for line in whole.splitlines() if not line.startswith("//"))
+        if block.startswith("$CATEGORY"):
+            continue
+        match = re.fullmatch(r"::((?:\\.|[^\\:])*)::\[html\]((?:\\.|[^\\{])*)\{(.*)\}", block, re.S)
+        assert match, block
+        fact: dict[str, object] = {"id": plain(match[1]), "ask": plain(match[2])}
+        body = re.split(r"(?<!\\)####", match[3])[0].strip()
+        if body.startswith("#"):
+            value, tolerance = body[1:].split(":")
+            fact["number"] = (float(value), float(tolerance))
+        elif body:
+            parts = re.findall(r"([=~])((?:\\.|[^\\=~])*)", body)
+            if " -> " in parts[0][1]:
+                pairs = (p.strip("\n").split(" -> ") for _, p in parts)
+                fact["pairs"] = [(plain(left), plain(right.strip())) for left, right in pairs]
+            else:
+                fact["answers"] = [_answer(sign, part.strip()) for sign, part in parts]
+        found.append(fact)
+    return found
+
+
+def _answer(sign: str, part: str) -> tuple[str, float, str]:
+    weight = re.match(r"%(-?[\d.]+)%", part)
+    percent = float(weight[1]) if weight else (100.0 if sign == "=" else 0.0)
+    text, _, said = (
+        re.sub(r"^%-?[\d.]+%", "", part).partition("#")
+        if not re.search(r"\\#", part)
+        else (
+            *re.split(r"(?<!\\)#", re.sub(r"^%-?[\d.]+%", "", part) + "#", maxsplit=2)[:1],
+            "",
+            "",
+        )
+    )
+    return plain(text), round(percent, 3), plain(said)
+
+
+@pytest.mark.parametrize("name", BANKS)
+def test_moodle_xml_holds_every_question_answer_and_feedback(name: str) -> None:
+    made = moodle_xml(BANKS[name].title, TAKEN[name])
+    assert from_moodle(made) == [facts(q) for q in TAKEN[name]]
+
+
+@pytest.mark.parametrize("name", BANKS)
+def test_gift_holds_every_question_answer_and_feedback(name: str) -> None:
+    made = gift(BANKS[name].title, TAKEN[name])
+
+    def arrows(fact: dict[str, object]) -> str:
+        return unescape(str(fact))  # “->” inside a text is written as &gt;
+
+    assert [arrows(f) for f in from_gift(made)] == [arrows(facts(q)) for q in TAKEN[name]]
+
+
+def test_the_marks_of_the_right_answers_add_up_to_the_whole() -> None:
+    for questions in TAKEN.values():
+        for q in questions:
+            if q.shape in ("choice", "choices"):
+                assert sum(p for _, p, _ in q.answers if p > 0) == pytest.approx(100)
+
+
+def test_the_command_writes_a_form_of_a_bank(tmp_path: Path) -> None:
+    target = tmp_path / "x.gift"
+    words = ["export", str(OWN), "--to", "gift", "--form", "later-2", "--out", str(target)]
+    result = CliRunner().invoke(main, words)
+    assert result.exit_code == 0, result.output
+    assert target.read_text(encoding="utf-8").count("::[html]") == 2
+    assert CliRunner().invoke(main, ["export", str(OWN), "--form", "nothing"]).exit_code == 2
