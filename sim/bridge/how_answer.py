@@ -30,7 +30,7 @@ from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 MOST_PARTS = 5_000
 """Steps of a run that a widget may ask for: it has to answer while a slider is moved."""
 
-LONG_ENOUGH = 0.02
+LONG_ENOUGH = 0.01
 """s that are measured at once, by as many runs as fill them: a browser's clock may be coarse."""
 
 TRIES = 2
