@@ -7494,9 +7494,11 @@ ${lines2.join("\n")}
   function loadIndex(base) {
     const known2 = indexes.get(base);
     if (known2) return known2;
-    const loading = patiently(runScript(`${base}index.js`, "index.js")).then(() => {
+    const inside = Boolean(page.__cartsInside);
+    const read = inside ? Promise.resolve() : patiently(runScript(`${base}index.js`, "index.js"));
+    const loading = read.then(() => {
       const index = page.__cartsRuntime;
-      delete page.__cartsRuntime;
+      if (!inside) delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
       if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
       return index;
@@ -7506,11 +7508,12 @@ ${lines2.join("\n")}
     return loading;
   }
   async function loadPart(base, name2, number, part) {
-    await runScript(base + part.src, name2);
+    const inside = Boolean(page.__cartsInside);
+    if (!inside) await runScript(base + part.src, name2);
     const key = `${name2}.${number}`;
     const text = page.__cartsParts?.[key];
     if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name2);
-    delete page.__cartsParts[key];
+    if (!inside) delete page.__cartsParts[key];
     const bytes = decode(text, part.src, name2);
     if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
       throw new RuntimeFailure("payload-damaged", part.src, name2);
@@ -7823,7 +7826,7 @@ ${lines2.join("\n")}
   // src/main.js
   var own = (
     /** @type {HTMLScriptElement | null} */
-    document.currentScript?.src ?? document.baseURI
+    document.currentScript?.src || document.baseURI
   );
   function packages() {
     const scenes = [...document.querySelectorAll("carts-scene")];

@@ -1053,9 +1053,11 @@
   function loadIndex(base) {
     const known = indexes.get(base);
     if (known) return known;
-    const loading = patiently(runScript(`${base}index.js`, "index.js")).then(() => {
+    const inside = Boolean(page.__cartsInside);
+    const read = inside ? Promise.resolve() : patiently(runScript(`${base}index.js`, "index.js"));
+    const loading = read.then(() => {
       const index = page.__cartsRuntime;
-      delete page.__cartsRuntime;
+      if (!inside) delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
       if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
       return index;
@@ -1065,11 +1067,12 @@
     return loading;
   }
   async function loadPart(base, name, number, part) {
-    await runScript(base + part.src, name);
+    const inside = Boolean(page.__cartsInside);
+    if (!inside) await runScript(base + part.src, name);
     const key = `${name}.${number}`;
     const text = page.__cartsParts?.[key];
     if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
-    delete page.__cartsParts[key];
+    if (!inside) delete page.__cartsParts[key];
     const bytes = decode(text, part.src, name);
     if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
       throw new RuntimeFailure("payload-damaged", part.src, name);

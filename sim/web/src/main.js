@@ -9,7 +9,7 @@ import { mapElement } from "./map-element.js";
 import { startRuntime } from "./runtime.js";
 
 const own =
-  /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ?? document.baseURI;
+  /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src || document.baseURI;
 
 /** @returns {string[]} what the scenes of this page need besides bare Python */
 function packages() {

@@ -1,0 +1,73 @@
+"""`carts single`: one scene as one HTML file that opens anywhere, for a learning platform."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import click
+
+from sim.cli.scene_file import fail
+from sim.pages.check import bank_folders, scene_folders
+from sim.pages.fence_scan import scan
+from sim.pages.findings import AuthorError
+from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
+from sim.pages.site_build import SiteError
+
+
+@click.command("single")
+@click.argument("path", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--scene", "wanted", help="The id of the scene, where a lesson has several.")
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="The file to write (default: ID.html, here).",
+)
+def command(path: Path, wanted: str | None, out: Path | None) -> None:
+    """Write one scene as one HTML file of some 15 MB: picture, sliders, graphs and Python.
+
+    PATH is a lesson (.md) or a scene file (.yml).
+
+    \b
+    carts single worksheets/newtons-third-law.md --scene third-heavy-into-light
+    carts single my-scene.yml --out collision.html
+    """
+    from sim.pages.single_file import single_file
+
+    root = Path.cwd()
+    try:
+        block = _scene(path, wanted, root)
+        text = single_file(block, root / "node_modules", site_id="one-scene", report=click.echo)
+    except AuthorError as error:
+        fail(error.findings)
+    except SiteError as error:
+        raise click.ClickException(str(error)) from None
+    target = out or Path(f"{block.fence.id}.html")
+    target.write_text(text, encoding="utf-8")
+    click.echo(f"{target} ({target.stat().st_size / 1e6:.0f} MB). It needs no other file.")
+
+
+def _scene(path: Path, wanted: str | None, root: Path) -> SceneBlock:
+    """The scene that was meant; raises `AuthorError` for its mistakes."""
+    path = path.resolve()
+    shown = path.relative_to(root).as_posix() if path.is_relative_to(root) else path.name
+    folders = (path.parent, *scene_folders(path, root))
+    if path.suffix != ".md":
+        name = re.sub(r"[^a-z0-9]+", "-", path.stem.lower()).strip("-") or "scene"
+        lines = ["```scene", f"id: {name if name[0].isalpha() else f'scene-{name}'}"]
+        lines += [f"file: {path.name}", "```"]
+    else:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    lesson = Lesson(shown, folders, bank_folders(path, root))
+    found = {}
+    for block in scan(lines):
+        if block.name == "scene":
+            read = read_scene_block(block, lesson, SiteIds(), first_line=1)
+            found[read.fence.id] = read
+    if wanted is None and len(found) == 1:
+        return next(iter(found.values()))
+    if wanted in found:
+        return found[str(wanted)]
+    if not found:
+        raise click.UsageError(f"There is no scene in {shown}.")
+    raise click.UsageError(f"Name one scene of {shown}: --scene {' | '.join(found)}")

@@ -1,0 +1,107 @@
+"""One scene as one HTML file, for a learning platform or a message: Python and all, no folder.
+
+The runtime's scripts, which a page otherwise loads one by one, stand in the file itself; the page's
+script finds them there. The policy names each script by its hash and allows no other.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from sim.pages import licences, runtime, site_files
+from sim.pages.bake import bake
+from sim.pages.findings import AuthorError
+from sim.pages.scene_block import SceneBlock
+from sim.pages.site_build import SiteError
+from sim.pages.widget import render
+
+LOOK = """\
+body { margin: 1rem auto; padding: 0 0.6rem; max-width: 62rem; line-height: 1.5;
+  font-family: system-ui, "Segoe UI", Roboto, Arial, sans-serif; background: #fff; color: #1a1a1a; }
+pre { white-space: pre-wrap; font-size: 0.8rem; }
+@media (prefers-color-scheme: dark) { body { background: #1e2129; color: #e6e6e6; } }
+"""
+INSIDE = "self.__cartsInside = true;"
+
+PAGE = """\
+<!doctype html>
+<html lang="en"><head><meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="carts-site" content="{site_id}"><meta name="carts-page" content="{id}">
+<title>{title}</title><link rel="icon" href="data:,">
+<style>{style}</style></head>
+<body><main>{element}</main>
+<details><summary>Made with Newton's Carts. Licences</summary><pre>{licences}</pre></details>
+{scripts}
+</body></html>
+"""
+
+
+def single_file(
+    block: SceneBlock, node_modules: Path, *, site_id: str, report: Callable[[str], None]
+) -> str:
+    """The file's text; raises `AuthorError` where the scene cannot run, `SiteError` where parts of
+    the page cannot be had. `site_id`: the name that a prediction is kept under."""
+    fence = block.fence
+    run = bake(fence.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(block.places.finding, run))
+    packages = run.packages | set(fence.packages)
+    try:
+        css = site_files.site_files(node_modules)[site_files.ASSETS + "carts.css"].decode()
+        carts = site_files.scene_script().decode()
+        scripts = [INSIDE, *_runtime(packages, node_modules, report), carts]
+    except (
+        site_files.MissingFilesError,
+        runtime.RuntimePackError,
+        runtime.MissingSourceError,
+    ) as error:
+        raise SiteError(str(error)) from error
+    works = licences.notices(node_modules, scenes=True, packages=packages)
+    style = LOOK + css
+    return PAGE.format(
+        policy=_policy(style, scripts),
+        site_id=html.escape(site_id),
+        id=fence.id,
+        title=html.escape(fence.scene.title or "Carts"),
+        style=style,
+        element=render(fence, run.header, run.numbers),
+        licences=html.escape(licences.licence_file(works)),
+        scripts="\n".join(f"<script>{script}</script>" for script in scripts),
+    )
+
+
+def _runtime(
+    packages: frozenset[str], node_modules: Path, report: Callable[[str], None]
+) -> Iterator[str]:
+    """The scripts of the runtime: its table of contents, and every part that the table names."""
+    with tempfile.TemporaryDirectory() as folder:
+        cache = runtime.default_cache(node_modules.parent)
+        packed = runtime.pack(Path(folder), packages=packages, cache=cache, report=report)
+        if packed.missing:
+            raise SiteError(packed.missing)
+        for name in sorted(packed.files):
+            yield (packed.folder / name).read_text(encoding="utf-8")
+
+
+def _policy(style: str, scripts: list[str]) -> str:
+    def named(text: str) -> str:
+        digest = hashlib.sha256(text.encode()).digest()
+        return f"'sha256-{base64.b64encode(digest).decode()}'"
+
+    rules = {
+        "default-src": "'none'",
+        "script-src": " ".join(["'wasm-unsafe-eval'", *map(named, scripts)]),
+        "style-src": named(style),
+        "img-src": "data: blob:",
+        "worker-src": "blob:",
+        "base-uri": "'none'",
+        "form-action": "'none'",
+    }
+    return html.escape("; ".join(f"{key} {value}" for key, value in rules.items()), quote=True)
