@@ -25,6 +25,7 @@ from sim.dynamics.stepping.drawn import Drawn, drawn
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
 from sim.dynamics.trajectory import trajectory
+from sim.dynamics.warnings import warnings
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 
 MOST_PARTS = 5_000
@@ -52,6 +53,8 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
             e for e in header["events"] if shown.blown is None or e["t"] < shown.blown
         ]
         header["effects"] = effects_of(plain, scene)
+        # A blown-up run would ask for stiffnesses that no bumper has.
+        header["warnings"] = [{"code": w.code, "message": w.message} for w in warnings(solved)]
         header["how"] = finite(_compared(scene, way, result, solved, shown))
     except (OverflowError, ValueError):
         raise UnsolvedError(

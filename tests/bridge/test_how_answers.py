@@ -82,6 +82,14 @@ def test_a_run_that_blows_up_is_drawn_as_far_as_there_is_something_to_see() -> N
     assert max(map(abs, columns["v", "A"])) < 100
 
 
+def test_warnings_are_those_of_the_exact_run() -> None:
+    for name in ("stiff-and-soft", "too-soft-bumpers"):
+        exact, _ = answer({"id": 1, "kind": "run", "scene": registry.plain(name)})
+        header, _ = ask(name, method="euler", parts=103)
+        assert header["warnings"] == exact["warnings"]
+    assert exact["warnings"]
+
+
 def test_forces_of_effects_are_drawn_too() -> None:
     _, columns = ask("incline-bounce", method="rk4", parts=499)
     assert min(columns["E", "incline", "A"]) > 0.0
