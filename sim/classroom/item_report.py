@@ -110,6 +110,8 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
 def _sentence(row: dict[str, Any]) -> str:
     if not row["worth"] or not row["n"]:
         return ""
+    if row["unread"]:
+        return f"{many(row['unread'], 'answer')} to be read by you, {row['empty']} left it open."
     text = f"{row['right']} of {row['n']} answered it right"
     if row["n"] >= FEW:
         text += f" ({100 * row['right'] / row['n']:.0f} %)"

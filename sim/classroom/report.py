@@ -117,7 +117,7 @@ def _form(
         "groups": [_group(group, good, counted, asked) for group in asked.groups],
         "students": [
             _student(file, counted, has_key=key is not None)
-            for file in sorted(files, key=lambda file: (file.group, file.student))
+            for file in sorted(files, key=lambda f: (asked.groups.index(f.group), f.student))
         ],
         "items": item_rows(files, key, counted),
         "beliefs": belief_rows(files, key),

@@ -106,6 +106,78 @@
     return row;
   }
 
+  // src/class/list.js
+  function fileList(classroom, changed) {
+    const root = (
+      /** @type {HTMLDetailsElement} */
+      html("details", "carts-class-list")
+    );
+    const title = html("summary", "", "Files");
+    const rows = html("ul");
+    root.append(title, rows);
+    const fill = () => {
+      if (!root.open) return rows.replaceChildren();
+      rows.replaceChildren(
+        ...classroom.files.map((file) => {
+          const line = html("li");
+          const label = html("label");
+          const box = (
+            /** @type {HTMLInputElement} */
+            html("input")
+          );
+          Object.assign(box, { type: "checkbox", checked: !file.out });
+          box.addEventListener("change", () => {
+            file.out = !box.checked;
+            changed();
+          });
+          const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
+          const [name, , lesson, , student, form] = file.row;
+          label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
+          label.append(html("span", "carts-class-quiet", name));
+          line.append(label);
+          return line;
+        })
+      );
+    };
+    root.addEventListener("toggle", fill);
+    const draw = () => {
+      const out = classroom.files.filter((file) => file.out).length;
+      const left = out ? `, ${out} left out` : "";
+      const keys = classroom.keys.length ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}` : ", no key yet";
+      say(title, `Files: ${classroom.files.length}${left}${keys}`);
+      fill();
+    };
+    return { root, draw };
+  }
+  var PAUSE = 500;
+  function typedIn(box, act) {
+    let timer = 0;
+    box.addEventListener("input", () => {
+      clearTimeout(timer);
+      timer = window.setTimeout(act, PAUSE);
+    });
+  }
+  function typedCodes(classroom, changed) {
+    const root = html("details", "carts-class-codes");
+    root.append(html("summary", "", "Typed codes"));
+    const label = html("label", "", "A line each: code word, form, code");
+    const box = (
+      /** @type {HTMLTextAreaElement} */
+      html("textarea")
+    );
+    Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
+    typedIn(box, () => {
+      classroom.codes = box.value;
+      changed();
+    });
+    label.append(box);
+    root.append(label);
+    const draw = () => {
+      if (box.value !== classroom.codes) box.value = classroom.codes;
+    };
+    return { root, draw };
+  }
+
   // src/class/drops.js
   function drops(classroom, take, changed) {
     const root = html("div", "carts-class-drops");
@@ -194,7 +266,7 @@
       html("input")
     );
     Object.assign(box, { value: classroom.names[group], maxLength: 40 });
-    box.addEventListener("change", () => {
+    typedIn(box, () => {
       classroom.names[group] = box.value;
       changed();
     });
@@ -267,70 +339,6 @@
       reader2.onerror = () => resolve(null);
       reader2.readAsDataURL(file);
     });
-  }
-
-  // src/class/list.js
-  function fileList(classroom, changed) {
-    const root = (
-      /** @type {HTMLDetailsElement} */
-      html("details", "carts-class-list")
-    );
-    const title = html("summary", "", "Files");
-    const rows = html("ul");
-    root.append(title, rows);
-    const fill = () => {
-      if (!root.open) return rows.replaceChildren();
-      rows.replaceChildren(
-        ...classroom.files.map((file) => {
-          const line = html("li");
-          const label = html("label");
-          const box = (
-            /** @type {HTMLInputElement} */
-            html("input")
-          );
-          Object.assign(box, { type: "checkbox", checked: !file.out });
-          box.addEventListener("change", () => {
-            file.out = !box.checked;
-            changed();
-          });
-          const group = classroom.two ? ` · ${classroom.groups[file.group]}` : "";
-          const [name, , lesson, , student, form] = file.row;
-          label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
-          label.append(html("span", "carts-class-quiet", name));
-          line.append(label);
-          return line;
-        })
-      );
-    };
-    root.addEventListener("toggle", fill);
-    const draw = () => {
-      const out = classroom.files.filter((file) => file.out).length;
-      const left = out ? `, ${out} left out` : "";
-      const keys = classroom.keys.length ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}` : ", no key yet";
-      say(title, `Files: ${classroom.files.length}${left}${keys}`);
-      fill();
-    };
-    return { root, draw };
-  }
-  function typedCodes(classroom, changed) {
-    const root = html("details", "carts-class-codes");
-    root.append(html("summary", "", "Typed codes"));
-    const label = html("label", "", "A line each: code word, form, code");
-    const box = (
-      /** @type {HTMLTextAreaElement} */
-      html("textarea")
-    );
-    Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
-    box.addEventListener("change", () => {
-      classroom.codes = box.value;
-      changed();
-    });
-    label.append(box);
-    root.append(label);
-    const draw = () => {
-      if (box.value !== classroom.codes) box.value = classroom.codes;
-    };
-    return { root, draw };
   }
 
   // src/class/reader.js
@@ -676,6 +684,7 @@
             }
           );
           await this.show();
+          performance.mark("carts:class-done");
           const took = ((performance.now() - begun) / 1e3).toFixed(1);
           say(
             this.#status,

@@ -2,6 +2,7 @@
 
 import { button } from "../answers/parts.js";
 import { html, say } from "../dom.js";
+import { typedIn } from "./list.js";
 
 /** @typedef {(files: File[], group: number) => void} Take */
 
@@ -95,7 +96,7 @@ function nameBox(classroom, group, changed) {
   const label = html("label", "carts-class-name", "Group ");
   const box = /** @type {HTMLInputElement} */ (html("input"));
   Object.assign(box, { value: classroom.names[group], maxLength: 40 });
-  box.addEventListener("change", () => {
+  typedIn(box, () => {
     classroom.names[group] = box.value;
     changed();
   });

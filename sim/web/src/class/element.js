@@ -100,6 +100,7 @@ export function classElement(client) {
           },
         );
         await this.show();
+        performance.mark("carts:class-done");
         const took = ((performance.now() - begun) / 1000).toFixed(1);
         say(
           this.#status,

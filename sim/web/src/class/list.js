@@ -42,6 +42,17 @@ export function fileList(classroom, changed) {
   return { root, draw };
 }
 
+const PAUSE = 500; // ms without a key: then something was typed
+
+/** @param {HTMLInputElement | HTMLTextAreaElement} box @param {() => void} act */
+export function typedIn(box, act) {
+  let timer = 0;
+  box.addEventListener("input", () => {
+    clearTimeout(timer);
+    timer = window.setTimeout(act, PAUSE);
+  });
+}
+
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
 export function typedCodes(classroom, changed) {
   const root = html("details", "carts-class-codes");
@@ -49,7 +60,7 @@ export function typedCodes(classroom, changed) {
   const label = html("label", "", "A line each: code word, form, code");
   const box = /** @type {HTMLTextAreaElement} */ (html("textarea"));
   Object.assign(box, { rows: 4, spellcheck: false, placeholder: "BLUE-FOX-27 pre 7K2M-Q9ZD-03HX" });
-  box.addEventListener("change", () => {
+  typedIn(box, () => {
     classroom.codes = box.value;
     changed();
   });

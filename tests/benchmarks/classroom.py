@@ -1,0 +1,111 @@
+"""Classes: how long it takes to read them and to report, on the command line and in the page.
+
+Files of 50 kB: fifteen choices and texts. Times of the command line are those of a process of its
+own, with start and imports; times of the page begin when Python is live.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import expect, sync_playwright
+
+from sim.classroom.reading import Source
+from sim.pages.runtime import CLASSROOM, default_cache, pack
+from tests.benchmarks.page import ROOT
+from tests.classroom.makers import bank, keys, random_class, sources
+from tests.web.boot_site import bundle
+from tests.web.conftest import CONTEXT, launch
+from tests.web.test_class_page import PAGE
+
+BYTES = 50_000
+FROM = """() => document.querySelector(".carts-class-files").addEventListener(
+  "change", () => performance.mark("from"), { once: true, capture: true })"""
+TIMES = """() => {
+  const at = (name) => performance.getEntriesByName(name).pop().startTime;
+  return ["carts:class-means", "carts:class-done"].map((name) => at(name) - at("from"));
+}"""
+BANK = bank(15, words=2)
+
+
+def rows() -> list[dict[str, Any]]:
+    """One row per goal."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        made = [*_natively(folder, 300, 3.0), *_natively(folder, 5_000, 20.0)]
+        return [*made, *_in_the_page(folder)]
+
+
+def large_class(count: int) -> list[Source]:
+    """`count` files of 50 kB: pre and post of half as many students, with long texts."""
+    files = []
+    for file in random_class(BANK, count // 2):
+        room = BYTES - len(json.dumps(file))
+        for item in (row for row in file["items"] if row["type"] == "long"):
+            item["value"] += " because of the force on the cart" * 550
+        file["padding"] = "x" * max(0, room - 2 * 550 * 33)
+        files.append(file)
+    return sources(files)
+
+
+def _natively(folder: Path, count: int, goal: float) -> list[dict[str, Any]]:
+    place = folder / str(count)
+    place.mkdir()
+    size = 0
+    for file in large_class(count):
+        (place / file.name).write_bytes(file.content)
+        size += len(file.content)
+    (place / "key.json").write_text(keys(BANK), encoding="utf-8")
+    start = time.perf_counter()
+    words = [sys.executable, "-m", "sim", "class", str(place), "--json"]
+    done = subprocess.run(words, capture_output=True, text=True, check=True, cwd=ROOT)
+    took = time.perf_counter() - start
+    counted = json.loads(done.stdout)["files"]["counted"]
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    what = f"{counted} files of {size / count / 1000:.0f} kB, carts class"
+    made = [_row(what, took, "s", goal)]
+    return [*made, _row(f"{what}, memory", peak, "MB", 500)] if count > 1_000 else made
+
+
+def _in_the_page(folder: Path) -> list[dict[str, Any]]:
+    site = folder / "site"
+    assets = site / "assets" / "carts"
+    assets.mkdir(parents=True)
+    packages = frozenset({"numpy", "scipy", CLASSROOM})
+    pack(site, packages=packages, cache=default_cache(ROOT), report=lambda _: None)
+    bundle(ROOT / "sim" / "web" / "src" / "class-main.js", assets / "class.js")
+    (assets / "carts.css").write_bytes(b"")
+    (site / "class.html").write_text(PAGE, encoding="utf-8")
+    files = [str(path) for path in sorted((folder / "300").iterdir())]
+    made = []
+    with sync_playwright() as driver:
+        for name in ("chromium", "firefox"):
+            browser = launch(driver, name)
+            page = browser.new_context(**CONTEXT[name]).new_page()
+            page.goto((site / "class.html").as_uri())
+            box, state = page.locator(".carts-class-files").first, page.locator("carts-class")
+            box.set_input_files(files[:1])
+            expect(state).to_have_attribute("data-state", "complete", timeout=120_000)
+            page.get_by_role("button", name="Delete everything").click()
+            page.get_by_role("button", name="Delete", exact=True).click()
+            page.evaluate(FROM)
+            box.set_input_files(files)
+            status = page.locator(".carts-class-status")
+            expect(status).to_have_text(re.compile(r"^30\d files read in"), timeout=120_000)
+            first, whole = page.evaluate(TIMES)
+            made.append(_row(f"300 files in the page, first means, {name}", first / 1000, "s", 2))
+            made.append(_row(f"300 files in the page, all read, {name}", whole / 1000, "s", 8))
+            browser.close()
+    return made
+
+
+def _row(name: str, value: float, unit: str, goal: float) -> dict[str, Any]:
+    return {"name": name, "value": value, "unit": unit, "goal": goal, "reference": "one run"}
