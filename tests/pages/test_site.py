@@ -46,7 +46,7 @@ def pages(site: Path) -> list[Path]:
 
 def has_scene(page: Path) -> bool:
     text = page.read_text(encoding="utf-8")
-    return any(f"<carts-{block}" in text for block in ("scene", "map", "cost"))
+    return any(f"<carts-{block}" in text for block in ("scene", "map", "cost", "hard"))
 
 
 def in_css(sheet: Path) -> list[str]:
