@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from sim.classroom.refusal import RefusalError
@@ -19,6 +19,7 @@ from sim.lesson.kinds.number import Number, Wrong
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
 from sim.lesson.kinds.words import Long, Short
+from sim.lesson.mark import Mark
 from sim.lesson.question import Common, Question
 
 MOST_CHARACTERS = 5_000_000
@@ -39,6 +40,15 @@ class KeyedItem:
     texts: Mapping[str, str]
     beliefs: Mapping[str, str]
     rubric: Mapping[str, str]
+    seen: dict[str, Mark] = field(default_factory=dict, repr=False, compare=False)
+
+    def mark(self, value: object, own: float | None = None) -> Mark:
+        """Marks an answer; equal choices of thousands of students share one mark."""
+        if not isinstance(value, str) or len(value) > 2 or own is not None:
+            return self.question.mark(value, own)
+        if value not in self.seen:
+            self.seen[value] = self.question.mark(value)
+        return self.seen[value]
 
     @property
     def worth(self) -> int:

@@ -121,7 +121,7 @@ def _marked(keyed: KeyedItem, items: list[Item], given: int | None) -> Answer:
     """The last answer to this wording of the question, or none."""
     fitting = [item for item in items if item.hash in ("", keyed.hash)]
     item = fitting[-1] if fitting else None
-    mark = keyed.question.mark(item.value if item else None, item.own if item else None)
+    mark = keyed.mark(item.value if item else None, item.own if item else None)
     if given is not None and mark.verdict == "open" and mark.of:
         marks = max(0, min(given, mark.of))
         verdict: Verdict = "right" if marks == mark.of else "partly" if marks else "wrong"
