@@ -6,15 +6,15 @@
 
 is answered by a header (JSON) and one array of float64, column after column. The header of a
 refusal has `"ok": false` and the problems, each with its key path; nothing is ever raised for
-what a reader or an author typed. The other kinds of request have modules of their own: `map`,
-`cost`, `how`, `hard` and `model`; see `map_answer`, `cost_answer`, `how_answer`, `hard_answer` and
-`model_text`.
+what a reader or an author typed. Each other kind of request (OTHERS) has a module of its own, which
+is loaded when it is asked for.
 """
 
 from __future__ import annotations
 
 from array import array
 from collections.abc import Mapping
+from importlib import import_module
 from typing import Any
 
 from sim.dynamics.finished import Run
@@ -33,13 +33,23 @@ MOST_STEPS_DRAWN = 2_500
 MOST_EVENTS_DRAWN = 20_000
 """A page stops a run here: more events than this can neither be drawn nor listed."""
 
+OTHERS = {
+    "map": "map_answer",
+    "cost": "cost_answer",
+    "how": "how_answer",
+    "hard": "hard_answer",
+    "energy": "energy_answer",
+    "model": "model_text",
+}
+"""Module of each other kind of request; it holds a function KIND_answer."""
+
 Answer = tuple[dict[str, Any], "array[float]"]
 
 
 def answer(request: Mapping[str, Any]) -> Answer:
     """Answer one request."""
     identity = request.get("id")
-    if request.get("kind") in ("map", "cost", "how", "hard", "model"):
+    if request.get("kind") in OTHERS:
         return _other(request)
     if request.get("kind") == "class":
         return _class(request)
@@ -62,16 +72,8 @@ def answer(request: Mapping[str, Any]) -> Answer:
 def _other(request: Mapping[str, Any]) -> Answer:
     """What is loaded only where it is asked for."""
     try:
-        if request.get("kind") == "map":
-            from sim.bridge.map_answer import map_answer as asked
-        elif request.get("kind") == "cost":
-            from sim.bridge.cost_answer import cost_answer as asked
-        elif request.get("kind") == "hard":
-            from sim.bridge.hard_answer import hard_answer as asked
-        elif request.get("kind") == "model":
-            from sim.bridge.model_text import model_answer as asked
-        else:
-            from sim.bridge.how_answer import how_answer as asked
+        kind = str(request.get("kind"))
+        asked = getattr(import_module(f"sim.bridge.{OTHERS[kind]}"), f"{kind}_answer")
         header, numbers = asked(request)
     except SceneError as error:
         return refusal(request.get("id"), error.problems)

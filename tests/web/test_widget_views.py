@@ -141,3 +141,44 @@ def test_boxes_are_as_large_as_the_masses_or_all_alike(
         page.locator(f'#{name} [data-choice="areas"]').click()
         a, b = page.evaluate(heights, name)
         assert (b == pytest.approx(2 * a)) == (says == "mass")
+
+
+ROUGH: dict[str, Any] = {
+    **MEETING,
+    "id": "rough",
+    "effects": [
+        {"friction": {"coefficient": "0.01"}},
+        {"push": {"cart": "A", "force": "0.2 N", "until": "1 s"}},
+    ],
+    "show": ["energy"],
+}
+
+
+def test_the_ledger_with_effects_adds_up_to_what_was_there_and_what_was_given(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(write_page(widget_site, "rough", ROUGH)), "rough")
+    graph = page.locator('#rough .carts-graph[data-quantity="energy"]')
+    key = graph.locator(".carts-key")
+    graph.locator(".carts-sign").click()
+    expect(key).to_contain_text("has warmed the bumpers and track")
+    parts = """(key) => [...key.querySelectorAll("b")].map((b) => [b.textContent.split(": ")[0],
+        parseFloat(b.textContent.split(": ")[1].replace("−", "-"))])"""
+    on_scene(page, "el.time = 0;", name="rough")
+    start = sum(value for _, value in key.evaluate(parts))
+    on_scene(page, "el.time = 3;", name="rough")
+    now = dict(key.evaluate(parts))
+    x = on_scene(
+        page,
+        """const { t, x } = el.trajectory; const k = [...t].indexOf(1);
+        return k < 0 ? null : x.A[k] - x.A[0];""",
+        name="rough",
+    )
+    assert x is not None
+    assert sum(now.values()) == pytest.approx(start + 0.2 * x, abs=0.005)
+    assert now["has warmed the bumpers and track"] > 0
+    assert list(now) == [
+        "motion of A", "motion of B", "in squeezed bumpers", "has warmed the bumpers and track"
+    ]  # fmt: skip
+    on_scene(page, "await el.set({ 'A.mass': 2 }); el.time = 0;", name="rough")
+    expect(key).to_contain_text("motion of A: 0.36")

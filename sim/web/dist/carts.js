@@ -2161,6 +2161,240 @@
     return pageHasScipy() || document.querySelector("carts-cost") !== null;
   }
 
+  // src/effects-forces.js
+  var ON_ONE = ["incline", "push", "friction", "drag"];
+  var FEW = 3;
+  var AGENTS = { friction: "the track", drag: "the air", incline: "the Earth" };
+  function agent({ kind, by }) {
+    return AGENTS[kind] ?? by ?? "";
+  }
+  function actsAt({ kind, active, numbers }, t3) {
+    if (!active) return false;
+    const { from = 0, until = Infinity } = numbers;
+    return kind !== "push" || t3 >= from && t3 < until;
+  }
+  function forcesAt({ header, trajectory }, t3, always = false) {
+    const found2 = [];
+    for (const kind of ON_ONE) {
+      const acting = header.effects.filter(
+        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
+      );
+      for (const { name: name2 } of header.bodies) {
+        const own2 = acting.filter((effect) => effect.carts.includes(name2));
+        const column = trajectory.E[`${kind} ${name2}`];
+        if (!own2.length || !column?.length) continue;
+        const peak = greatest(column);
+        const on = own2.some((effect) => actsAt(effect, t3));
+        const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
+        const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
+        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
+        found2.push({ kind, on: name2, by: [...new Set(own2.map(agent))].join(" and "), value, size });
+      }
+    }
+    return found2;
+  }
+  function labels({ kind, on, by, size }) {
+    const brief2 = by.replaceAll("the ", "");
+    return [
+      `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
+      `on ${on} by ${brief2}: ${size} N`,
+      `by ${brief2}: ${size} N`
+      // whose force it is tells the line from the cart
+    ];
+  }
+  function outside({ effects, track }) {
+    const walls = track.left === "wall" || track.right === "wall";
+    const has = (kind) => effects.some((effect) => effect.kind === kind);
+    const parts2 = [
+      walls ? "wall" : "",
+      has("friction") ? "track" : "",
+      has("drag") ? "air" : "",
+      ...effects.filter(({ kind }) => kind === "push").map(agent),
+      walls || has("friction") || has("incline") ? "Earth" : ""
+    ];
+    return [...new Set(parts2.filter(Boolean))].join(" + ");
+  }
+  function linkKind({ effects }, pair) {
+    const link = effects.find(
+      ({ kind, active, between: between2 }) => active && (kind === "spring" || kind === "magnets") && between2?.join("-") === pair
+    );
+    return link?.kind ?? "";
+  }
+  var known = /* @__PURE__ */ new WeakMap();
+  function greatest(column) {
+    const before = known.get(column);
+    if (before !== void 0) return before;
+    let most = 0;
+    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
+    known.set(column, most);
+    return most;
+  }
+
+  // src/markers.js
+  var MARKERS = {
+    b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
+    b1: "M-3.5 -3.5H3.5V3.5H-3.5Z",
+    b2: "M0 -5L5 0L0 5L-5 0Z",
+    b3: "M-4.5 3.5L0 -4.5L4.5 3.5Z",
+    b4: "M-4.5 -3.5L0 4.5L4.5 -3.5Z",
+    b5: "M-4 -1.5H-1.5V-4H1.5V-1.5H4V1.5H1.5V4H-1.5V1.5H-4Z",
+    b6: "M-4.5 -2.5H4.5V2.5H-4.5Z",
+    b7: "M-2.5 -4.5H2.5V4.5H-2.5Z",
+    wall: "M-3 -3L3 3M-3 3L3 -3",
+    total: "M-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0Z"
+  };
+  function styleOf(index) {
+    return `b${index % 8}`;
+  }
+
+  // src/series.js
+  function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
+    if (quantity === "F") return forces(header, run, signed);
+    const times = Float64Array.from(run.t);
+    const curves = header.bodies.map((body2, i2) => {
+      const { name: name2, mass } = body2;
+      const [x2, v2, a2] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
+      const seen = Float64Array.from(v2, (speed) => speed - camera);
+      const curve = { label: name2, style: styleOf(i2), over: false };
+      switch (quantity) {
+        case "x": {
+          const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times[k]));
+          return { ...curve, values, slopes: seen };
+        }
+        case "v":
+          return {
+            ...curve,
+            values: seen.map((speed) => speed / per),
+            slopes: Float64Array.from(a2, (rate) => rate / per)
+          };
+        case "a":
+          return { ...curve, values: a2, slopes: null };
+        case "p":
+          return {
+            ...curve,
+            values: seen.map((speed) => mass * speed),
+            slopes: Float64Array.from(a2, (value) => mass * value)
+          };
+        default:
+          return { ...curve, values: seen.map((s3) => mass * s3 * s3 / 2), slopes: null };
+      }
+    });
+    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
+    if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
+    return curves;
+  }
+  function partner(curves, label) {
+    const { values, slopes } = total(curves);
+    const start = Number(values[0]);
+    return {
+      label,
+      style: "wall",
+      over: false,
+      values: Float64Array.from(values, (value) => start - value),
+      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
+    };
+  }
+  function total(curves) {
+    const sum = (columns) => {
+      const rows = Float64Array.from(columns[0] ?? []);
+      for (const column of columns.slice(1)) {
+        for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
+      }
+      return rows;
+    };
+    return {
+      label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
+      style: "total",
+      over: false,
+      values: sum(curves.map((c2) => c2.values)),
+      slopes: curves.every((c2) => c2.slopes) ? sum(curves.map((c2) => c2.slopes)) : null
+    };
+  }
+  function forces(header, run, signed) {
+    const styles = new Map(header.bodies.map((body2, i2) => [body2.name, styleOf(i2)]));
+    const sign = signed ? -1 : 1;
+    const curves = [];
+    for (const contact of header.contacts) {
+      let force = run.F[contact.pair];
+      let slope = run.dF[contact.pair];
+      if (!force || !slope || !Array.prototype.some.call(force, (f2) => f2 !== 0)) continue;
+      if (!signed) {
+        const pulls = Array.from(force, (f2) => f2 < 0);
+        slope = Float64Array.from(slope, (s3, k) => pulls[k] ? -s3 : s3);
+        force = Float64Array.from(force, Math.abs);
+      }
+      const [left, right] = contact.bodies;
+      curves.push({
+        label: `on ${brief(left)} by ${brief(right)}`,
+        style: styles.get(left) ?? "wall",
+        over: false,
+        values: Float64Array.from(force, (f2) => sign * f2),
+        slopes: Float64Array.from(slope, (s3) => sign * s3)
+      });
+      curves.push({
+        label: `on ${brief(right)} by ${brief(left)}`,
+        style: styles.get(right) ?? "wall",
+        over: true,
+        values: force,
+        slopes: slope
+      });
+    }
+    return curves;
+  }
+
+  // src/ledger-effects.js
+  var WANTED = "carts-energy-wanted";
+  var BANDS = {
+    bumpers: ["in squeezed bumpers", "squeezed"],
+    spring: ["in the spring", "stored"],
+    magnets: ["between the magnets", "stored"],
+    incline: ["as height, above the lowest point", "stored"]
+  };
+  var WARM = { friction: "track", drag: "air", spring: "spring" };
+  function needsParts({ fence }) {
+    return (
+      /** @type {unknown[]} */
+      (fence.scene.effects ?? []).length > 0
+    );
+  }
+  function askParts(root) {
+    return new Promise((resolve) => {
+      const detail = { answer: resolve, heard: false };
+      root.dispatchEvent(new CustomEvent(WANTED, { bubbles: true, detail }));
+      if (!detail.heard) resolve(null);
+    });
+  }
+  function ledgerWithEffects({ header, trajectory }, parts2) {
+    const times = trajectory.t;
+    const moving = seriesOf("energy", header, trajectory, 0).filter((c2) => c2.style !== "total");
+    const column = (name2) => {
+      const values = parts2.columns[parts2.names.indexOf(name2)] ?? new Float64Array(times.length);
+      if (values.length === times.length) return values;
+      return Float64Array.from(times, (t3) => valueAt(parts2.t, values, null, Number(t3)));
+    };
+    const bands = moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` }));
+    for (const [name2, [label, style]] of Object.entries(BANDS)) {
+      if (!parts2.names.includes(name2)) continue;
+      const values = column(name2);
+      const lowest = Math.min(0, ...values);
+      const above = Float64Array.from(values, (value) => value - lowest);
+      bands.push({ label, style, over: false, values: above, slopes: null });
+    }
+    const warm = Float64Array.from(column("warmed"), (value) => Math.max(0, value));
+    bands.push({ label: warmed(header), style: "warmed", over: false, values: warm, slopes: null });
+    return bands;
+  }
+  function warmed({ contacts, effects }) {
+    const what = contacts.length ? ["bumpers"] : [];
+    for (const { kind, active, numbers } of effects) {
+      const damped = kind !== "spring" || (numbers.damping ?? 0) > 0;
+      if (active && WARM[kind] && damped) what.push(String(WARM[kind]));
+    }
+    const names = [...new Set(what)];
+    const last = names.pop() ?? "surroundings";
+    return `has warmed the ${names.length ? `${names.join(", ")} and ${last}` : last}`;
+  }
+
   // src/predict-again.js
   var Again = class {
     /** @param {HTMLElement} root of the prediction @param {() => void} forget */
@@ -2384,7 +2618,7 @@
       const pairs = [...new Set(this.#rows.map(({ pair }) => pair))];
       const tables = pairs.map((pair) => {
         const rows = this.#rows.filter((row) => row.pair === pair);
-        const actual = greatest(run, pair);
+        const actual = greatest2(run, pair);
         const grid = html("div", "carts-compare");
         const newtons = (size) => `${fixed(size, this.decimals)} N`;
         const spoken = rows.map(
@@ -2481,7 +2715,7 @@
   function name({ on, by }) {
     return `force on ${body(on)} by ${body(by)}`;
   }
-  function greatest(run, pair) {
+  function greatest2(run, pair) {
     const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
     const peak = run.header.events.find(
       (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
@@ -3012,187 +3246,6 @@
     button.className = className;
     button.textContent = text;
     return button;
-  }
-
-  // src/effects-forces.js
-  var ON_ONE = ["incline", "push", "friction", "drag"];
-  var FEW = 3;
-  var AGENTS = { friction: "the track", drag: "the air", incline: "the Earth" };
-  function agent({ kind, by }) {
-    return AGENTS[kind] ?? by ?? "";
-  }
-  function actsAt({ kind, active, numbers }, t3) {
-    if (!active) return false;
-    const { from = 0, until = Infinity } = numbers;
-    return kind !== "push" || t3 >= from && t3 < until;
-  }
-  function forcesAt({ header, trajectory }, t3, always = false) {
-    const found2 = [];
-    for (const kind of ON_ONE) {
-      const acting = header.effects.filter(
-        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
-      );
-      for (const { name: name2 } of header.bodies) {
-        const own2 = acting.filter((effect) => effect.carts.includes(name2));
-        const column = trajectory.E[`${kind} ${name2}`];
-        if (!own2.length || !column?.length) continue;
-        const peak = greatest2(column);
-        const on = own2.some((effect) => actsAt(effect, t3));
-        const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
-        const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
-        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found2.push({ kind, on: name2, by: [...new Set(own2.map(agent))].join(" and "), value, size });
-      }
-    }
-    return found2;
-  }
-  function labels({ kind, on, by, size }) {
-    const brief2 = by.replaceAll("the ", "");
-    return [
-      `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
-      `on ${on} by ${brief2}: ${size} N`,
-      `by ${brief2}: ${size} N`
-      // whose force it is tells the line from the cart
-    ];
-  }
-  function outside({ effects, track }) {
-    const walls = track.left === "wall" || track.right === "wall";
-    const has = (kind) => effects.some((effect) => effect.kind === kind);
-    const parts2 = [
-      walls ? "wall" : "",
-      has("friction") ? "track" : "",
-      has("drag") ? "air" : "",
-      ...effects.filter(({ kind }) => kind === "push").map(agent),
-      walls || has("friction") || has("incline") ? "Earth" : ""
-    ];
-    return [...new Set(parts2.filter(Boolean))].join(" + ");
-  }
-  function linkKind({ effects }, pair) {
-    const link = effects.find(
-      ({ kind, active, between: between2 }) => active && (kind === "spring" || kind === "magnets") && between2?.join("-") === pair
-    );
-    return link?.kind ?? "";
-  }
-  var known = /* @__PURE__ */ new WeakMap();
-  function greatest2(column) {
-    const before = known.get(column);
-    if (before !== void 0) return before;
-    let most = 0;
-    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
-    known.set(column, most);
-    return most;
-  }
-
-  // src/markers.js
-  var MARKERS = {
-    b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
-    b1: "M-3.5 -3.5H3.5V3.5H-3.5Z",
-    b2: "M0 -5L5 0L0 5L-5 0Z",
-    b3: "M-4.5 3.5L0 -4.5L4.5 3.5Z",
-    b4: "M-4.5 -3.5L0 4.5L4.5 -3.5Z",
-    b5: "M-4 -1.5H-1.5V-4H1.5V-1.5H4V1.5H1.5V4H-1.5V1.5H-4Z",
-    b6: "M-4.5 -2.5H4.5V2.5H-4.5Z",
-    b7: "M-2.5 -4.5H2.5V4.5H-2.5Z",
-    wall: "M-3 -3L3 3M-3 3L3 -3",
-    total: "M-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0Z"
-  };
-  function styleOf(index) {
-    return `b${index % 8}`;
-  }
-
-  // src/series.js
-  function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
-    if (quantity === "F") return forces(header, run, signed);
-    const times = Float64Array.from(run.t);
-    const curves = header.bodies.map((body2, i2) => {
-      const { name: name2, mass } = body2;
-      const [x2, v2, a2] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
-      const seen = Float64Array.from(v2, (speed) => speed - camera);
-      const curve = { label: name2, style: styleOf(i2), over: false };
-      switch (quantity) {
-        case "x": {
-          const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times[k]));
-          return { ...curve, values, slopes: seen };
-        }
-        case "v":
-          return {
-            ...curve,
-            values: seen.map((speed) => speed / per),
-            slopes: Float64Array.from(a2, (rate) => rate / per)
-          };
-        case "a":
-          return { ...curve, values: a2, slopes: null };
-        case "p":
-          return {
-            ...curve,
-            values: seen.map((speed) => mass * speed),
-            slopes: Float64Array.from(a2, (value) => mass * value)
-          };
-        default:
-          return { ...curve, values: seen.map((s3) => mass * s3 * s3 / 2), slopes: null };
-      }
-    });
-    if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
-    if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
-    return curves;
-  }
-  function partner(curves, label) {
-    const { values, slopes } = total(curves);
-    const start = Number(values[0]);
-    return {
-      label,
-      style: "wall",
-      over: false,
-      values: Float64Array.from(values, (value) => start - value),
-      slopes: slopes && Float64Array.from(slopes, (slope) => -slope)
-    };
-  }
-  function total(curves) {
-    const sum = (columns) => {
-      const rows = Float64Array.from(columns[0] ?? []);
-      for (const column of columns.slice(1)) {
-        for (let k = 0; k < rows.length; k += 1) rows[k] = Number(rows[k]) + Number(column?.[k]);
-      }
-      return rows;
-    };
-    return {
-      label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
-      style: "total",
-      over: false,
-      values: sum(curves.map((c2) => c2.values)),
-      slopes: curves.every((c2) => c2.slopes) ? sum(curves.map((c2) => c2.slopes)) : null
-    };
-  }
-  function forces(header, run, signed) {
-    const styles = new Map(header.bodies.map((body2, i2) => [body2.name, styleOf(i2)]));
-    const sign = signed ? -1 : 1;
-    const curves = [];
-    for (const contact of header.contacts) {
-      let force = run.F[contact.pair];
-      let slope = run.dF[contact.pair];
-      if (!force || !slope || !Array.prototype.some.call(force, (f2) => f2 !== 0)) continue;
-      if (!signed) {
-        const pulls = Array.from(force, (f2) => f2 < 0);
-        slope = Float64Array.from(slope, (s3, k) => pulls[k] ? -s3 : s3);
-        force = Float64Array.from(force, Math.abs);
-      }
-      const [left, right] = contact.bodies;
-      curves.push({
-        label: `on ${brief(left)} by ${brief(right)}`,
-        style: styles.get(left) ?? "wall",
-        over: false,
-        values: Float64Array.from(force, (f2) => sign * f2),
-        slopes: Float64Array.from(slope, (s3) => sign * s3)
-      });
-      curves.push({
-        label: `on ${brief(right)} by ${brief(left)}`,
-        style: styles.get(right) ?? "wall",
-        over: true,
-        values: force,
-        slopes: slope
-      });
-    }
-    return curves;
   }
 
   // src/csv.js
@@ -3830,7 +3883,7 @@ ${lines2.join("\n")}
       button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
     }
     const scene = baked.fence.scene;
-    const writing = {};
+    const [writing, counting] = [{}, {}];
     const program = async () => {
       const set = { ...acts.settings() };
       const { header } = await client.ask(writing, () => ({ kind: "model", scene, set }));
@@ -3842,6 +3895,18 @@ ${lines2.join("\n")}
     };
     new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }), program);
     offerProjector(element);
+    need(element, ".carts-frame").addEventListener(WANTED, (event) => {
+      const { detail } = (
+        /** @type {CustomEvent} */
+        event
+      );
+      detail.heard = true;
+      const set = { ...acts.settings() };
+      client.ask(counting, () => ({ kind: "energy", scene, set })).then(
+        ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
+        () => detail.answer(null)
+      );
+    });
     const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
     const how = new How(element, view, client, (more) => {
       return { kind: "how", scene, set: { ...acts.settings() }, ...more };
@@ -3855,6 +3920,14 @@ ${lines2.join("\n")}
       for (const stage of view.stages) stage.guess(guesses);
     };
     return new Predict(ask, baked, draw, locked, forgotten);
+  }
+  function columnsOf({ parts: parts2, rows }, numbers) {
+    const column = (k) => numbers.subarray(k * rows, (k + 1) * rows);
+    return {
+      names: parts2,
+      t: column(0),
+      columns: parts2.map((_2, k) => column(k + 1))
+    };
   }
 
   // src/announcer.js
@@ -4429,7 +4502,7 @@ ${lines2.join("\n")}
     const sum = (k) => moving.reduce((s3, c2) => s3 + Number(c2.values[k]), 0);
     const start = sum(0);
     const squeezed = new Float64Array(times.length);
-    const warmed = new Float64Array(times.length);
+    const warmed2 = new Float64Array(times.length);
     const groups = together(windows);
     let kept = 0;
     for (let k = 0; k < times.length; k += 1) {
@@ -4437,8 +4510,8 @@ ${lines2.join("\n")}
       const away = Math.max(0, start - sum(k));
       const on = groups.some((group2) => t3 >= group2.start && t3 < group2.end);
       if (!on) kept = away;
-      warmed[k] = Math.min(kept, away);
-      squeezed[k] = away - Number(warmed[k]);
+      warmed2[k] = Math.min(kept, away);
+      squeezed[k] = away - Number(warmed2[k]);
     }
     return [
       ...moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` })),
@@ -4449,7 +4522,7 @@ ${lines2.join("\n")}
         values: squeezed,
         slopes: null
       },
-      { label: "has warmed the bumpers", style: "warmed", over: false, values: warmed, slopes: null }
+      { label: "has warmed the bumpers", style: "warmed", over: false, values: warmed2, slopes: null }
     ];
   }
   function together(windows) {
@@ -4471,15 +4544,15 @@ ${lines2.join("\n")}
 
   // src/ledger-layer.js
   var NEAR3 = 0.5;
-  function hasLedger({ fence, run }) {
-    const effects = (
-      /** @type {unknown[]} */
-      fence.scene.effects ?? []
-    );
-    const { left, right } = run.header.track;
-    return effects.length === 0 && (!fence.camera || left !== "wall" && right !== "wall");
+  function hasLedger(baked) {
+    const { left, right } = baked.run.header.track;
+    return !baked.fence.camera || left !== "wall" && right !== "wall" && !needsParts(baked);
   }
   var LedgerLayer = class {
+    /** @type {ArrayLike<number>} s, of the entries: those of an older run until the new ones come */
+    times = [];
+    /** @type {Run | null} the run whose parts were asked for */
+    #of = null;
     /** @type {Series[]} */
     entries = [];
     /** @type {Series[]} */
@@ -4488,20 +4561,39 @@ ${lines2.join("\n")}
     constructor(root, baked) {
       this.areas = need(root, '[data-part="areas"]');
       this.key = need(root, ".carts-key");
+      this.root = root;
+      this.asks = needsParts(baked);
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals.energy ?? 3;
     }
-    /** @param {Run} run */
-    show(run) {
+    /**
+     * @param {Run} run @param {boolean} open whether the ledger is seen
+     * @param {() => void} changed when it can be drawn, if not at once
+     */
+    show(run, open2, changed) {
       const { events, until } = run.header;
-      this.entries = ledger(run, touches(events, until), this.camera);
-      this.tops = stacked(this.entries);
+      if (!this.asks) {
+        this.#take(run, ledger(run, touches(events, until), this.camera));
+      } else if (open2 && this.#of !== run) {
+        this.#of = run;
+        void askParts(this.root).then((parts2) => {
+          if (this.#of !== run) return;
+          this.#take(run, parts2 ? ledgerWithEffects(run, parts2) : []);
+          changed();
+        });
+      }
+    }
+    /** @param {Run} run @param {Series[]} entries */
+    #take({ trajectory }, entries) {
+      this.times = trajectory.t;
+      this.entries = entries;
+      this.tops = stacked(entries);
     }
     clear() {
       this.areas.replaceChildren();
     }
-    /** @param {ArrayLike<number>} times @param {g.Plane} plane */
-    draw(times, plane) {
+    /** @param {g.Plane} plane */
+    draw(plane) {
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
       this.tops.forEach((top, i2) => {
@@ -4510,7 +4602,7 @@ ${lines2.join("\n")}
           this.areas.children[i2]
         );
         put(path2, "class", `carts-band carts-${top.style}`);
-        put(path2, "d", band(times, plane, top.values, this.tops[i2 - 1]?.values));
+        put(path2, "d", band(this.times, plane, top.values, this.tops[i2 - 1]?.values));
       });
       delete this.key.dataset.curves;
       this.key.replaceChildren(
@@ -4525,10 +4617,10 @@ ${lines2.join("\n")}
         })
       );
     }
-    /** @param {ArrayLike<number>} times @param {number} t in s */
-    at(times, t3) {
+    /** @param {number} t in s */
+    at(t3) {
       this.entries.forEach(({ label, values }, i2) => {
-        const now = Math.max(0, valueAt(times, values, null, t3));
+        const now = Math.max(0, valueAt(this.times, values, null, t3));
         const text = this.key.children[i2]?.querySelector("b");
         if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
       });
@@ -4629,6 +4721,8 @@ ${lines2.join("\n")}
     behind = null;
     #pressed = false;
     // “with sign”, “as a ledger”
+    #t = 0;
+    // s, the instant shown
     /** @type {[number, number] | null} */
     #window = null;
     /**
@@ -4672,7 +4766,7 @@ ${lines2.join("\n")}
       this.#run = run;
       if (run.trajectory.t.length > 1) this.#first ??= run;
       this.impulse?.show(run);
-      this.ledger?.show(run);
+      this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t3);
       this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
     }
@@ -4683,14 +4777,15 @@ ${lines2.join("\n")}
     }
     /** @param {number} t in s */
     at(t3) {
+      this.#t = t3;
       const run = this.#run;
       if (!run) return;
       const x2 = px(timeX(this.#plane, t3));
       this.impulse?.at(run, this.#plane, t3, this.#pressed);
-      if (this.#stacked) this.ledger?.at(run.trajectory.t, t3);
+      if (this.#stacked) this.ledger?.at(t3);
       put(need(this.root, ".carts-cursor"), "transform", `translate(${x2} 0)`);
       this.#curves.forEach((curve, i2) => {
-        const y2 = valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t3));
+        const y2 = valueY(this.#plane, valueAt(this.#times(run), curve.values, curve.slopes, t3));
         const dot2 = this.#dots[i2];
         if (dot2) put(dot2, "transform", `translate(${x2} ${px(y2)})`);
       });
@@ -4699,7 +4794,11 @@ ${lines2.join("\n")}
       return this.#pressed && this.quantity === "F";
     }
     get #stacked() {
-      return this.#pressed && this.ledger !== null;
+      return this.#pressed && this.ledger !== null && this.ledger.entries.length > 0;
+    }
+    /** @param {Run} run @returns {ArrayLike<number>} s, of what is drawn */
+    #times(run) {
+      return this.#stacked ? this.ledger?.times ?? [] : run.trajectory.t;
     }
     #toggle() {
       this.#pressed = !this.#pressed;
@@ -4715,7 +4814,7 @@ ${lines2.join("\n")}
         /** @type {Run} */
         this.#run
       );
-      const { header, trajectory } = run;
+      const { header } = run;
       this.#curves = this.#curvesOf(run);
       const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
       const values = extent([...this.#curves, ...behind]);
@@ -4738,11 +4837,11 @@ ${lines2.join("\n")}
           group2.children[i2]
         );
         put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
-        put(line, "d", path(curve, trajectory.t, this.#plane));
+        put(line, "d", path(curve, this.#times(run), this.#plane));
       });
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
       this.#cursor();
-      if (this.#stacked) this.ledger?.draw(trajectory.t, this.#plane);
+      if (this.#stacked) this.ledger?.draw(this.#plane);
       else {
         this.ledger?.clear();
         this.#key();

@@ -30,6 +30,7 @@ export class GraphView {
   /** @type {Run | null} a run that is drawn pale behind the one that is shown */
   behind = null;
   #pressed = false; // “with sign”, “as a ledger”
+  #t = 0; // s, the instant shown
   /** @type {[number, number] | null} */
   #window = null;
 
@@ -74,7 +75,7 @@ export class GraphView {
     this.#run = run;
     if (run.trajectory.t.length > 1) this.#first ??= run;
     this.impulse?.show(run);
-    this.ledger?.show(run);
+    this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
     this.#draw(t);
     this.table.show(run, this.#stacked ? (this.ledger?.entries ?? []) : this.#curves);
   }
@@ -87,14 +88,15 @@ export class GraphView {
 
   /** @param {number} t in s */
   at(t) {
+    this.#t = t;
     const run = this.#run;
     if (!run) return;
     const x = px(g.timeX(this.#plane, t));
     this.impulse?.at(run, this.#plane, t, this.#pressed);
-    if (this.#stacked) this.ledger?.at(run.trajectory.t, t);
+    if (this.#stacked) this.ledger?.at(t);
     put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
     this.#curves.forEach((curve, i) => {
-      const y = g.valueY(this.#plane, valueAt(run.trajectory.t, curve.values, curve.slopes, t));
+      const y = g.valueY(this.#plane, valueAt(this.#times(run), curve.values, curve.slopes, t));
       const dot = this.#dots[i];
       if (dot) put(dot, "transform", `translate(${x} ${px(y)})`);
     });
@@ -105,7 +107,12 @@ export class GraphView {
   }
 
   get #stacked() {
-    return this.#pressed && this.ledger !== null;
+    return this.#pressed && this.ledger !== null && this.ledger.entries.length > 0;
+  }
+
+  /** @param {Run} run @returns {ArrayLike<number>} s, of what is drawn */
+  #times(run) {
+    return this.#stacked ? (this.ledger?.times ?? []) : run.trajectory.t;
   }
 
   #toggle() {
@@ -124,7 +131,7 @@ export class GraphView {
   /** @param {number} t */
   #draw(t) {
     const run = /** @type {Run} */ (this.#run);
-    const { header, trajectory } = run;
+    const { header } = run;
     this.#curves = this.#curvesOf(run);
     const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
     const values = g.extent([...this.#curves, ...behind]);
@@ -141,11 +148,11 @@ export class GraphView {
     this.#curves.forEach((curve, i) => {
       const line = /** @type {Element} */ (group.children[i]);
       put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
-      put(line, "d", g.path(curve, trajectory.t, this.#plane));
+      put(line, "d", g.path(curve, this.#times(run), this.#plane));
     });
     ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
     this.#cursor();
-    if (this.#stacked) this.ledger?.draw(trajectory.t, this.#plane);
+    if (this.#stacked) this.ledger?.draw(this.#plane);
     else {
       this.ledger?.clear();
       this.#key();

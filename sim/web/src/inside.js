@@ -1,7 +1,9 @@
 /** What is wired anew each time the inside of a scene is put there: buttons, menus, forces to find. */
 
+import { need } from "./dom.js";
 import { FindForces } from "./find-forces.js";
 import { How } from "./how.js";
+import { WANTED } from "./ledger-effects.js";
 import { Predict } from "./predict.js";
 import { offerProjector } from "./projector.js";
 import { TakeAlong } from "./take-along.js";
@@ -26,7 +28,7 @@ export function wireInside(element, baked, view, client, acts) {
     button.addEventListener("click", () => acts.preset(baked.fence.presets[name] ?? {}));
   }
   const scene = baked.fence.scene;
-  const writing = {}; // who asks: apart from the requests for runs
+  const [writing, counting] = [{}, {}]; // who asks: apart from the requests for runs
   const program = async () => {
     const set = { ...acts.settings() };
     const { header } = await client.ask(writing, () => ({ kind: "model", scene, set }));
@@ -35,6 +37,17 @@ export function wireInside(element, baked, view, client, acts) {
   };
   new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }), program);
   offerProjector(element);
+  need(element, ".carts-frame").addEventListener(WANTED, (event) => {
+    const { detail } = /** @type {CustomEvent} */ (event);
+    detail.heard = true;
+    const set = { ...acts.settings() };
+    client
+      .ask(counting, () => ({ kind: "energy", scene, set }))
+      .then(
+        ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
+        () => detail.answer(null),
+      );
+  });
   const find = element.querySelector(".carts-find")
     ? new FindForces(element, baked.fence.id, acts.found)
     : null;
@@ -57,4 +70,14 @@ export function askFirst(element, baked, view, { locked, forgotten }) {
     for (const stage of view.stages) stage.guess(guesses);
   };
   return new Predict(ask, baked, draw, locked, forgotten);
+}
+
+/** @param {any} header @param {Float64Array} numbers @returns {import("./ledger-effects.js").Parts} */
+function columnsOf({ parts, rows }, numbers) {
+  const column = (/** @type {number} */ k) => numbers.subarray(k * rows, (k + 1) * rows);
+  return {
+    names: parts,
+    t: column(0),
+    columns: parts.map((/** @type {string} */ _, /** @type {number} */ k) => column(k + 1)),
+  };
 }

@@ -3,6 +3,7 @@
 import { need, put, say, svg } from "./dom.js";
 import * as g from "./graph.js";
 import { ledger, stacked } from "./ledger.js";
+import { askParts, ledgerWithEffects, needsParts } from "./ledger-effects.js";
 import { fixed, px } from "./numbers.js";
 import { valueAt } from "./trajectory.js";
 import { touches } from "./windows.js";
@@ -12,15 +13,18 @@ import { touches } from "./windows.js";
 
 const NEAR = 0.5; // units; rows nearer than this to the last drawn one are left out
 
-/** Whether the ledger holds: nothing but contacts acts, and no wall that moves for the camera. */
+/** Whether the ledger holds: for a moving camera walls and effects do work of their own. */
 /** @param {import("./types.js").Baked} baked @returns {boolean} */
-export function hasLedger({ fence, run }) {
-  const effects = /** @type {unknown[]} */ (fence.scene.effects ?? []);
-  const { left, right } = run.header.track;
-  return effects.length === 0 && (!fence.camera || (left !== "wall" && right !== "wall"));
+export function hasLedger(baked) {
+  const { left, right } = baked.run.header.track;
+  return !baked.fence.camera || (left !== "wall" && right !== "wall" && !needsParts(baked));
 }
 
 export class LedgerLayer {
+  /** @type {ArrayLike<number>} s, of the entries: those of an older run until the new ones come */
+  times = [];
+  /** @type {Run | null} the run whose parts were asked for */
+  #of = null;
   /** @type {Series[]} */
   entries = [];
   /** @type {Series[]} */
@@ -30,29 +34,49 @@ export class LedgerLayer {
   constructor(root, baked) {
     this.areas = need(root, '[data-part="areas"]');
     this.key = need(root, ".carts-key");
+    this.root = root;
+    this.asks = needsParts(baked);
     this.camera = baked.fence.camera;
     this.decimals = baked.view.decimals.energy ?? 3;
   }
 
-  /** @param {Run} run */
-  show(run) {
+  /**
+   * @param {Run} run @param {boolean} open whether the ledger is seen
+   * @param {() => void} changed when it can be drawn, if not at once
+   */
+  show(run, open, changed) {
     const { events, until } = run.header;
-    this.entries = ledger(run, touches(events, until), this.camera);
-    this.tops = stacked(this.entries);
+    if (!this.asks) {
+      this.#take(run, ledger(run, touches(events, until), this.camera));
+    } else if (open && this.#of !== run) {
+      this.#of = run;
+      void askParts(this.root).then((parts) => {
+        if (this.#of !== run) return; // a newer one is on its way
+        this.#take(run, parts ? ledgerWithEffects(run, parts) : []);
+        changed();
+      });
+    }
+  }
+
+  /** @param {Run} run @param {Series[]} entries */
+  #take({ trajectory }, entries) {
+    this.times = trajectory.t;
+    this.entries = entries;
+    this.tops = stacked(entries);
   }
 
   clear() {
     this.areas.replaceChildren();
   }
 
-  /** @param {ArrayLike<number>} times @param {g.Plane} plane */
-  draw(times, plane) {
+  /** @param {g.Plane} plane */
+  draw(plane) {
     while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
     while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
     this.tops.forEach((top, i) => {
       const path = /** @type {Element} */ (this.areas.children[i]);
       put(path, "class", `carts-band carts-${top.style}`);
-      put(path, "d", band(times, plane, top.values, this.tops[i - 1]?.values));
+      put(path, "d", band(this.times, plane, top.values, this.tops[i - 1]?.values));
     });
     delete this.key.dataset.curves;
     this.key.replaceChildren(
@@ -68,10 +92,10 @@ export class LedgerLayer {
     );
   }
 
-  /** @param {ArrayLike<number>} times @param {number} t in s */
-  at(times, t) {
+  /** @param {number} t in s */
+  at(t) {
     this.entries.forEach(({ label, values }, i) => {
-      const now = Math.max(0, valueAt(times, values, null, t));
+      const now = Math.max(0, valueAt(this.times, values, null, t));
       const text = this.key.children[i]?.querySelector("b");
       if (text) say(text, `${label}: ${fixed(now, this.decimals)} J`);
     });

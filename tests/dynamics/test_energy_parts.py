@@ -1,0 +1,70 @@
+"""Energy at every sample: what is stored comes from the state, and only what warms is left over."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import pytest
+
+from sim.dynamics.energy_parts import energy_parts
+from sim.dynamics.run import run
+from sim.dynamics.trajectory import trajectory
+from sim.scene import read_scene
+from tests import registry
+
+WITH_EFFECTS = [name for name in registry.NAMES if registry.scene(name).effects]
+LAST = 1e-9
+"""Of all energy: rounding of the samples, whose positions are good to 1e-15 m or so."""
+NEVER_BACK = 1e-6
+"""Of all energy: the sampled force tells what bumpers hold to a part in 1e7."""
+
+
+@pytest.mark.parametrize("name", WITH_EFFECTS)
+def test_at_the_end_every_part_is_what_the_account_of_the_run_says(name: str) -> None:
+    finished = run(registry.scene(name))
+    parts = energy_parts(finished, trajectory(finished))
+    ledger = finished.ledger
+    scale = max(ledger.energy_initial, ledger.energy_final, 1e-9, *map(abs, ledger.works.values()))
+    for kind, (start, end) in ledger.potential.items():
+        assert parts[kind][-1] == pytest.approx(end, abs=LAST * scale), kind
+        assert parts[kind][0] == pytest.approx(start, abs=LAST * scale), kind
+    for kind in ("push", "release"):
+        if kind in parts:
+            assert parts[kind][-1] == pytest.approx(ledger.works.get(kind, 0.0), abs=LAST * scale)
+    lost = math.fsum(work for by, work in ledger.works.items() if by not in ("push", "release"))
+    assert parts["warmed"][-1] == pytest.approx(ledger.warmed - lost, abs=1e-7 * scale)
+
+
+@pytest.mark.parametrize("name", WITH_EFFECTS)
+def test_what_has_warmed_never_comes_back(name: str) -> None:
+    finished = run(registry.scene(name))
+    warmed = energy_parts(finished, trajectory(finished))["warmed"]
+    scale = max(finished.ledger.energy_initial, finished.ledger.energy_final, *map(abs, warmed))
+    assert warmed[0] >= -NEVER_BACK * scale
+    for before, after in itertools.pairwise(warmed):
+        assert after >= before - NEVER_BACK * scale
+
+
+@pytest.mark.parametrize("law", ["bumper", "paper", "push-only", "hertz"])
+def test_an_elastic_contact_on_a_rough_track_warms_only_the_track(law: str) -> None:
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.5, "velocity": 1},
+            "B": {"mass": 2, "position": 1.0},
+        },
+        "contact": {"law": law, "restitution": 1, "stiffness": 200},
+        "effects": [{"friction": {"coefficient": "0.01"}}],
+        "until": 0.8,
+    }
+    finished = run(read_scene(plain))
+    samples = trajectory(finished)
+    parts = energy_parts(finished, samples)
+    assert max(parts["bumpers"]) > 0.1
+    assert parts["bumpers"][-1] == 0.0
+    rubbed = (
+        0.01 * 9.81 * ((finished.x[0] - 0.5) + 2 * (finished.x[1] - 1.0))
+    )  # neither turns round
+    assert all(v >= 0 for v in samples.columns[("v", "B")])
+    if all(v >= 0 for v in samples.columns[("v", "A")]):
+        assert parts["warmed"][-1] == pytest.approx(rubbed, rel=1e-6)
