@@ -38,7 +38,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str = "")
     header = "".join(f'<th scope="col">{cell}</th>' for cell in head)
     body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
     return (
-        f'<div class="carts-class-table {kind}"><table class="carts-class-cells">'
+        f'<div class="carts-class-table {kind}" tabindex="0"><table class="carts-class-cells">'
         f"<thead><tr>{header}</tr></thead><tbody>{body}</tbody></table></div>"
     )
 
@@ -51,27 +51,29 @@ def listed(sentences: Iterable[str], kind: str = "says") -> str:
 
 def report_html(report: Row) -> str:
     """The whole report as a fragment of a page."""
-    parts = [_files(report), _flags(report["flags"])]
+    parts = [_count(report["files"]), _flags(report["flags"]), _refused(report["files"])]
     parts += [_lesson(lesson, report) for lesson in report["lessons"]]
     parts.append(listed(report["notes"], "notes"))
     return "".join(parts)
 
 
-def _files(report: Row) -> str:
-    files = report["files"]
+def _count(files: Row) -> str:
     counted = f"{files['counted']} of {files['read']} files of answers are counted."
     if not files["read"]:
         counted = "No file of answers was found."
-    refused = [f"{row['name']}: {row['reason']}"
-               for row in files["refused"]]  # fmt: skip
-    if files["refused_more"]:
-        refused.append(f"and {files['refused_more']} more")
     made = f'<p class="carts-class-count">{counted}</p>'
     if files["set_aside"]:
         made += f"<p>Set aside: {', '.join(map(who, files['set_aside']))}.</p>"
-    if refused:
-        made += f"<h2>Files that could not be read</h2>{listed(refused, 'refused')}"
     return made
+
+
+def _refused(files: Row) -> str:
+    refused = [f"{row['name']}: {row['reason']}" for row in files["refused"]]
+    if files["refused_more"]:
+        refused.append(f"and {files['refused_more']} more")
+    if not refused:
+        return ""
+    return f"<h2>Files that could not be read</h2>{listed(refused, 'refused')}"
 
 
 def _flags(flags: Sequence[Row]) -> str:

@@ -32,7 +32,7 @@ from sim.pages.scene_block import Lesson, load_block
 FILES = ("table-1.csv", "table-2.csv", "table-2-printed.csv", "table-3.csv")
 OURS = '<span class="carts-ours">ours</span>'
 ROUNDED = 0.0005  # what a printed mean may have lost
-NAMES = {"first": "first law (7 questions)", "third": "third law (4 questions)"}
+NAMES = {"first": "first law", "third": "third law"}
 
 
 def evidence_block(block: Block, lesson: Lesson, *, first_line: int) -> str:
