@@ -225,7 +225,7 @@ def _item(item: Row) -> str:
         ]
         for choice in item["choices"]
     ]
-    head = ["", "answer", "chosen", "students who choose it often think"]
+    head = ["letter", "answer", "chosen", "students who choose it often think"]
     facts = [item["sentence"], *item["notes"]]
     if item["point_biserial"] is not None:
         facts.append(

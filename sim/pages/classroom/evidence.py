@@ -76,7 +76,7 @@ def _sizes(numbers: _Numbers) -> str:
 
 
 def _gains(numbers: _Numbers) -> str:
-    head = ["", "group", "students", "before", "after", "gain", "printed Z, P", "recomputed Z, P"]
+    head = ["law", "group", "students", "before", "after", "gain", "printed Z, P", "recomputed Z, P"]
     rows = []
     for name, law in numbers.laws.items():
         for group, tested in (("experimental", law.experimental), ("control", law.control)):
@@ -91,7 +91,7 @@ def _gains(numbers: _Numbers) -> str:
 
 
 def _ours(numbers: _Numbers) -> str:
-    head = ["", "first law", "third law"]
+    head = ["number", "first law", "third law"]
     found = list(numbers.laws.values())
     rows = [
         ["p, two-sided: 1 − P", *(f"{law.z.p:.3f}" for law in found)],
@@ -109,7 +109,7 @@ def _ours(numbers: _Numbers) -> str:
 
 
 def _later(numbers: _Numbers) -> str:
-    head = ["", "group", "students", "marks of 2", f"Z {OURS}"]
+    head = ["law", "group", "students", "marks of 2", f"Z {OURS}"]
     head += [f"largest possible deviation {OURS}", f"sum of marks {OURS}"]
     rows = []
     for name, law in numbers.later.items():
