@@ -12,9 +12,9 @@ from playwright.sync_api import Page, expect
 from sim.lesson.form import Form
 from sim.lesson.handin import decode
 from sim.pages.extension import Page as MadePage
+from tests.web.answering import answer_everything, saved, saved_file
 from tests.web.conftest import OpenPage
 from tests.web.question_site import BANK, question_site, questions_page, ready
-from tests.web.test_questions import answer_everything, saved, saved_file
 
 pytestmark = pytest.mark.browser
 

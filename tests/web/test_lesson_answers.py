@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
+from tests.web.answering import saved, saved_file
 from tests.web.conftest import OpenPage
 from tests.web.question_site import ready
 from tests.web.test_answers_panel import continue_as
-from tests.web.test_questions import saved, saved_file
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

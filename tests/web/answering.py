@@ -1,0 +1,48 @@
+"""A reader who answers, for the tests of questions."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from playwright.sync_api import Page, expect
+
+from sim.lesson.answer_file import read_answer_file
+
+KEEP_FILES = """() => {
+  const make = URL.createObjectURL;
+  window.files = [];
+  URL.createObjectURL = (blob) => { window.files.push(blob); return make.call(URL, blob); };
+}"""
+
+
+def saved(page: Page, question: str) -> None:
+    expect(page.locator(f"#{question} .carts-q-saved")).to_have_text("Saved")
+
+
+def answer_everything(page: Page) -> None:
+    page.get_by_label("The one on the van").check()
+    page.locator("#pick-one .carts-q-sure").get_by_label("I think so").check()
+    page.get_by_label("its weight").check()
+    page.get_by_label("the support by the road").check()
+    page.locator("#how-fast input").fill("30 cm/s")
+    page.locator("#resultant input").fill("Zero!")
+    page.locator("#why textarea").fill("Same force,\nless mass. <b>Äöü</b> 力")
+    page.locator('#story [data-line="b"] .carts-q-down').click()
+    page.locator("#partners select").first.select_option("b")
+    page.locator("#how-sure").get_by_label("I am sure").check()
+    for question in ("pick-one", "pick-many", "how-fast", "resultant", "why", "story"):
+        saved(page, question)
+    saved(page, "partners")
+    saved(page, "how-sure")
+
+
+def saved_file(page: Page, k: int = 0) -> dict[str, Any]:
+    """The answer file that “Save file” makes."""
+    page.locator(".carts-bar-open").click()
+    page.evaluate(KEEP_FILES)
+    page.locator(".carts-answers-save").nth(k).click()
+    text = page.evaluate("window.files[0].text()")
+    page.locator(".carts-answers-close").click()
+    read_answer_file(text)
+    return dict(json.loads(text))
