@@ -18,6 +18,7 @@ COMMANDS = {
     "export": ("sim.cli.export", "Write a bank of questions for a learning platform."),
     "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),
+    "pack": ("sim.cli.pack", "Pack the site into one zip, also as SCORM."),
     "plan": ("sim.cli.plan", "Say how a scene would be solved, and why."),
     "single": ("sim.cli.single", "Write one scene as one HTML file."),
     "run": ("sim.cli.run", "Run a scene."),
