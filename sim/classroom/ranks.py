@@ -23,10 +23,14 @@ FEWEST_CHANGED = 5  # with four, even “all went up” has p = 0.125
 
 @dataclass(frozen=True, slots=True)
 class SignedRanks:
-    """`statistic`: the smaller sum of ranks. `up`, `down`, `same`: students by what they did."""
+    """`statistic`: the smaller sum of ranks. `up`, `down`, `same`: students by what they did.
+
+    `p_normal`: the p of the normal curve with ties counted, which other programs give with ties.
+    """
 
     statistic: float
     p: float
+    p_normal: float
     up: int
     down: int
     same: int
@@ -44,10 +48,11 @@ def wilcoxon(
     plus = sum(rank for rank, d in zip(doubled, changed, strict=True) if d > 0)
     smaller = min(plus, sum(doubled) - plus)
     few = len(changed) <= MOST_COUNTED
-    p = _counted(doubled, smaller) if few else _normal(doubled, smaller)
+    normal = _normal(doubled, smaller)
+    p = _counted(doubled, smaller) if few else normal
     up = sum(d > 0 for d in changed)
     down, same = len(changed) - up, len(found) - len(changed)
-    return SignedRanks(smaller / 2, p, up, down, same, "counted" if few else "normal")
+    return SignedRanks(smaller / 2, p, normal, up, down, same, "counted" if few else "normal")
 
 
 def _doubled_ranks(sizes: Sequence[float]) -> list[int]:

@@ -137,7 +137,8 @@ def finish(
         place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
         page = page.replace(place, ours + place, 1)
     if needs.classroom:
-        ours = f'<script src="{assets}class.js"></script>\n'
+        names = ("class-keys.js", "class.js")
+        ours = "".join(f'<script src="{assets}{name}"></script>\n' for name in names)
         place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
         page = page.replace(place, ours + place, 1)
     page = _with_answers(page, assets, needs.outline)

@@ -14,6 +14,8 @@ from typing import Any
 
 from sim.pages import licences, site_files
 from sim.pages.check import bank_folders, scene_folders
+from sim.pages.classroom import practice_keys
+from sim.pages.classroom.practice_keys import practice_key
 from sim.pages.extension import Page
 from sim.pages.findings import Finding
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
@@ -44,6 +46,7 @@ class SiteBuild:
     packages: set[str] = field(default_factory=set)
     needs: dict[str, Needs] = field(default_factory=dict)
     trusted: list[re.Pattern[str]] = field(default_factory=list)
+    keys: dict[str, dict[str, Any]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not _SITE_ID.fullmatch(self.site_id):
@@ -77,6 +80,8 @@ class SiteBuild:
                         "give the block an id of its own, for example " + f"{block}-1",
                     )
                 )
+        if key := practice_key(self.site_id, lesson, page.items):
+            self.keys[name] = key
         self.packages |= page.packages | ({"numpy", "scipy"} if classroom else set())
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
@@ -122,15 +127,15 @@ class SiteBuild:
             (site / site_files.ASSETS / "carts.js").write_bytes(site_files.scene_script())
             packages = set(self.packages)
             if any(needs.classroom for needs in self.needs.values()):
-                (site / site_files.ASSETS / "class.js").write_bytes(site_files.class_script())
+                assets = site / site_files.ASSETS
+                (assets / "class.js").write_bytes(site_files.class_script())
+                (assets / practice_keys.FILE).write_bytes(
+                    practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
+                )
                 packages.add(runtime.CLASSROOM)
             cache = runtime.default_cache(self.root)
             runtime.pack(site, packages=frozenset(packages), cache=cache, report=report)
-        except (
-            site_files.MissingFilesError,
-            runtime.RuntimePackError,
-            runtime.MissingSourceError,
-        ) as error:
+        except (site_files.MissingFilesError, *runtime.ERRORS) as error:
             raise SiteError(str(error)) from error
 
 

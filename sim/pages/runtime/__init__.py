@@ -10,8 +10,12 @@ from .ours import CLASSROOM
 from .pack import RuntimeFacts, pack
 from .sources import MissingSourceError
 
+ERRORS = (RuntimePackError, MissingSourceError)
+"""What `pack` raises; the message is for the person who builds."""
+
 __all__ = [
     "CLASSROOM",
+    "ERRORS",
     "MissingSourceError",
     "RuntimeFacts",
     "RuntimePackError",

@@ -1,0 +1,70 @@
+"""What the page knows without a key file: practice, no exam, nothing that is for the teacher."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from markdown import Markdown
+
+from sim.classroom.keyed import read_key_file
+from sim.pages.classroom.practice_keys import keys_script, practice_key
+from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.scene_block import Lesson
+
+BANKS = Path(__file__).parents[2] / "worksheets" / "banks"
+QUESTION = """
+```question
+id: mine
+type: single
+ask: Which?
+note: a secret note
+options: [first, {text: "</script>", correct: true}]
+```
+
+```question
+id: why
+type: long
+ask: Why?
+rubric: {0: nothing, 1: a secret rubric}
+```
+"""
+QUIZ = """
+```quiz
+id: %s-form
+form: %s
+mode: %s
+bank: forces-and-motion.yml
+use: test-15
+```
+"""
+
+
+def made(text: str) -> str:
+    page = Page(Lesson("lesson.md", (), (BANKS,)))
+    set_page(page)
+    try:
+        Markdown(extensions=[CartsExtension()]).convert(text)
+    finally:
+        set_page(None)
+    key = practice_key("tests", "lesson", page.items)
+    return keys_script([key] if key else []).decode()
+
+
+def test_worksheet_and_practice_are_marked_and_nothing_is_told_to_students() -> None:
+    script = made(QUESTION + QUIZ % ("easy", "pre", "practice"))
+    assert "secret" not in script
+    assert "</script" not in script
+    (text,) = json.loads(script.removeprefix("self.__cartsKeys = ").rstrip(";\n"))
+    forms = read_key_file(text)
+    assert [form.form for form in forms] == ["worksheet", "pre"]
+    assert forms[0].items["mine"].mark("b").verdict == "right"
+    assert forms[0].items["why"].worth == 1
+
+
+def test_an_exam_stays_out() -> None:
+    assert made(QUIZ % ("hard", "pre", "exam")) == "self.__cartsKeys = [];\n"
+
+
+def test_a_page_without_questions_has_no_key() -> None:
+    assert made("Only words.") == "self.__cartsKeys = [];\n"
