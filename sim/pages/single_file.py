@@ -57,11 +57,7 @@ def single_file(
         css = site_files.site_files(node_modules)[site_files.ASSETS + "carts.css"].decode()
         carts = site_files.scene_script().decode()
         scripts = [INSIDE, *_runtime(packages, node_modules, report), carts]
-    except (
-        site_files.MissingFilesError,
-        runtime.RuntimePackError,
-        runtime.MissingSourceError,
-    ) as error:
+    except (site_files.MissingFilesError, *runtime.ERRORS) as error:
         raise SiteError(str(error)) from error
     works = licences.notices(node_modules, scenes=True, packages=packages)
     style = LOOK + css

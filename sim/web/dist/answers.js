@@ -492,6 +492,22 @@
     }
   };
 
+  // src/download.js
+  var FORGOTTEN_AFTER = 6e4;
+  function download(name, text, type) {
+    downloadBlob(name, new Blob([text], { type }));
+  }
+  function downloadBlob(name, blob) {
+    const link = document.createElement("a");
+    const address = URL.createObjectURL(blob);
+    link.href = address;
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
+  }
+
   // src/answers/csv.js
   var COLUMNS = [
     "lesson",
@@ -526,18 +542,6 @@
     );
     return `\uFEFF${[COLUMNS.join(","), ...rows2].join("\r\n")}\r
 `;
-  }
-
-  // src/answers/download.js
-  function download(name, text, type) {
-    const link = document.createElement("a");
-    const address = URL.createObjectURL(new Blob([text], { type }));
-    link.href = address;
-    link.download = name;
-    document.body.append(link);
-    link.click();
-    link.remove();
-    setTimeout(() => URL.revokeObjectURL(address), 1e4);
   }
 
   // src/answers/file.js

@@ -3282,6 +3282,22 @@
     return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
   }
 
+  // src/download.js
+  var FORGOTTEN_AFTER = 6e4;
+  function download(name2, text, type) {
+    downloadBlob(name2, new Blob([text], { type }));
+  }
+  function downloadBlob(name2, blob) {
+    const link = document.createElement("a");
+    const address = URL.createObjectURL(blob);
+    link.href = address;
+    link.download = name2;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
+  }
+
   // src/picture.js
   var PROPERTIES = [
     "fill",
@@ -3823,13 +3839,10 @@ ${lines2.join("\n")}
       const acts = {
         csv: () => {
           const { run, quantities } = state();
-          save(
-            new Blob([csv(run, quantities, fence.camera)], { type: "text/csv" }),
-            `${fence.id}.csv`
-          );
+          download(`${fence.id}.csv`, csv(run, quantities, fence.camera), "text/csv");
         },
-        svg: () => save(new Blob([picture(root)], { type: "image/svg+xml" }), `${fence.id}.svg`),
-        png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
+        svg: () => download(`${fence.id}.svg`, picture(root), "image/svg+xml"),
+        png: async () => downloadBlob(`${fence.id}.png`, await asPng(picture(root))),
         link: () => {
           const { settings, t: t3 } = state();
           const link = `${location.href.split("#")[0]}#${linkTo(fence.id, settings, t3)}`;
@@ -3838,7 +3851,7 @@ ${lines2.join("\n")}
         },
         program: async () => {
           const text2 = await program();
-          save(new Blob([text2], { type: "text/x-python" }), `${fence.id}.py`);
+          download(`${fence.id}.py`, text2, "text/x-python");
           return offer(text2, "The program");
         },
         block: () => offer(sceneBlock(fence, state().settings), "The scene block")
@@ -3861,15 +3874,6 @@ ${lines2.join("\n")}
       });
     }
   };
-  function save(blob, name2) {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(blob);
-    link.download = name2;
-    document.body.append(link);
-    link.click();
-    link.remove();
-    setTimeout(() => URL.revokeObjectURL(link.href), 6e4);
-  }
 
   // src/inside.js
   function wireInside(element, baked, view, client, acts) {

@@ -19,11 +19,17 @@
 
   // src/class/classroom.js
   var WHOLE = "class";
+  var broughtAlong = () => (
+    /** @type {any} */
+    globalThis.__cartsKeys ?? []
+  );
   var Classroom = class {
     /** @type {Held[]} */
     files = [];
     /** @type {string[]} the texts of key files */
     keys = [];
+    /** @type {string[]} the same for what can be practised: this site brings them along */
+    practice = broughtAlong();
     /** @type {Map<string, GivenMark>} */
     marks = /* @__PURE__ */ new Map();
     /** @type {[string, string][]} */
@@ -60,7 +66,8 @@
       return {
         kind: "class",
         records: this.files.filter((file) => !file.out).map(({ row, group }) => [row, groups[this.two ? group : 0]]),
-        keys: this.keys,
+        keys: [...this.practice, ...this.keys],
+        // of one form the later one counts
         marks: [...this.marks.values()],
         refused: this.refused,
         codes: this.codes,
@@ -143,7 +150,7 @@
     const draw = () => {
       const out = classroom.files.filter((file) => file.out).length;
       const left = out ? `, ${out} left out` : "";
-      const keys = classroom.keys.length ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}` : ", no key yet";
+      const keys = classroom.keys.length ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}` : ", no key file";
       say(title, `Files: ${classroom.files.length}${left}${keys}`);
       fill();
     };
@@ -447,16 +454,20 @@
     };
   }
 
-  // src/answers/download.js
+  // src/download.js
+  var FORGOTTEN_AFTER = 6e4;
   function download(name, text, type) {
+    downloadBlob(name, new Blob([text], { type }));
+  }
+  function downloadBlob(name, blob) {
     const link = document.createElement("a");
-    const address = URL.createObjectURL(new Blob([text], { type }));
+    const address = URL.createObjectURL(blob);
     link.href = address;
     link.download = name;
     document.body.append(link);
     link.click();
     link.remove();
-    setTimeout(() => URL.revokeObjectURL(address), 1e4);
+    setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
   // src/picture.js
@@ -585,15 +596,6 @@
       marks.hidden = !element.classroom.marks.size;
     };
     return { root, draw };
-  }
-  function downloadBlob(name, blob) {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(blob);
-    link.download = name;
-    document.body.append(link);
-    link.click();
-    link.remove();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
   }
 
   // src/class/element.js

@@ -2,6 +2,7 @@
 
 import { csv } from "./csv.js";
 import { html, need, say } from "./dom.js";
+import { download, downloadBlob } from "./download.js";
 import { asPng, picture } from "./picture.js";
 import { qrCode } from "./qr.js";
 import { linkTo, sceneBlock } from "./share.js";
@@ -59,13 +60,10 @@ export class TakeAlong {
     const acts = {
       csv: () => {
         const { run, quantities } = state();
-        save(
-          new Blob([csv(run, quantities, fence.camera)], { type: "text/csv" }),
-          `${fence.id}.csv`,
-        );
+        download(`${fence.id}.csv`, csv(run, quantities, fence.camera), "text/csv");
       },
-      svg: () => save(new Blob([picture(root)], { type: "image/svg+xml" }), `${fence.id}.svg`),
-      png: async () => save(await asPng(picture(root)), `${fence.id}.png`),
+      svg: () => download(`${fence.id}.svg`, picture(root), "image/svg+xml"),
+      png: async () => downloadBlob(`${fence.id}.png`, await asPng(picture(root))),
       link: () => {
         const { settings, t } = state();
         const link = `${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`;
@@ -74,7 +72,7 @@ export class TakeAlong {
       },
       program: async () => {
         const text = await program();
-        save(new Blob([text], { type: "text/x-python" }), `${fence.id}.py`);
+        download(`${fence.id}.py`, text, "text/x-python");
         return offer(text, "The program");
       },
       block: () => offer(sceneBlock(fence, state().settings), "The scene block"),
@@ -92,15 +90,4 @@ export class TakeAlong {
       }
     });
   }
-}
-
-/** @param {Blob} blob @param {string} name of the file */
-function save(blob, name) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  document.body.append(link);
-  link.click();
-  link.remove();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

@@ -1,8 +1,8 @@
 /** Files: save, table for a spreadsheet, print, and bring answers back in from a file. */
 
 import { html, say } from "../dom.js";
+import { download } from "../download.js";
 import { csvText } from "./csv.js";
-import { download } from "./download.js";
 import { fileName, makeFiles, readFile } from "./file.js";
 import { button, clock, part, status } from "./parts.js";
 

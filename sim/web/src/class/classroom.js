@@ -7,11 +7,16 @@
 
 export const WHOLE = "class";
 
+/** @returns {string[]} see sim/pages/classroom/practice_keys.py */
+const broughtAlong = () => /** @type {any} */ (globalThis).__cartsKeys ?? [];
+
 export class Classroom {
   /** @type {Held[]} */
   files = [];
   /** @type {string[]} the texts of key files */
   keys = [];
+  /** @type {string[]} the same for what can be practised: this site brings them along */
+  practice = broughtAlong();
   /** @type {Map<string, GivenMark>} */
   marks = new Map();
   /** @type {[string, string][]} */
@@ -55,7 +60,7 @@ export class Classroom {
       records: this.files
         .filter((file) => !file.out)
         .map(({ row, group }) => [row, groups[this.two ? group : 0]]),
-      keys: this.keys,
+      keys: [...this.practice, ...this.keys], // of one form the later one counts
       marks: [...this.marks.values()],
       refused: this.refused,
       codes: this.codes,

@@ -35,7 +35,7 @@ export function fileList(classroom, changed) {
     const left = out ? `, ${out} left out` : "";
     const keys = classroom.keys.length
       ? `, key for ${classroom.keys.length === 1 ? "1 form" : `${classroom.keys.length} forms`}`
-      : ", no key yet";
+      : ", no key file";
     say(title, `Files: ${classroom.files.length}${left}${keys}`);
     fill();
   };

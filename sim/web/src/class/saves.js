@@ -1,8 +1,8 @@
 /** What can be done with a report: print it, save it, delete everything. */
 
-import { download } from "../answers/download.js";
 import { askingButton, button } from "../answers/parts.js";
 import { html } from "../dom.js";
+import { download, downloadBlob } from "../download.js";
 import { plotsAsPng } from "./plots.js";
 
 /** @typedef {{classroom: import("./classroom.js").Classroom}} Owner */
@@ -71,15 +71,4 @@ export function actions({ element, report, ask, say, clear }) {
     marks.hidden = !element.classroom.marks.size;
   };
   return { root, draw };
-}
-
-/** @param {string} name @param {Blob} blob */
-function downloadBlob(name, blob) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  document.body.append(link);
-  link.click();
-  link.remove();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

@@ -1,13 +1,20 @@
 /** Hands a file to the reader: the browser saves it where downloads go. */
 
+const FORGOTTEN_AFTER = 60_000; // ms; a slow disk may ask before it begins
+
 /** @param {string} name @param {string} text @param {string} type */
 export function download(name, text, type) {
+  downloadBlob(name, new Blob([text], { type }));
+}
+
+/** @param {string} name @param {Blob} blob */
+export function downloadBlob(name, blob) {
   const link = document.createElement("a");
-  const address = URL.createObjectURL(new Blob([text], { type }));
+  const address = URL.createObjectURL(blob);
   link.href = address;
   link.download = name;
   document.body.append(link);
   link.click();
   link.remove();
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+  setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
 }
