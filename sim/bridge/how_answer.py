@@ -111,6 +111,7 @@ def _compared(
             "stepped": seconds(lambda: outcome(scene, way)),
             "exact": seconds(lambda: _exact(scene, kept=False)),
         },
+        "whole": whole,  # did the exact run come to the end too?
         "error": {
             "v": _far(result.run.v, solved.v) if whole else None,
             "x": _far(result.run.x, solved.x) if whole else None,

@@ -11,6 +11,7 @@ import pytest
 
 from sim.bridge.protocol import answer
 from tests import registry
+from tests.web.widget_site import in_node
 
 FIXED = ["euler", "semi-implicit", "verlet", "rk4", "rk4-events"]
 
@@ -114,3 +115,34 @@ def test_numbers_beyond_all_bounds_are_a_sentence() -> None:
     header, _ = ask("hertz-cradle", method="euler", parts=103)
     assert not header["ok"]
     assert header["problems"][0]["hint"] == "a shorter step"
+
+
+def test_every_answer_has_good_words() -> None:
+    answers = [
+        ask(name, method=method, parts=parts)[0]
+        for name in ("paper-two-carts", "stiff-and-soft", "push-a-train", "slow-and-long")
+        for method, parts in (("euler", 19), ("rk4-events", 211))
+    ]
+    told = [one["how"] for one in answers]
+    none = {"error": {"v": None, "x": None}, "energy": {"made": None, "initial": 0.0}}
+    told += [
+        {**told[0], **none, "blown": 0.25},
+        {**told[0], **none, "whole": False},
+        {**told[0], "rtol": 1e-6, "step": None, "method": "rk45"},
+    ]
+    costs = [ask("paper-two-carts")[0], {"cost": {"solution": 2.5, "points": 3e-7}}]
+    lines = in_node(
+        "const words = await import(`${source}/how-words.js`);\n"
+        "const told = (how) => [words.signWords(how), ...words.comparedWords(how).flat()];\n"
+        "give([\n"
+        "  ...data.told.flatMap(told),\n"
+        "  ...data.costs.map(words.costWords),\n"
+        "  words.formulasWords({ 'free-flight': 2, another: 1 }),\n"
+        "]);",
+        {"told": told, "costs": costs},
+    )
+    assert not any(word in line for line in lines for word in ("NaN", "undefined", "null", "[obj"))
+    assert "free flights: 2, another: 1" in lines[-1]
+    assert lines[-2].startswith("On this computer, just now: 2.5 s, of which 2.5 s for the motion")
+    assert lines.count("beyond all numbers") == 4
+    assert sum(line.startswith("not known") for line in lines) == 2

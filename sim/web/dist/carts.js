@@ -1845,12 +1845,13 @@
     return `Step by step: ${METHODS[how.method]}, ${sizeWords(how)}. Not exact. Dashed: exact.`;
   }
   var BEYOND = "beyond all numbers";
+  var UNKNOWN = "not known: the exact run was stopped before";
   var MANY3 = 10;
   function comparedWords(how) {
-    const { error, energy, seconds, evaluations, blown } = how;
+    const { error, energy, seconds, evaluations, blown, whole } = how;
     const told2 = [
-      ["largest error of a velocity at the end", `${amount(error.v)} m/s`],
-      ["largest error of a position at the end", `${amount(error.x)} m`],
+      ["largest error of a velocity at the end", whole ? amount(error.v, "m/s") : UNKNOWN],
+      ["largest error of a position at the end", whole ? amount(error.x, "m") : UNKNOWN],
       ["energy made from nothing", made(energy)],
       ["times that all forces were computed", String(evaluations)],
       ["time on this computer", ratioWords(seconds)]
@@ -1860,8 +1861,8 @@
     }
     return told2;
   }
-  function amount(value) {
-    return value === null ? BEYOND : short(value, 2);
+  function amount(value, unit) {
+    return value === null ? BEYOND : `${short(value, 2)} ${unit}`;
   }
   function made({ made: joules, initial }) {
     if (joules === null) return BEYOND;

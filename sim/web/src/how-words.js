@@ -4,7 +4,7 @@ import { fixed, short } from "./numbers.js";
 
 /** @typedef {{cost: {solution: number, points: number}}} Cost seconds */
 /**
- * @typedef {{method: string, step: number | null, rtol: number | null, steps: number, evaluations: number, blown: number | null,
+ * @typedef {{method: string, step: number | null, rtol: number | null, steps: number, evaluations: number, blown: number | null, whole: boolean,
  *   seconds: {stepped: number, exact: number}, error: {v: number | null, x: number | null},
  *   energy: {made: number | null, initial: number}}} Compared see `sim/bridge/how_answer.py`
  */
@@ -104,15 +104,16 @@ export function signWords(how) {
 }
 
 const BEYOND = "beyond all numbers";
+const UNKNOWN = "not known: the exact run was stopped before";
 const MANY = 10; // times the energy at the start: percents say no more
 
 /** @param {Compared} how @returns {[string, string][]} what is told of a stepped run */
 export function comparedWords(how) {
-  const { error, energy, seconds, evaluations, blown } = how;
+  const { error, energy, seconds, evaluations, blown, whole } = how;
   /** @type {[string, string][]} */
   const told = [
-    ["largest error of a velocity at the end", `${amount(error.v)} m/s`],
-    ["largest error of a position at the end", `${amount(error.x)} m`],
+    ["largest error of a velocity at the end", whole ? amount(error.v, "m/s") : UNKNOWN],
+    ["largest error of a position at the end", whole ? amount(error.x, "m") : UNKNOWN],
     ["energy made from nothing", made(energy)],
     ["times that all forces were computed", String(evaluations)],
     ["time on this computer", ratioWords(seconds)],
@@ -123,9 +124,9 @@ export function comparedWords(how) {
   return told;
 }
 
-/** @param {number | null} value */
-function amount(value) {
-  return value === null ? BEYOND : short(value, 2);
+/** @param {number | null} value @param {string} unit */
+function amount(value, unit) {
+  return value === null ? BEYOND : `${short(value, 2)} ${unit}`;
 }
 
 /** @param {Compared["energy"]} energy */
