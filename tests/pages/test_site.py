@@ -17,6 +17,7 @@ USUAL_FORMULA_FONTS = ("Main-Regular", "Math-Italic", "Size1-Regular", "Size2-Re
 MOST_HTML_PER_SCENE = 60_000  # bytes
 MOST_HTML_PER_MAP = 40_000
 MOST_RUNTIME = 14_000_000  # bytes on disk, once per site, without packages
+MOST_CLASSROOM = 300_000
 MOST_PACKAGES = 22_000_000  # more: numpy because a page has a map, scipy because one has balls
 
 
@@ -182,9 +183,10 @@ def test_a_map_costs_little_html(site: Path) -> None:
 
 def test_the_runtime_fits(site: Path) -> None:
     files = list((site / "assets" / "carts" / "runtime").iterdir())
-    apart = ("numpy", "scipy", "python-more", "newtons_carts_class")  # few pages load them
-    packages = [p for p in files if p.name.startswith(apart)]
-    size = sum(p.stat().st_size for p in files)
+    packages = [p for p in files if p.name.startswith(("numpy", "scipy", "python-more"))]
+    classroom = [p for p in files if p.name.startswith("newtons_carts_class")]  # for one page
+    assert 0 < sum(p.stat().st_size for p in classroom) <= MOST_CLASSROOM
+    size = sum(p.stat().st_size for p in files if p not in classroom)
     extra = sum(p.stat().st_size for p in packages)
     assert 0 < extra <= MOST_PACKAGES
     assert size - extra <= MOST_RUNTIME
