@@ -197,7 +197,7 @@ def test_everything_can_be_deleted(page: Page) -> None:
     page.get_by_role("button", name="Delete everything").click()
     page.get_by_role("button", name="Delete", exact=True).click()
     expect(page.locator(".carts-class-report")).to_be_empty()
-    expect(page.locator(".carts-class-list > summary")).to_have_text("Files: 0, no key yet")
+    expect(page.locator(".carts-class-list > summary")).to_have_text("Files: 0, no key file")
     choose(page, [sources(random_class(BANK, 1))[0]])
     expect(page.locator(".carts-class-report")).to_contain_text("1 of 1 files")
 
