@@ -43,7 +43,7 @@ def _row(
         "right": verdicts["right"],
         "partly": verdicts["partly"],
         "wrong": verdicts["wrong"] + verdicts["unclear"],
-        "unread": verdicts["open"],
+        "unread": verdicts["open"] if keyed and keyed.worth else 0,
         "empty": verdicts["empty"] if keyed else len(files) - len(answers),
         "choices": _choices(answers, keyed),
         "difficulty": None,

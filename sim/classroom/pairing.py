@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from sim.classroom.marked import Marked, counted_items, worth
@@ -22,16 +22,21 @@ class Pairs:
     same_items: bool
 
 
-def pair_up(earlier: Sequence[Marked], later: Sequence[Marked], group: str) -> Pairs | None:
+def pair_up(
+    earlier: Sequence[Marked],
+    later: Sequence[Marked],
+    group: str,
+    only: Collection[str] | None = None,
+) -> Pairs | None:
     """Pairs of one group by pseudonym; None where the two forms have no marks to compare.
 
-    A file that answers another version of the lesson is not paired.
+    A file that answers another version of the lesson is not paired. `only`: items to count.
     """
     first = {f.student: f for f in earlier if f.group == group and not f.foreign}
     second = {f.student: f for f in later if f.group == group and not f.foreign}
     # What counts must not depend on the group: all files of the form decide.
-    items = counted_items([f for f in earlier if not f.foreign])
-    others = counted_items([f for f in later if not f.foreign])
+    items = _counted(earlier, only)
+    others = _counted(later, only)
     same = set(items) == set(others)
     of, of_later = worth(earlier, items), worth(later, others)
     if not items or of != of_later:
@@ -47,3 +52,8 @@ def pair_up(earlier: Sequence[Marked], later: Sequence[Marked], group: str) -> P
         without_after=tuple(first[n].file.student for n in sorted(first.keys() - second.keys())),
         same_items=same,
     )
+
+
+def _counted(files: Sequence[Marked], only: Collection[str] | None) -> tuple[str, ...]:
+    items = counted_items([file for file in files if not file.foreign])
+    return items if only is None else tuple(name for name in items if name in only)

@@ -20,6 +20,7 @@ from sim.classroom.pairing import Pairs, pair_up
 from sim.classroom.reading import MOST_NAMED, Read, Refused
 from sim.classroom.refusal import FEWEST
 from sim.classroom.spread import Spread, median, spread
+from sim.classroom.topics import topic_rows
 
 FORMAT = 1
 KIND = "newtons-carts-class"
@@ -97,6 +98,7 @@ def _lesson(
         "lesson": lesson,
         "forms": tables,
         "gains": gains,
+        "topics": topic_rows(by_form, keys.get((site, lesson, "pre")), asked.groups),
         "comparison": _comparison(pairs, asked),
         "later": _later(by_form, asked),
     }

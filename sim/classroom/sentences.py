@@ -19,6 +19,10 @@ ONE_ITEM = (
     "One item is no diagnosis. The tables say which answers were chosen, and what students who "
     "choose them often think."
 )
+FEW_QUESTIONS = (
+    "A topic has few questions. That one topic gained more than another does not show that they "
+    "differ: that needs its own test."
+)
 SAME_FORM = "The same questions were asked twice: part of the gain may be memory."
 
 

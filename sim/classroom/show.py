@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from sim.classroom import sentences as say
 from sim.classroom.drawing import bars, dots
 from sim.classroom.escaped import escape
 from sim.classroom.sentences import number, signed
@@ -94,7 +95,7 @@ def _lesson(lesson: Row, report: Row) -> str:
         parts.append(f"<h3>{text(first)} beside {text(second)}</h3>")
         parts.append(_comparison(lesson["comparison"]))
     if lesson["gains"]:
-        parts += ["<h3>Before and after</h3>", _gains(lesson["gains"])]
+        parts += ["<h3>Before and after</h3>", _gains(lesson["gains"]), _topics(lesson["topics"])]
     parts += [f"<h3>Form {text(row['form'])}</h3>{listed(row['sentences'])}"
               for row in lesson["later"]]  # fmt: skip
     parts.append(_items(lesson))
@@ -169,6 +170,22 @@ def _gains(rows: Sequence[Row]) -> str:
     return table(head, cells, kind="gains") + listed(says)
 
 
+def _topics(rows: Sequence[Row]) -> str:
+    """Gains topic by topic."""
+    if not rows:
+        return ""
+    head = ["topic", "questions", "group", "took both", "before", "after", "gain g"]
+    cells = [
+        [
+            text(row["topic"]), str(row["questions"]), who(row["group"]), str(row["n"]),
+            *(f"{number(row[k]['mean'])} ± {number(row[k]['sd'])}" for k in ("pre", "post")),
+            "–" if row["gain"] is None else number(row["gain"]),
+        ]
+        for row in rows
+    ]  # fmt: skip
+    return f"<h4>By topic</h4>{table(head, cells, kind='topics')}" + listed([say.FEW_QUESTIONS])
+
+
 def _items(lesson: Row) -> str:
     """Share of right answers, item by item, for all forms of at least ten students."""
     shares: dict[str, list[tuple[str, float]]] = {}
@@ -202,7 +219,7 @@ def _overview(items: Sequence[Row]) -> str:
         chosen = f"{most['option'].upper()} ({most['count']})" if most else ""
         right = f"{item['right']} of {item['n']}" if item["worth"] else "–"
         if item["unread"]:
-            right = f"{item['unread']} to be read"
+            right = f"{item['unread']} to read"
         numbers = ("difficulty", "discrimination", "point_biserial")
         rows.append([
             text(item["id"]), right, str(item["empty"]),

@@ -18,7 +18,7 @@ TIME = "2026-09-{day:02}T08:{minute:02}:{second:02}.000Z"
 BELIEFS = ("bigger-pushes-more", "mover-pushes-more", "winner-overcomes")
 
 
-def bank(count: int = 10, words: int = 0) -> Bank:
+def bank(count: int = 10, words: int = 0, topics: tuple[str, ...] = ()) -> Bank:
     """`count` choices of four answers, the right one moving, and `words` questions to read."""
     items: list[dict[str, Any]] = []
     for k in range(count):
@@ -28,6 +28,8 @@ def bank(count: int = 10, words: int = 0) -> Bank:
         options[k % 4] = {"text": f"right of {k}", "correct": True}
         items.append({"id": f"item-{k}", "type": "single", "ask": f"Question {k}?", "options":
                       options, "sure": True})  # fmt: skip
+        if topics:
+            items[-1]["topics"] = [topics[k % len(topics)]]
     for k in range(words):
         rubric = {"0": "nothing", "1": "one force", "2": "both forces"}
         items.append({"id": f"why-{k}", "type": "long", "ask": f"Why {k}?", "rubric": rubric})

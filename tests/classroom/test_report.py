@@ -112,6 +112,23 @@ def test_the_numbers_of_a_gain_are_those_of_scipy() -> None:
     assert gain["gain"] == pytest.approx((after - before) / (10 - before), rel=1e-12)
 
 
+def test_topics_are_compared_before_and_after() -> None:
+    source = bank(12, topics=("first-law", "third-law"))
+    students = random_class(source, 12)
+    rows = made(("class", students), source=source)["lessons"][0]["topics"]
+    assert [(row["topic"], row["questions"], row["of"]) for row in rows] == [
+        ("first-law", 6, 6), ("third-law", 6, 6),
+    ]  # fmt: skip
+    of_topic = [name for name, item in source.items.items() if "first-law" in item.common.topics]
+    by_hand = [
+        sum(i["value"] == source.items[i["id"]].key()["correct"][0]
+            for i in f["items"] if i["id"] in of_topic)
+        for f in students if f["form"] == "pre"
+    ]  # fmt: skip
+    assert rows[0]["pre"]["mean"] == pytest.approx(sum(by_hand) / 12, rel=1e-12)
+    assert made(("class", random_class(BANK, 12)))["lessons"][0]["topics"] == []
+
+
 def two(**asked: Any) -> dict[str, Any]:
     one = random_class(BANK, 25, seed=1, gain=0.35, prefix="FOX")
     other = random_class(BANK, 22, seed=2, gain=0.1, prefix="OWL")
