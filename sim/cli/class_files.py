@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
-from sim.classroom.reading import MOST_UNPACKED, Source
+from sim.classroom.reading import MOST_UNPACKED, Source, is_zip
+from sim.lesson.answer_file import MOST_BYTES
 
 ENDINGS = (".json", ".zip")
 MOST_ZIP = MOST_UNPACKED
@@ -26,7 +27,10 @@ def _source(path: Path) -> Source:
     """At most what may be looked at: what is larger is refused by its size."""
     try:
         with path.open("rb") as file:
-            return Source(path.as_posix(), file.read(MOST_ZIP + 1)[: MOST_ZIP + 1])
+            start = file.read(4)
+            return Source(
+                path.as_posix(), start + file.read(MOST_ZIP if is_zip(start) else MOST_BYTES)
+            )
     except OSError as error:
         return Source(f"{path.as_posix()} ({error.strerror})", b"")
 

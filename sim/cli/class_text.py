@@ -20,7 +20,8 @@ def _parts(report: Mapping[str, Any]) -> Iterator[str]:
     yield "\n".join(f"? {_safe(f['sentence'])}\n  {', '.join(f['files'][:8])}"
                     for f in report["flags"])  # fmt: skip
     for lesson in report["lessons"]:
-        yield f"{lesson['lesson']}\n{'=' * len(lesson['lesson'])}"
+        title = _safe(lesson["lesson"])
+        yield f"{title}\n{'=' * len(title)}"
         yield _means(lesson)
         says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
         yield _lines(says)

@@ -84,6 +84,15 @@ def test_a_bad_file_is_named_with_the_reason_and_the_others_are_analysed(school:
     assert json.loads(result.stdout)["files"]["counted"] == 24
 
 
+def test_a_huge_file_is_not_read_to_its_end(school: Path) -> None:
+    with (school / "7a" / "huge.json").open("wb") as file:
+        file.truncate(2_000_000_000)  # takes no room on the disk
+    result = carts(school / "7a", "--json")
+    assert result.exit_code == 1
+    assert "huge.json: this file is too large" in result.stderr
+    assert json.loads(result.stdout)["files"]["counted"] == 24
+
+
 def test_marks_of_the_page_count(school: Path) -> None:
     key = ("--key", school / "carts.key.json")
     table = as_json(school / "7a", *key)["lessons"][0]["forms"][0]

@@ -641,6 +641,7 @@
         this.#parts = [field2.draw, list.draw, codes.draw, doing.draw];
         this.#status.setAttribute("role", "status");
         this.#bar.hidden = true;
+        this.#bar.setAttribute("aria-label", "Files read");
         const controls = html("div", "carts-class-controls");
         controls.append(
           field2.root,
@@ -711,14 +712,15 @@
             await this.#ask({ kind: "class", do: "ready" });
             this.inference = true;
             await this.show();
-            this.dataset.state = "complete";
           },
           (error) => {
             this.#statistics = null;
             say(this.#status, `Means are shown; intervals and tests are not there: ${error.message}`);
           }
         );
-        return this.#statistics;
+        return this.#statistics.then(() => {
+          if (this.inference && !this.classroom.empty) this.dataset.state = "complete";
+        });
       }
       /** Asks for the report on what is here and shows it. */
       async show() {
