@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from sim.dynamics import booking, modes, watch
 from sim.dynamics.clock import Time, elapsed
+from sim.dynamics.grip_shares import share
 from sim.dynamics.polynomial import (
     Poly,
     first_fall,
@@ -90,6 +91,7 @@ class Cluster:
     def _expand(self, quadratic: list[float]) -> None:
         self.row = self._row(quadratic)
         self.series = expand(self.row)
+        share(self.bodies, self.branches, self.row.steady, self.series)
         self.speed = [
             [body.v, *integral(a)[1:]]
             for body, a in zip(self.bodies, self.series.bodies, strict=True)

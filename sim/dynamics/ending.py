@@ -18,10 +18,6 @@ from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.polynomial import value
 from sim.dynamics.record import Record
 
-STANDING = 1e-12
-"""Of the fastest body in the cluster. Bodies whose contact is locked halt together; their
-velocities differ by rounding only."""
-
 
 def leave(cluster: Cluster | PairPhase, now: Time, record: Record, ledger: Ledger) -> int:
     """Carry out all that ended the step, but for touches without a duration (`struck`).
@@ -96,18 +92,16 @@ def struck(cluster: Cluster | PairPhase) -> list[Gap]:
 
 
 def _halt(cluster: Cluster, k: int) -> None:
-    """Body k, and all whose contacts are locked to it, have v = 0."""
+    """Body k, and all whose contacts are locked to it, have v = 0: they differ by rounding only."""
     bodies, branches = cluster.bodies, cluster.branches
-    fastest = max(abs(speed[0]) for speed in cluster.speed)
+    gaps = cluster.members
     first, last = k, k
-    while first > 0 and branches[first - 1].locked:
+    while first > 0 and branches[first - 1].locked and gaps[first - 1].rate == 0.0:
         first -= 1
-    while last < len(branches) and branches[last].locked:
+    while last < len(branches) and branches[last].locked and gaps[last].rate == 0.0:
         last += 1
     for body in bodies[first : last + 1]:
-        if abs(body.v) <= STANDING * fastest:
-            body.v = 0.0
-    bodies[k].v = 0.0
+        body.v = 0.0
 
 
 def _slip(cluster: Cluster, k: int, now: Time) -> None:

@@ -145,6 +145,7 @@ def expand(row: Row) -> Expansion:
     linked = any(terms)
     dragged = any(row.linear) or any(row.quadratic)
     nothing = [0.0] * len(inverse)
+    sizes = [0.0] * len(inverse)
     loaded = dragged or any(row.steady)
     for n in range(ORDER - 1):
         outside = nothing if n else row.steady
@@ -170,20 +171,22 @@ def expand(row: Row) -> Expansion:
             from_left = force[i - 1][n] if i > 0 else 0.0
             from_right = force[i][n] if i < count else 0.0
             a = (from_left - from_right + outside[i]) * inv
+            sizes[i] = (abs(from_left) + abs(from_right) + abs(outside[i])) * inv
             bodies[i].append(a)
             speed[i].append(a / (n + 1))
         scale = 1.0 / ((n + 1) * (n + 2))
         for k in range(count):
             relative = bodies[k][n] - bodies[k + 1][n]
-            if branches[k].locked or (loaded and is_rounding(relative, bodies[k][n])):
+            if branches[k].locked or (loaded and is_rounding(relative, sizes[k] + sizes[k + 1])):
                 relative = 0.0
             over[k].append(relative * scale)
     return Expansion(over, force, pull, bodies)
 
 
 ALIKE = 1e-15
-"""Relative. Two bodies that gravity or drag accelerates alike keep their distance: what rounding
-leaves of the difference would part them, or press them together."""
+"""Relative, of all the forces that add up to an acceleration. Two bodies that gravity or drag
+accelerates alike keep their distance: what rounding leaves of the difference would part them, or
+press them together."""
 
 
 def is_rounding(difference: float, value: float) -> bool:
