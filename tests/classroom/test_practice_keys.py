@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 from markdown import Markdown
 
@@ -49,6 +50,13 @@ def made(text: str) -> str:
         set_page(None)
     key = practice_key("tests", "lesson", page.items)
     return keys_script([key] if key else []).decode()
+
+
+def keys_of(site: Path) -> list[dict[str, Any]]:
+    """The keys that a built site brings along."""
+    script = (site / "assets" / "carts" / "class-keys.js").read_text(encoding="utf-8")
+    texts = json.loads(script.removeprefix("self.__cartsKeys = ").rstrip(";\n"))
+    return [json.loads(text) for text in texts]
 
 
 def test_worksheet_and_practice_are_marked_and_nothing_is_told_to_students() -> None:

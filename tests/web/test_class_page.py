@@ -211,3 +211,37 @@ def test_it_prints_without_its_controls_and_fits_a_phone(page: Page) -> None:
         page.emulate_media(media="print")  # Firefox's driver cannot
         expect(page.locator(".carts-class-controls")).to_be_hidden()
         expect(page.locator(".carts-class-table.means")).to_be_visible()
+
+
+def test_on_the_real_page_a_worksheet_needs_no_key_and_the_report_is_what_prints(
+    site: Path, open_page: OpenPage
+) -> None:
+    from tests.classroom.test_practice_keys import keys_of
+
+    (key,) = [k for k in keys_of(site) if k["lesson"] == "newtons-third-law"]
+    (item,) = [i for i in key["forms"][0]["items"] if i["id"] == "third-first-idea"]
+    right = item["key"]["correct"][0]
+    time = "2026-09-01T08:00:00.000Z"
+    files = [
+        {
+            "format": 1, "kind": "newtons-carts-answers", "site": key["site"],
+            "lesson": key["lesson"], "lessonHash": "", "student": f"FOX-{k}", "form": "worksheet",
+            "created": time, "saved": time, "items": [
+                {"id": item["id"], "hash": item["hash"], "type": "single", "tries": 1,
+                 "value": right if k < 4 else "", "first": time, "last": time}
+            ],
+        }
+        for k in range(6)
+    ]  # fmt: skip
+    page = open_page(site / "teachers" / "class-results.html", folder=site)
+    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1)
+    choose(page, sources(files))
+    row = page.locator(".carts-class-table.overview tr", has_text="third-first-idea")
+    expect(row).to_contain_text("4 of 6", timeout=60_000)
+    complete(page)
+    if page.context.browser and page.context.browser.browser_type.name == "chromium":
+        page.emulate_media(media="print")
+        expect(page.locator("h1")).to_be_visible()
+        expect(row).to_be_visible()
+        expect(page.locator(".carts-class-controls")).to_be_hidden()
+        expect(page.locator("#five-minutes")).to_be_hidden()
