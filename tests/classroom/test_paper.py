@@ -93,6 +93,25 @@ def test_the_page_shows_what_was_computed() -> None:
         assert said in made, said
 
 
+@pytest.mark.parametrize("body", ["show: nothing", "table: gains", "show: gains\nid: x"])
+def test_an_evidence_block_that_shows_no_table_is_an_error_with_a_hint(body: str) -> None:
+    from sim.pages.check import check_lesson
+    from sim.pages.scene_block import SiteIds
+
+    lesson = Lesson("docs/evidence/index.md", (EVIDENCE,))
+    (finding,) = check_lesson(f"# Title\n\n```evidence\n{body}\n```\n", lesson, SiteIds())
+    assert finding.hint == "show: one of sizes, gains, ours, later"
+    assert finding.line >= 3
+
+
+def test_the_printed_numbers_must_lie_beside_the_page() -> None:
+    from sim.pages.check import check_lesson
+    from sim.pages.scene_block import SiteIds
+
+    (finding,) = check_lesson("```evidence\nshow: gains\n```\n", Lesson("x.md"), SiteIds())
+    assert "table-1.csv" in finding.message
+
+
 def test_what_the_text_says_of_the_adjusted_difference_is_what_is_computed() -> None:
     test = TABLE_2["first"].adjusted.test
     said = f"from {test.low:.2f} to +{test.high:.2f} would fit".replace("-", "−")
