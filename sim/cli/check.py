@@ -14,8 +14,15 @@ from sim.pages.findings import Finding
 @click.command("check")
 @click.argument("paths", nargs=-1, type=click.Path(path_type=Path))
 @click.option("--json", "as_json", is_flag=True, help="Print the findings as a JSON list.")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "json", "github"]),
+    default="text",
+    help="github: as notes on the lines of a commit, for a fork's automatic build.",
+)
 @click.pass_context
-def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool) -> None:
+def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: str) -> None:
     """Look for mistakes in lessons (.md) and scene files (.yml).
 
     PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes are
@@ -28,7 +35,10 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool) -> None:
     found = check_paths(
         [path.resolve() for path in paths] or [root / place for place in USUAL_PLACES], root
     )
-    if as_json:
+    if form == "github":
+        for finding in found:
+            click.echo(finding.as_annotation())
+    if as_json or form == "json":
         click.echo(
             json.dumps([finding.as_row() for finding in found], ensure_ascii=False, indent=2)
         )

@@ -37,6 +37,20 @@ class Finding:
         order = ("file", "line", "col", "severity", "code", "message", "hint")
         return {key: row[key] for key in order}
 
+    def as_annotation(self) -> str:
+        """A workflow command of GitHub Actions: the note stands on its line of the commit."""
+        place = f"file={_value(self.file)},line={self.line},col={self.col}"
+        text = f"{self.message}. {self.hint}" if self.hint else self.message
+        return f"::{self.severity} {place}::{_plain(text)}"
+
+
+def _plain(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _value(text: str) -> str:
+    return _plain(text).replace(":", "%3A").replace(",", "%2C")
+
 
 class AuthorError(Exception):
     """Everything that is wrong with one block of a lesson, never an empty list."""
