@@ -24,9 +24,9 @@ _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
-_ORDER = re.compile(r"\A---\s*\n(?:.*\n)*?order:[ \t]*(\d{1,4})[ \t]*\n")
+_ORDER = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?order:[ \t]*(\d{1,4})[ \t]*\n")
 LAST = 1000  # lessons without a place of their own come behind those with one
-_STATED = re.compile(r"\A---\s*\n(?:.*\n)*?minutes:[ \t]*(\d+)[ \t]*\n")
+_STATED = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?minutes:[ \t]*(\d+)[ \t]*\n")
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 
 

@@ -1,0 +1,56 @@
+"""A new lesson has no mistakes, comes last, and takes the place of none."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.pages.check import check_paths
+from sim.pages.lesson_text import LAST, lesson_order
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "worksheets").mkdir()
+    (tmp_path / "worksheets" / "old.md").write_text("---\norder: 7\n---\n# Old\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("title", ["Two trains meet", "Trains: which wins?", "Ana's train", "力"])
+def test_a_new_lesson_has_no_mistakes(folder: Path, title: str) -> None:
+    result = CliRunner().invoke(main, ["new", "two-trains", "--title", title])
+    assert result.exit_code == 0, result.output
+    path = folder / "worksheets" / "two-trains.md"
+    assert check_paths([path], folder) == []
+    assert "order: 8" in path.read_text(encoding="utf-8")
+
+
+def test_a_lesson_that_is_there_stays_as_it_is(folder: Path) -> None:
+    before = (folder / "worksheets" / "old.md").read_text(encoding="utf-8")
+    result = CliRunner().invoke(main, ["new", "old"])
+    assert result.exit_code == 1
+    assert "there already" in result.output
+    assert (folder / "worksheets" / "old.md").read_text(encoding="utf-8") == before
+
+
+@pytest.mark.parametrize("name", ["../up", "Two Trains", "a/b", "", "1st"])
+def test_a_name_that_is_none_is_refused_with_an_example(folder: Path, name: str) -> None:
+    result = CliRunner().invoke(main, ["new", name])
+    assert result.exit_code == 2
+    assert "two-trains" in result.output
+    assert [path.name for path in (folder / "worksheets").iterdir()] == ["old.md"]
+
+
+def test_minutes_and_place_are_those_at_the_top_of_a_lesson_only(folder: Path) -> None:
+    lesson = folder / "worksheets" / "plain.md"
+    question = (
+        "```question\nid: one\ntype: long\nask: Why?\nrubric: {1: yes, 0: no}\nminutes: 3\n```"
+    )
+    lesson.write_text(f"---\ntitle: P\n---\n\n## One {{: data-minutes=9 }}\n\n{question}\n",
+                      encoding="utf-8")  # fmt: skip
+    assert check_paths([lesson], folder) == []
+    assert lesson_order(lesson) == (LAST, "plain.md")
