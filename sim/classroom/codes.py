@@ -10,8 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from sim.classroom.archive import shown
 from sim.classroom.keyed import KeyedForm
-from sim.classroom.reading import Read, Refused, shown
+from sim.classroom.reading import Read, Refused
 from sim.lesson.answer_file import AnswerFile, Item
 from sim.lesson.handin import HandInError, decode
 from sim.lesson.opening import FORMS

@@ -1,20 +1,17 @@
 """Many answer files read at once: single files, folders' worth of them, and zips.
 
-Nothing is unpacked to a disk and no name in an archive is ever used as a path. Everything is
-bounded before it is read: bytes, entries, depth. A bad file is named with the reason and the others
-are read on.
+Everything is bounded before it is read: bytes, entries, depth (zips: archive.py). A bad file is
+named with the reason and the others are read on.
 """
 
 from __future__ import annotations
 
-import io
-import zipfile
-import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from sys import intern
 from typing import TypeGuard
 
+from sim.classroom.archive import entries, is_zip, shown
 from sim.classroom.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.marks_file import KIND as MARKS
 from sim.classroom.marks_file import Given, MarksFileError, read_marks
@@ -23,20 +20,10 @@ from sim.lesson.answer_file import MOST_BYTES, AnswerFile, AnswerFileError, read
 MOST_FILES = 20_000
 """Files of one reading: a year of a large school."""
 
-MOST_ENTRIES = 20_000
-"""Entries of one zip, folders included."""
-
-MOST_UNPACKED = 400_000_000
-"""Bytes of one zip, unpacked: 5,000 files of 50 kB are 250 MB."""
-
 MOST_NAMED = 200
 """Refused files that are named one by one; beyond, they are counted."""
 
-LONGEST_NAME = 200
-READ_AT_ONCE = 1 << 16
-_ENCRYPTED = 0x1
 _NOTHING: dict[str, str] = {}  # one for all
-_IGNORED = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,16 +95,15 @@ def outcomes(sources: Iterable[Source]) -> Iterator[Outcome]:
             yield outcome
 
 
-def is_zip(content: bytes) -> bool:
-    """Whether the bytes begin like a zip; the name of a file proves nothing."""
-    return content[:4] in (b"PK\x03\x04", b"PK\x05\x06", b"PK\x07\x08")
-
-
 def _of_source(source: Source) -> Iterator[Outcome]:
-    if is_zip(source.content):
-        yield from _of_zip(source)
-    else:
+    if not is_zip(source.content):
         yield of_file(source.name, source.content)
+        return
+    for entry in entries(source.name, source.content):
+        if entry.content is None:
+            yield Refused(entry.name, entry.reason)
+        else:
+            yield of_file(entry.name, entry.content)
 
 
 def of_file(name: str, content: bytes) -> Outcome:
@@ -170,84 +156,3 @@ def _slim(answers: AnswerFile) -> AnswerFile:
 
 def _is_short(value: object) -> TypeGuard[str]:
     return isinstance(value, str) and len(value) < 20
-
-
-def _of_zip(source: Source) -> Iterator[Outcome]:
-    name = shown(source.name)
-    try:
-        _check_entries(source.content)
-        archive = zipfile.ZipFile(io.BytesIO(source.content))
-    except _DamagedError as error:
-        yield Refused(name, str(error))
-        return
-    except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, IndexError):
-        yield Refused(name, "this zip is damaged: make it again")
-        return
-    unpacked = 0
-    with archive:
-        for entry in archive.infolist():
-            if entry.is_dir() or any(part in entry.filename for part in _IGNORED):
-                continue
-            inside = f"{name}/{shown(entry.filename)}"
-            content, reason = _content(archive, entry)
-            if content is None:
-                yield Refused(inside, reason)
-                continue
-            unpacked += len(content)
-            if unpacked > MOST_UNPACKED:
-                yield Refused(name, "this zip unpacks to far too much: the rest was not read")
-                return
-            yield of_file(inside, content)
-
-
-class _DamagedError(ValueError):
-    """A zip that is not even opened."""
-
-
-def _check_entries(content: bytes) -> None:
-    """Refuses a zip with far too many entries, before anything is built from its list.
-
-    The list of a million entries would fill the memory: it is judged by its own end record.
-    """
-    at = content.rfind(b"PK\x05\x06", max(0, len(content) - 65_600))
-    if at < 0 or at + 22 > len(content):
-        raise _DamagedError("this zip is damaged or cut short: make it again")
-    count = int.from_bytes(content[at + 10 : at + 12], "little")
-    size = int.from_bytes(content[at + 12 : at + 16], "little")
-    wide = count == 0xFFFF or size == 0xFFFF_FFFF
-    if wide or count > MOST_ENTRIES or size > 1_000 * MOST_ENTRIES:
-        raise _DamagedError(f"this zip has more than {MOST_ENTRIES:,} entries: that is no class")
-    # A record that tells less than there is: each entry of the list takes at least 46 bytes.
-    if content.count(b"PK\x01\x02") > 2 * MOST_ENTRIES:
-        raise _DamagedError(f"this zip has more than {MOST_ENTRIES:,} entries: that is no class")
-
-
-def _content(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> tuple[bytes | None, str]:
-    """The bytes of an entry, or the reason why there are none. What it claims is not believed."""
-    if entry.flag_bits & _ENCRYPTED:
-        return None, "this file has a password: make the zip without one"
-    if entry.file_size > MOST_BYTES:
-        return None, "this file is too large to be a file of answers"
-    if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-        return None, "this zip is packed in a way that is not known here: make an ordinary one"
-    parts, size = [], 0
-    try:
-        with archive.open(entry) as stream:
-            while part := stream.read(READ_AT_ONCE):
-                size += len(part)
-                if size > MOST_BYTES:
-                    return None, "this file is too large to be a file of answers"
-                parts.append(part)
-    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, NotImplementedError):
-        return None, "this file in the zip is damaged"
-    except RuntimeError:
-        return None, "this file has a password: make the zip without one"
-    return b"".join(parts), ""
-
-
-def shown(name: str) -> str:
-    """A name as it is shown: one line of printable characters, not too long."""
-    text = "".join(c if c.isprintable() else "·" for c in name.replace("\\", "/"))
-    if len(text) > LONGEST_NAME:
-        text = f"{text[: LONGEST_NAME // 2]}…{text[-LONGEST_NAME // 2 :]}"
-    return text or "(no name)"

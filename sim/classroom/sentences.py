@@ -156,7 +156,7 @@ def of_difference(what: str, test: TTest, groups: tuple[str, str], *, with_p: bo
     )
     if test.low <= 0 <= test.high:
         text += "We could not tell: this does not show that there is no difference. "
-    return text + (of_p(test.p) if with_p else "")
+    return (text + (of_p(test.p) if with_p else "")).strip()
 
 
 def of_edges(low: float, high: float) -> str:

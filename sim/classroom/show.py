@@ -1,53 +1,20 @@
 """A report as HTML: the same tables in the page, in the file that is saved, and in print.
 
-Everything that came out of a file is escaped here, in one place, `text`. There is no script and no
-style in it.
+There is no script and no style in it. The questions of a form: show_items.py.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom import sentences as say
 from sim.classroom.drawing import bars, dots
-from sim.classroom.escaped import escape
+from sim.classroom.html_parts import listed, table, text, who
 from sim.classroom.sentences import number, signed
+from sim.classroom.show_items import TITLES, form_html
 
 Row = Mapping[str, Any]
-TITLES = {"pre": "before (pre)", "post": "after (post)", "delayed": "later (delayed)",
-          "worksheet": "worksheet"}  # fmt: skip
-_MARKDOWN = re.compile(r"\*\*|__|`|\\[()]")
-LONGEST = 400
-
-
-def text(value: object) -> str:
-    """Any value as text of a page, with the marks of Markdown taken out."""
-    plain = _MARKDOWN.sub("", str(value))
-    plain = plain if len(plain) <= LONGEST else f"{plain[:LONGEST]}…"
-    return escape(plain)
-
-
-def who(value: object) -> str:
-    """A name that somebody typed: kept apart, so that its direction changes nothing around it."""
-    return f"<bdi>{text(value)}</bdi>"
-
-
-def table(head: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str = "") -> str:
-    """A table; cells are HTML already."""
-    header = "".join(f'<th scope="col">{cell}</th>' for cell in head)
-    body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
-    return (
-        f'<div class="carts-class-table {kind}" tabindex="0"><table class="carts-class-cells">'
-        f"<thead><tr>{header}</tr></thead><tbody>{body}</tbody></table></div>"
-    )
-
-
-def listed(sentences: Iterable[str], kind: str = "says") -> str:
-    """Sentences as a list, or nothing."""
-    items = "".join(f"<li>{text(sentence)}</li>" for sentence in sentences if sentence)
-    return f'<ul class="carts-class-{kind}">{items}</ul>' if items else ""
 
 
 def report_html(report: Row) -> str:
@@ -99,7 +66,7 @@ def _lesson(lesson: Row, report: Row) -> str:
     parts += [f"<h3>Form {text(row['form'])}</h3>{listed(row['sentences'])}"
               for row in lesson["later"]]  # fmt: skip
     parts.append(_items(lesson))
-    parts += [_form(form) for form in lesson["forms"]]
+    parts += [form_html(form) for form in lesson["forms"]]
     return f'<section class="carts-class-lesson">{"".join(parts)}</section>'
 
 
@@ -195,73 +162,3 @@ def _items(lesson: Row) -> str:
                 shares.setdefault(item["id"], []).append((form["form"], item["difficulty"]))
     shown = list(dict.fromkeys(form for values in shares.values() for form, _ in values))
     return f"<figure>{bars(list(shares.items()), shown)}</figure>" if shares else ""
-
-
-def _form(form: Row) -> str:
-    title = text(TITLES.get(form["form"], form["form"]))
-    items = [item for item in form["items"] if item["n"]]
-    parts = [f"<h3>Form {title}: questions</h3>", _overview(items)]
-    if form["beliefs"]:
-        parts.append("<h4>Beliefs behind two answers or more of a student</h4>")
-        parts.append(listed(row["sentence"] for row in form["beliefs"]))
-    each = "".join(map(_item, items))
-    parts.append(f"<details><summary>Question by question: form {title}</summary>{each}</details>")
-    parts.append(_students(form))
-    return "".join(parts)
-
-
-def _overview(items: Sequence[Row]) -> str:
-    """One line for each question, with the wrong answer that was chosen most."""
-    rows = []
-    for item in items:
-        wrong = [c for c in item["choices"] if not c.get("correct") and c["count"] > 1]
-        most = max(wrong, key=lambda c: c["count"], default=None) if item["worth"] else None
-        chosen = f"{most['option'].upper()} ({most['count']})" if most else ""
-        right = f"{item['right']} of {item['n']}" if item["worth"] else "–"
-        if item["unread"]:
-            right = f"{item['unread']} to read"
-        numbers = ("difficulty", "discrimination", "point_biserial")
-        rows.append([
-            text(item["id"]), right, str(item["empty"]),
-            *("–" if item[n] is None else number(item[n]) for n in numbers),
-            text(chosen), text(most.get("says", "") if most else ""),
-        ])  # fmt: skip
-    head = ["question", "right", "open", "difficulty", "discrimination", "r", "chosen most, wrong",
-            "students who choose it often think"]  # fmt: skip
-    return table(head, rows, kind="overview") if rows else ""
-
-
-def _item(item: Row) -> str:
-    title = f'<h4>{text(item["id"])}</h4><p class="carts-class-ask">{text(item["ask"])}</p>'
-    rows = [
-        [
-            f"{text(choice['option'].upper())}{' ✓' if choice.get('correct') else ''}",
-            text(choice["text"]),
-            str(choice["count"]),
-            text(choice.get("says", "")),
-        ]
-        for choice in item["choices"]
-    ]
-    head = ["letter", "answer", "chosen", "students who choose it often think"]
-    facts = [item["sentence"], *item["notes"]]
-    if item["point_biserial"] is not None:
-        facts.append(
-            f"Correlation with the other questions, rough: {signed(item['point_biserial'])}."
-        )
-    made = table(head, rows, kind="item") if rows else ""
-    return f'<div class="carts-class-item">{title}{made}{listed(facts)}</div>'
-
-
-def _students(form: Row) -> str:
-    rows = [
-        [
-            who(row["student"]), who(row["group"]),
-            "–" if row["total"] is None else f"{row['total']}",
-            text(", ".join(row["open"])) or "–", text(", ".join(row["waiting"])) or "–",
-            who(row["file"]),
-        ]
-        for row in form["students"]
-    ]  # fmt: skip
-    head = ["code word", "group", f"marks of {form['of']}", "left open", "to be read", "file"]
-    title = f"Who left what open: form {text(form['form'])}"
-    return f"<details><summary>{title}</summary>{table(head, rows, kind='students')}</details>"

@@ -12,13 +12,8 @@ from collections.abc import Callable
 
 import pytest
 
-from sim.classroom.reading import (
-    MOST_ENTRIES,
-    MOST_NAMED,
-    Reading,
-    Source,
-    is_zip,
-)
+from sim.classroom.archive import MOST_ENTRIES, is_zip
+from sim.classroom.reading import MOST_NAMED, Reading, Source
 from sim.classroom.report import Asked, class_report
 from tests.classroom.makers import answers, bank, keys, random_class, sources, zipped
 

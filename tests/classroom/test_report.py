@@ -10,9 +10,11 @@ import pytest
 from scipy import stats
 
 from sim.classroom.codes import read_codes
+from sim.classroom.escaped import escape
 from sim.classroom.reading import Reading, Source
 from sim.classroom.records import as_record, from_record
 from sim.classroom.report import Asked, class_report
+from sim.classroom.show import report_html
 from sim.lesson.handin import encode
 from tests.classroom.makers import answers, bank, form, keys, random_class, sources
 
@@ -169,6 +171,16 @@ def test_the_interval_stands_before_p() -> None:
         p = re.search(r"p [=<]", sentence)
         if p:
             assert 0 <= sentence.find("would fit") < p.start()
+
+
+def test_no_sentence_of_a_report_is_cut_on_its_page() -> None:
+    one = random_class(BANK, 25, seed=1, gain=0.12, prefix="FOX")
+    other = random_class(BANK, 22, seed=2, gain=0.1, prefix="OWL")
+    report = made(("new", one), ("usual", other), classes={"new": 2, "usual": 2})
+    page = report_html(report)
+    assert "…" not in page
+    for sentence in report["lessons"][0]["comparison"]["sentences"]:
+        assert escape(sentence.strip()) in page
 
 
 def test_without_scipy_there_are_means_and_gains_and_no_tests() -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from sim.classroom.html_parts import table
 from sim.classroom.paper import (
     Later,
     Law,
@@ -23,7 +24,6 @@ from sim.classroom.paper import (
     whole_total,
 )
 from sim.classroom.sentences import number, signed
-from sim.classroom.show import table
 from sim.classroom.spread import Spread
 from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
