@@ -47,7 +47,8 @@ def test_a_name_that_is_none_is_refused_with_an_example(folder: Path, name: str)
 
 def test_minutes_and_place_are_those_at_the_top_of_a_lesson_only(folder: Path) -> None:
     lesson = folder / "worksheets" / "plain.md"
-    question = "```question\nid: one\ntype: long\nask: Why?\nrubric: {1: a reason, 0: none}\nminutes: 3\n```"
+    rubric = "rubric: {1: a reason, 0: none}"
+    question = f"```question\nid: one\ntype: long\nask: Why?\n{rubric}\nminutes: 3\n```"
     lesson.write_text(f"---\ntitle: P\n---\n\n## One {{: data-minutes=9 }}\n\n{question}\n",
                       encoding="utf-8")  # fmt: skip
     assert check_paths([lesson], folder) == []
