@@ -24,12 +24,9 @@ CLASSROOM_ENTRY = "bridge/class_answer.py"
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 CLASSROOM = "newtons-carts-class"
-APART = (
-    *("sim.dynamics.batch", "sim.bridge.map_answer"),
-    *("sim.dynamics.cost", "sim.bridge.cost_answer", "sim.bridge.hard_answer"),
-)
-"""Left out of the picture of the memory: no scene needs them. Pages that do (maps, what accuracy
-costs, hard cases) carry packages too, and those load the wheel."""
+APART = ("sim.dynamics.batch", "sim.bridge.map_answer")
+"""Left out of the picture of the memory: no scene needs them. Pages with maps carry packages too,
+and those load the wheel."""
 
 
 @dataclass(frozen=True)

@@ -4358,7 +4358,9 @@ ${lines2.join("\n")}
 
   // src/forces.js
   function contactForce({ trajectory }, pair, t3, zero) {
-    const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t3);
+    const column = trajectory.F[pair];
+    if (!column) return 0;
+    const force = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
     return Math.abs(force) < zero ? 0 : force;
   }
   function contactForces(run, name2, t3, zero) {

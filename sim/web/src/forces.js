@@ -16,7 +16,9 @@ import { body } from "./words.js";
 
 /** @param {Run} run @param {string} pair @param {number} t in s @param {number} zero smaller counts as none @returns {number} N, pushes the two apart; below 0 a spring pulls them together */
 export function contactForce({ trajectory }, pair, t, zero) {
-  const force = valueAt(trajectory.t, trajectory.F[pair] ?? [0], trajectory.dF[pair] ?? [0], t);
+  const column = trajectory.F[pair];
+  if (!column) return 0; // the two never meet in this run
+  const force = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t);
   return Math.abs(force) < zero ? 0 : force;
 }
 
