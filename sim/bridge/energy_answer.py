@@ -12,16 +12,16 @@ from array import array
 from collections.abc import Mapping
 from typing import Any
 
-from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN
+from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, plain_of
 from sim.dynamics.energy_parts import energy_parts
 from sim.dynamics.run import run
 from sim.dynamics.trajectory import trajectory
-from sim.scene import apply_changes, read_scene
+from sim.scene import read_scene
 
 
 def energy_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
     """Header and numbers; raises SceneError or UnsolvedError for what cannot be run."""
-    plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
+    plain = plain_of(request)
     finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
     samples = trajectory(finished)
     parts = energy_parts(finished, samples)

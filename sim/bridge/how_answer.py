@@ -16,7 +16,7 @@ from array import array
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, wire
+from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
 from sim.dynamics.finished import Run
 from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.report import finite
@@ -26,7 +26,7 @@ from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
 from sim.dynamics.trajectory import trajectory
 from sim.dynamics.warnings import warnings
-from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
+from sim.scene import Problem, Scene, SceneError, read_scene
 
 MOST_PARTS = 5_000
 """Steps of a run that a widget may ask for: it has to answer while a slider is moved."""
@@ -39,7 +39,7 @@ TRIES = 2
 
 def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
     """Header and numbers; raises SceneError or UnsolvedError for what cannot be done."""
-    plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
+    plain = plain_of(request)
     scene = read_scene(plain)
     if "method" not in request:
         return {"cost": _cost(scene)}, array("d")

@@ -13,8 +13,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.bridge import model_pieces as piece
+from sim.bridge.protocol import plain_of
 from sim.dynamics.laws.lookup import finite_law
-from sim.scene import Scene, apply_changes, read_scene
+from sim.scene import Scene, read_scene
 
 PARTS = 100
 """Steps in a quarter swing: the end of a contact is then met within a hundredth of it."""
@@ -60,7 +61,7 @@ def model_text(scene: Scene) -> str:
 
 def model_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
     """The program of the values that the page shows; raises `SceneError`."""
-    plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
+    plain = plain_of(request)
     return {"text": model_text(read_scene(plain))}, array("d")
 
 

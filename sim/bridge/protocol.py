@@ -57,7 +57,7 @@ def answer(request: Mapping[str, Any]) -> Answer:
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
         return refusal(identity, [problem])
     try:
-        plain = apply_changes(request.get("scene") or {}, request.get("set") or {})
+        plain = plain_of(request)
         finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
     except SceneError as error:
         return refusal(identity, error.problems)
@@ -67,6 +67,12 @@ def answer(request: Mapping[str, Any]) -> Answer:
     header, numbers = describe(finished, samples if isinstance(samples, int) else PER_STRETCH)
     header["effects"] = effects_of(plain, finished.scene)
     return {"id": identity, "ok": True, **header}, numbers
+
+
+def plain_of(request: Mapping[str, Any]) -> dict[str, Any]:
+    """The scene that a request is about, with the values that the reader has set; may raise
+    `SceneError`."""
+    return apply_changes(request.get("scene") or {}, request.get("set") or {})
 
 
 def _other(request: Mapping[str, Any]) -> Answer:

@@ -2377,7 +2377,7 @@
     for (const [name2, [label, style]] of Object.entries(BANDS)) {
       if (!parts2.names.includes(name2)) continue;
       const values = column(name2);
-      const lowest = Math.min(0, ...values);
+      const lowest = values.reduce((least, value) => Math.min(least, value), 0);
       const above = Float64Array.from(values, (value) => value - lowest);
       bands.push({ label, style, over: false, values: above, slopes: null });
     }

@@ -53,7 +53,8 @@ export function ledgerWithEffects({ header, trajectory }, parts) {
   for (const [name, [label, style]] of Object.entries(BANDS)) {
     if (!parts.names.includes(name)) continue;
     const values = column(name);
-    const lowest = Math.min(0, ...values); // what is stored counts from where there is least
+    // What is stored counts from where there is least. (A long run has more values than a call takes.)
+    const lowest = values.reduce((least, value) => Math.min(least, value), 0);
     const above = Float64Array.from(values, (value) => value - lowest);
     bands.push({ label, style, over: false, values: above, slopes: null });
   }
