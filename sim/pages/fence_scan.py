@@ -45,7 +45,7 @@ class Block:
 
 def scan(lines: Sequence[str], *, front_matter: bool = True) -> Iterator[Block]:
     """Every block of ours, and those whose name comes close to one of ours."""
-    index = _after_front_matter(lines) if front_matter else 0
+    index = after_front_matter(lines) if front_matter else 0
     while index < len(lines):
         opened = _OPEN.fullmatch(lines[index].rstrip("\r\n"))
         if opened is None:
@@ -69,7 +69,7 @@ def meant_kind(name: str) -> str | None:
     return near[0] if near else None
 
 
-def _after_front_matter(lines: Sequence[str]) -> int:
+def after_front_matter(lines: Sequence[str]) -> int:
     if not lines or not _FRONT_MATTER.fullmatch(lines[0].rstrip("\r\n")):
         return 0
     for index, line in enumerate(lines[1:], start=1):
