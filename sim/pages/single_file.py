@@ -15,6 +15,7 @@ from pathlib import Path
 
 from sim.pages import licences, runtime, site_files
 from sim.pages.bake import bake
+from sim.pages.carried import node_modules
 from sim.pages.findings import AuthorError
 from sim.pages.scene_block import SceneBlock
 from sim.pages.site_build import SiteError
@@ -44,22 +45,22 @@ PAGE = """\
 
 
 def single_file(
-    block: SceneBlock, node_modules: Path, *, site_id: str, report: Callable[[str], None]
+    block: SceneBlock, root: Path, *, site_id: str, report: Callable[[str], None]
 ) -> str:
     """The file's text; raises `AuthorError` where the scene cannot run, `SiteError` where parts of
     the page cannot be had. `site_id`: the name that a prediction is kept under."""
-    fence = block.fence
+    fence, modules = block.fence, node_modules(root)
     run = bake(fence.plain)
     if isinstance(run, list):
         raise AuthorError(map(block.places.finding, run))
     packages = run.packages | set(fence.packages)
     try:
-        css = site_files.site_files(node_modules)[site_files.ASSETS + "carts.css"].decode()
+        css = site_files.site_files(modules)[site_files.ASSETS + "carts.css"].decode()
         carts = site_files.scene_script().decode()
-        scripts = [INSIDE, *_runtime(packages, node_modules, report), carts]
+        scripts = [INSIDE, *_runtime(packages, root, report), carts]
     except (site_files.MissingFilesError, *runtime.ERRORS) as error:
         raise SiteError(str(error)) from error
-    works = licences.notices(node_modules, scenes=True, packages=packages)
+    works = licences.notices(modules, scenes=True, packages=packages)
     style = LOOK + css
     return PAGE.format(
         policy=_policy(style, scripts),
@@ -73,12 +74,10 @@ def single_file(
     )
 
 
-def _runtime(
-    packages: frozenset[str], node_modules: Path, report: Callable[[str], None]
-) -> Iterator[str]:
+def _runtime(packages: frozenset[str], root: Path, report: Callable[[str], None]) -> Iterator[str]:
     """The scripts of the runtime: its table of contents, and every part that the table names."""
     with tempfile.TemporaryDirectory() as folder:
-        cache = runtime.default_cache(node_modules.parent)
+        cache = runtime.default_cache(root)
         packed = runtime.pack(Path(folder), packages=packages, cache=cache, report=report)
         if packed.missing:
             raise SiteError(packed.missing)

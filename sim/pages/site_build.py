@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from sim.pages import licences, site_files
+from sim.pages.carried import node_modules
 from sim.pages.check import bank_folders, scene_folders
 from sim.pages.classroom import practice_keys
 from sim.pages.classroom.practice_keys import practice_key
@@ -104,7 +105,7 @@ class SiteBuild:
     def assets(self) -> dict[str, bytes]:
         """The files beside the pages, by their address in the site; raises `SiteError`."""
         try:
-            return site_files.site_files(self.root / "node_modules")
+            return site_files.site_files(node_modules(self.root))
         except site_files.MissingFilesError as error:
             raise SiteError(str(error)) from error
 
@@ -117,7 +118,8 @@ class SiteBuild:
         scenes = any(needs.scenes or needs.classroom for needs in self.needs.values())
         if scenes:
             self._add_runtime(site, report)
-        works = licences.notices(self.root / "node_modules", scenes=scenes, packages=self.packages)
+        modules = node_modules(self.root)
+        works = licences.notices(modules, scenes=scenes, packages=self.packages)
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
 
     def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:

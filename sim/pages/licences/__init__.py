@@ -62,6 +62,13 @@ def notices(node_modules: Path, *, scenes: bool, packages: Iterable[str] = ()) -
             )
 
 
+def npm_packages() -> list[str]:
+    """The packages from npm whose version or licence text is asked for."""
+    rows = yaml.safe_load((_HERE / "notices.yml").read_text(encoding="utf-8"))
+    named = {row.get(key, "") for row in rows for key in ("version", "from")}
+    return sorted(n.removeprefix("npm:") for n in named if n.startswith("npm:"))
+
+
 def licence_file(works: Iterable[Notice]) -> str:
     """The whole file: the list, then every text once."""
     works = list(works)

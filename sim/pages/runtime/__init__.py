@@ -8,6 +8,7 @@ from .cache import default_cache
 from .node import RuntimePackError
 from .ours import CLASSROOM
 from .pack import RuntimeFacts, pack
+from .ready import DamagedError, write_ready
 from .sources import MissingSourceError
 
 ERRORS = (RuntimePackError, MissingSourceError)
@@ -16,9 +17,11 @@ ERRORS = (RuntimePackError, MissingSourceError)
 __all__ = [
     "CLASSROOM",
     "ERRORS",
+    "DamagedError",
     "MissingSourceError",
     "RuntimeFacts",
     "RuntimePackError",
     "default_cache",
     "pack",
+    "write_ready",
 ]

@@ -13,14 +13,16 @@ from . import pins
 from .cache import Cache
 from .contents import Contents, make_contents
 from .node import RuntimePackError
-from .ours import CLASSROOM, read_classroom, read_ours
+from .ours import CLASSROOM, Ours, read_classroom, read_ours
 from .payload import write_index
+from .ready import find_ready
 from .sources import MissingSourceError, core_files, in_ci, package_wheels
 from .stdlib import core_folder
 
 Report = Callable[[str], None]
 
 PACKAGE = Path(__file__).parents[2]
+READY = PACKAGE / "carried" / "runtime"  # in an installed wheel
 RUNTIME = Path("assets") / "carts" / "runtime"
 FORMAT = 1
 
@@ -52,9 +54,23 @@ def pack(
     """
     if unknown := packages - {*pins.PACKAGES, CLASSROOM}:
         raise RuntimePackError(f"no such package for the page: {', '.join(sorted(unknown))}")
+    ours, classroom = read_ours(source, __version__), read_classroom(source, __version__)
+    contents, missing = find_ready(READY, packages, ours, classroom), ""
+    if contents is None:
+        extra = classroom if CLASSROOM in packages else None
+        contents, missing = _make(packages, Cache(cache), ours, extra, report)
+    folder = site_dir / RUNTIME
+    _write(folder, contents, missing)
+    sizes = {p.name: p.stat().st_size for p in sorted(folder.iterdir())}
+    return RuntimeFacts(folder, sizes, dict(contents.versions) if contents else {}, missing)
+
+
+def _make(
+    packages: frozenset[str], store: Cache, ours: Ours, classroom: Ours | None, report: Report
+) -> tuple[Contents | None, str]:
+    """The runtime made from its sources, and in words what could not be had."""
     wanted = [n for n in pins.PACKAGES if n in packages or (n == "numpy" and "scipy" in packages)]
-    store, ours = Cache(cache), read_ours(source, __version__)
-    missing, contents = "", None
+    missing = ""
     try:
         files = core_files(store, PACKAGE.parent, report)
         core = core_folder(files, store)
@@ -62,14 +78,9 @@ def pack(
             wheels = package_wheels(wanted, files[pins.LOCK], files[pins.LOADER], store, report)
         except MissingSourceError as error:
             wheels, missing = {}, _noted(error, report)
-        classroom = read_classroom(source, __version__) if CLASSROOM in packages else None
-        contents = make_contents(core, ours, wheels, store, report, classroom)
+        return make_contents(core, ours, wheels, store, report, classroom), missing
     except MissingSourceError as error:
-        missing = _noted(error, report)
-    folder = site_dir / RUNTIME
-    _write(folder, contents, missing)
-    sizes = {p.name: p.stat().st_size for p in sorted(folder.iterdir())}
-    return RuntimeFacts(folder, sizes, dict(contents.versions) if contents else {}, missing)
+        return None, _noted(error, report)
 
 
 def _noted(error: MissingSourceError, report: Report) -> str:

@@ -1,0 +1,91 @@
+"""Runtimes that a wheel carries ready-made, one for each set of packages that a site may need.
+
+All of them share their scripts; an entry `NUMBER.json` names those of one set, with its index. They
+were made from the same sources as the wheel: if those have been changed since, nothing is ready.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from . import pins
+from .cache import Cache, key_of, sha256
+from .contents import Contents, make_contents
+from .node import RuntimePackError
+from .ours import CLASSROOM, Ours, read_classroom, read_ours
+from .sources import core_files, package_wheels
+from .stdlib import core_folder
+
+SETS: tuple[frozenset[str], ...] = (
+    frozenset(),
+    frozenset({"numpy"}),
+    frozenset({"numpy", "scipy"}),
+    frozenset({"numpy", "scipy", CLASSROOM}),
+)
+"""From small to large. A site takes the first that has all it needs."""
+
+HELP = "Install it again: pip install --force-reinstall newtons-carts"
+
+
+class DamagedError(RuntimePackError):
+    """A file of the installed wheel is not what it was."""
+
+
+def write_ready(folder: Path, package: Path, version: str, cache: Path,
+                report: Callable[[str], None]) -> None:  # fmt: skip
+    """Write the runtimes of all `SETS` into `folder`; raises RuntimePackError."""
+    folder.mkdir(parents=True, exist_ok=True)
+    store = Cache(cache)
+    ours, classroom = read_ours(package, version), read_classroom(package, version)
+    files = core_files(store, package.parent, report)
+    core = core_folder(files, store)
+    for number, names in enumerate(SETS):
+        wanted = [name for name in pins.PACKAGES if name in names]
+        wheels = package_wheels(wanted, files[pins.LOCK], files[pins.LOADER], store, report)
+        with_class = classroom if CLASSROOM in names else None
+        made = make_contents(core, ours, wheels, store, report, with_class)
+        for name, path in made.scripts.items():
+            shutil.copyfile(path, folder / name)
+        entry = {
+            "packages": sorted(names),
+            "sources": _sources(ours, classroom),
+            "scripts": {n: sha256(path.read_bytes()) for n, path in sorted(made.scripts.items())},
+            "index": made.index,
+            "versions": made.versions,
+        }
+        text = json.dumps(entry, indent=1, sort_keys=True)
+        (folder / f"{number}.json").write_text(text, encoding="utf-8")
+
+
+def find_ready(
+    folder: Path, packages: frozenset[str], ours: Ours, classroom: Ours
+) -> Contents | None:
+    """The smallest ready runtime with `packages`, or None. Raises DamagedError."""
+    for path in sorted(folder.glob("*.json")):
+        entry = _entry(path)
+        if packages <= set(entry["packages"]):
+            if entry["sources"] != _sources(ours, classroom):
+                return None
+            scripts = {name: folder / name for name in entry["scripts"]}
+            for name, digest in entry["scripts"].items():
+                if not scripts[name].is_file() or sha256(scripts[name].read_bytes()) != digest:
+                    raise DamagedError(f"{name} of the installed newtons-carts is damaged. {HELP}")
+            return Contents(scripts, entry["index"], entry["versions"])
+    return None
+
+
+def _entry(path: Path) -> dict[str, Any]:
+    try:
+        entry: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        text = f"{path.name} of the installed newtons-carts is damaged. {HELP}"
+        raise DamagedError(text) from None
+    return entry
+
+
+def _sources(ours: Ours, classroom: Ours) -> str:
+    return key_of(ours.key, classroom.key)
