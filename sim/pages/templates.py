@@ -10,19 +10,24 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from sim.pages.language import tr_html
+
 _UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
 
 
 @cache
 def templates(package: str) -> Environment:
     """The templates of a package, in the folder templates/ beside its modules."""
-    return Environment(
+    made = Environment(
         loader=PackageLoader(package),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    made.globals["tr"] = tr_html
+    made.filters["lower_first"] = lambda text: text[:1].lower() + text[1:]
+    return made
 
 
 def script_json(value: Mapping[str, Any]) -> Markup:

@@ -9,13 +9,14 @@ from markupsafe import Markup
 from sim.lesson import Question
 from sim.lesson.form import Form
 from sim.lesson.question import CERTAINTY
+from sim.pages.language import mark, tr
 from sim.pages.question.inside import to_html, to_inline
 from sim.pages.templates import script_json, templates
 
 LINES = {"short": 1, "long": 5, "number": 1, "reading": 1}
-LEVELS = {"core": "", "support": "a bit of help", "stretch": "for more"}
-FORM_NAMES = {"pre": "Before", "post": "After", "delayed": "Some time later"}
-SURE = {"guess": "a guess", "think": "I think so", "sure": "I am sure"}
+LEVELS = {"core": "", "support": mark("a bit of help"), "stretch": mark("for more")}
+FORM_NAMES = {"pre": mark("Before"), "post": mark("After"), "delayed": mark("Some time later")}
+SURE = {"guess": mark("a guess"), "think": mark("I think so"), "sure": mark("I am sure")}
 
 
 def render_question(
@@ -35,7 +36,7 @@ def render_question(
         "kind": question.KIND,
         "number": number,
         "level": common.level,
-        "level_words": LEVELS[common.level],
+        "level_words": tr(LEVELS[common.level]),
         "minutes": common.minutes,
         "ask": Markup(to_html(common.ask)),
         "texts": texts,
@@ -45,7 +46,7 @@ def render_question(
         "hints": [Markup(to_html(hint)) for hint in common.hints] if key else [],
         "feedback": _feedback(question) if key else {},
         "checks": key and question.KIND not in ("confidence", "drawn"),
-        "certainty": [(word, SURE[word]) for word in CERTAINTY],
+        "certainty": [(word, tr(SURE[word])) for word in CERTAINTY],
         "sure": common.sure and question.KIND != "confidence",
     }
     return str(templates("sim.pages.question").get_template("question.html.j2").render(view))
@@ -58,7 +59,7 @@ def render_quiz(form: Form) -> str:
         "id": form.id,
         "form": form.form,
         "mode": form.mode,
-        "title": form.title or FORM_NAMES[form.form],
+        "title": form.title or tr(FORM_NAMES[form.form]),
         "intro": Markup(to_html(form.intro)),
         "minutes": form.minutes,
         "count": len(form.items),

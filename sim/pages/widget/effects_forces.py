@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.pages.language import heard, tr
 from sim.pages.widget.numbers import decimals_for, fixed
 from sim.pages.widget.run import Run, value_at
+from sim.pages.widget.words import listed
 
 ON_ONE = ("incline", "push", "friction", "drag")  # in this order from above to below
 ROW = 19.0  # units
@@ -19,8 +21,8 @@ FEW = 3  # carts; with more, all forces of one kind share a row
 
 def agent(effect: Mapping[str, Any]) -> str:
     """Who or what the force of an effect comes from, as a sentence names it."""
-    names = {"friction": "the track", "drag": "the air", "incline": "the Earth"}
-    return names.get(effect["kind"]) or str(effect["by"])
+    names = {"friction": tr("the track"), "drag": tr("the air"), "incline": tr("the Earth")}
+    return names.get(effect["kind"]) or heard(str(effect["by"]))
 
 
 def slots(header: Mapping[str, Any], top: float) -> dict[str, float]:
@@ -62,7 +64,7 @@ def forces_at(header: Mapping[str, Any], run: Run, t: float) -> list[dict[str, A
             column = run.effects.get(f"{kind} {name}")
             if not own or not column:
                 continue
-            by = " and ".join(dict.fromkeys(agent(effect) for effect in own))
+            by = listed(list(dict.fromkeys(agent(effect) for effect in own)))
             peak = max(map(abs, column))
             value = value_at(run.t, column, None, t)
             value = 0.0 if abs(value) <= 1e-9 * peak else value
@@ -76,24 +78,24 @@ def labels(force: Mapping[str, Any]) -> list[str]:
 
     The shortest leaves the cart to the colour and to the line from it.
     """
-    slope = " (slope)" if force["kind"] == "incline" else ""
-    brief = force["by"].replace("the ", "")
-    return [
-        f"on {force['on']} by {force['by']}{slope}: {force['size']} N",
-        f"on {force['on']} by {brief}: {force['size']} N",
-        f"by {brief}: {force['size']} N",
-    ]
+    told = {"on": force["on"], "by": force["by"], "size": force["size"]}
+    brief = {**told, "by": force["by"].replace("the ", "")}
+    if force["kind"] == "incline":
+        longest = tr("on {on} by {by} (slope): {size} N", **told)
+    else:
+        longest = tr("on {on} by {by}: {size} N", **told)
+    return [longest, tr("on {on} by {by}: {size} N", **brief), tr("by {by}: {size} N", **brief)]
 
 
 def outside(header: Mapping[str, Any]) -> str:
     """What gets the momentum that the carts give away: “wall + Earth”, “air”; “” where nothing."""
     walls = "wall" in (header["track"]["left"], header["track"]["right"])
     kinds = {effect["kind"] for effect in header["effects"]}
-    parts = ["wall"] if walls else []
-    parts += ["track"] if "friction" in kinds else []
-    parts += ["air"] if "drag" in kinds else []
+    parts = [tr("wall")] if walls else []
+    parts += [tr("track")] if "friction" in kinds else []
+    parts += [tr("air")] if "drag" in kinds else []
     parts += [agent(effect) for effect in header["effects"] if effect["kind"] == "push"]
-    parts += ["Earth"] if walls or kinds & {"friction", "incline"} else []
+    parts += [tr("Earth")] if walls or kinds & {"friction", "incline"} else []
     return " + ".join(dict.fromkeys(parts))
 
 

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from sim.pages.language import tr
 from sim.pages.widget.effects_forces import acts_at
 from sim.pages.widget.effects_words import slope_text
 from sim.pages.widget.layout import Layout
@@ -181,7 +182,9 @@ def _tilt(effect: Mapping[str, Any], layout: Layout, key: str) -> list[Piece]:
     x, y, rise = 12.0, layout.tilt, length * slope
     tall, flat = (x, x + length) if angle > 0 else (x + length, x)
     arrow = {1: " →", -1: "← ", 0: ""}[(angle > 0) - (angle < 0)]
-    words = f"track tilted {slope_text(angle)}" if angle else "the track is level: 0°"
+    words = tr("the track is level: 0°")
+    if angle:
+        words = tr("track tilted {slope}", slope=slope_text(angle))
     text = words + arrow if angle > 0 else arrow + words
     return [
         {

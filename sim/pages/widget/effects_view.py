@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from sim.pages.language import tr
 from sim.pages.widget.effects_forces import FEW, forces_at, labels
 from sim.pages.widget.effects_props import Piece, props
 from sim.pages.widget.layout import Layout
@@ -78,7 +79,9 @@ def arrows(
             pieces.append({**name, "x": px(at), "y": px(y + 4), "anchor": anchor})
         elif not any(piece["key"] == f"row {force['kind']}" for piece in pieces):
             row = {"key": f"row {force['kind']}", "cls": "carts-acts-row", "x": "6"}
-            pieces.append({**row, "text": f"by {force['by']}", "y": px(y + 4), "anchor": "start"})
+            pieces.append(
+                {**row, "text": tr("by {by}", by=force["by"]), "y": px(y + 4), "anchor": "start"}
+            )
     leaders = [
         {
             "key": f"leader {name}",

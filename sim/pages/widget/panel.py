@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.pages.language import heard, tr
 from sim.pages.widget.markers import MARKERS
 from sim.pages.widget.numbers import decimals_of, fixed, short, speed_unit
 from sim.pages.widget.run import Run
@@ -34,7 +35,7 @@ def cards(
         own = [c for c in controls if c.set.partition(".")[0] == body["name"]]
         made.append(
             {
-                "title": f"Cart {body['name']}",
+                "title": tr("Cart {name}", name=body["name"]),
                 "body": body["name"],
                 "style": f"b{i % 8}",
                 "marker": MARKERS[f"b{i % 8}"],
@@ -45,7 +46,7 @@ def cards(
     contact = [c for c in controls if c.set.startswith("contact.")]
     elsewhere = (*names, "effects", *KINDS)
     rest = [c for c in controls if c not in contact and c.set.partition(".")[0] not in elsewhere]
-    for title, own in (("Contact", contact), ("Scene", rest)):
+    for title, own in ((tr("Contact"), contact), (tr("Scene"), rest)):
         if own:
             made.append(
                 {
@@ -70,12 +71,17 @@ def _readouts(
 ) -> list[dict[str, str]]:
     name, decimals = body["name"], scales.decimals
     per, unit = speed_unit(scales.velocity)
-    seen = " seen from the camera" if camera else ""
     rows = [
-        ("mass", "m", "mass", short(body["mass"]), "kg"),
-        (f"position{seen}", "x", "x", fixed(body["position"], decimals["x"]), "m"),
+        (tr("mass"), "m", "mass", short(body["mass"]), "kg"),
         (
-            f"velocity{seen}",
+            tr("position seen from the camera") if camera else tr("position"),
+            "x",
+            "x",
+            fixed(body["position"], decimals["x"]),
+            "m",
+        ),
+        (
+            tr("velocity seen from the camera") if camera else tr("velocity"),
             "v",
             "v",
             fixed((body["velocity"] - camera) / per, decimals["v"]),
@@ -87,8 +93,8 @@ def _readouts(
         if told:
             force = fixed(body["mass"] * start.a[name][0], decimals["F"])
             acceleration = fixed(start.a[name][0], decimals["a"])
-        rows.append(("resultant force", "F", "F", force, "N"))
-        rows.append(("acceleration", "a", "a", acceleration, "m/s²"))
+        rows.append((tr("resultant force"), "F", "F", force, "N"))
+        rows.append((tr("acceleration"), "a", "a", acceleration, "m/s²"))
     keys = ("name", "symbol", "quantity", "text", "unit")
     return [dict(zip(keys, row, strict=True)) for row in rows]
 
@@ -103,8 +109,8 @@ def control_view(control: Any, suffix: str) -> dict[str, Any]:
     return {
         "set": control.set,
         "key": control.set.replace(".", "-"),
-        "label": label,
-        "short": label.removesuffix(suffix) if suffix else label,
+        "label": heard(label),
+        "short": heard(label.removesuffix(suffix) if suffix else label),
         "unit": control.unit,
         "low": plain(low),
         "high": plain(high),

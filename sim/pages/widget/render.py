@@ -9,6 +9,7 @@ from typing import Any
 from jinja2 import Template
 from markupsafe import Markup
 
+from sim.pages.language import heard
 from sim.pages.templates import script_json, templates
 from sim.pages.widget.layout import lay_out
 from sim.pages.widget.run import Run, from_wire
@@ -107,7 +108,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
         "controls": [
             {
                 "set": c.set,
-                "label": c.label,
+                "label": heard(c.label),
                 "unit": c.unit,
                 "per": c.per,
                 "low": c.shown(c.low),
@@ -123,7 +124,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
         if predict is None
         else {
             "kind": predict.kind,
-            "ask": predict.ask,
+            "ask": heard(predict.ask),
             "talk": predict.talk,
             "pairs": [list(pair) for pair in predict.pairs],
             "cart": predict.cart,

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sim.pages.language import tr
 from sim.pages.widget.effects_forces import outside
 from sim.pages.widget.run import Run
 from sim.pages.widget.words import brief
@@ -80,7 +81,9 @@ def _total(curves: Sequence[Series]) -> Series:
     slopes = None
     if all(c.slopes is not None for c in curves):
         slopes = [sum(row) for row in zip(*(c.slopes or () for c in curves), strict=True)]
-    label = "all together" if any(c.style == "wall" for c in curves) else "all carts"
+    label = tr("all carts")
+    if any(c.style == "wall" for c in curves):
+        label = tr("all together")
     return Series(label, "total", False, values, slopes)
 
 
@@ -98,13 +101,13 @@ def _forces(header: Mapping[str, Any], run: Run, signed: bool) -> list[Series]:
         left, right = contact["bodies"]
         curves.append(
             Series(
-                f"on {brief(left)} by {brief(right)}",
+                tr("on {on} by {by}", on=brief(left), by=brief(right)),
                 styles.get(left, "wall"),
                 False,
                 [sign * f for f in force],
                 [sign * s for s in slope],
             )
         )
-        label = f"on {brief(right)} by {brief(left)}"
+        label = tr("on {on} by {by}", on=brief(right), by=brief(left))
         curves.append(Series(label, styles.get(right, "wall"), True, force, slope))
     return curves

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from sim.pages.language import tr
 from sim.pages.widget import shapes
 from sim.pages.widget.effects_forces import linked_pairs
 from sim.pages.widget.layout import Layout
@@ -69,7 +70,7 @@ def _cart(
     seen = body["velocity"] - camera
     exact = shapes.arrow_length(seen, scales.velocity, layout.velocity)
     length = shapes.kept_inside(x, exact, layout.width)
-    cut = "" if length == exact else ", arrow cut"
+    cut = "" if length == exact else tr(", arrow cut")
     per, unit = speed_unit(scales.velocity)
     text_x, anchor = velocity_text(x, length, layout.width)
     return {
@@ -137,7 +138,7 @@ def _pushes(header: Mapping[str, Any], layout: Layout) -> list[dict[str, Any]]:
                     "pair": contact["pair"],
                     "on": on,
                     "style": f"b{index[on] % 8}" if on in index else "wall",
-                    "label": f"on {brief(on)} by {brief(by)}",
+                    "label": tr("on {on} by {by}", on=brief(on), by=brief(by)),
                     "path": shapes.dot(face, layout.track - shapes.PUSH),
                 }
             )
@@ -194,9 +195,9 @@ def _legend(scales: Scales, layout: Layout, camera: float, forces: bool) -> dict
         legend["torn_x"] = px(x + layout.velocity + 6 + 60)
     legend["right_x"] = px(layout.width - 12)
     if camera:
-        legend["right_text"] = "position on the track in m"
+        legend["right_text"] = tr("position on the track in m")
+    elif layout.kind == "wide":
+        legend["right_text"] = tr("position x in m, + is to the right")
     else:
-        legend["right_text"] = (
-            "position x in m, + is to the right" if layout.kind == "wide" else "x in m, + right"
-        )
+        legend["right_text"] = tr("x in m, + right")
     return legend

@@ -6,12 +6,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.pages.bake import packages_of
+from sim.pages.language import heard, tr
 from sim.pages.widget import graph as g
 from sim.pages.widget.contacts import touches
 from sim.pages.widget.effects_controls import effect_cards
 from sim.pages.widget.effects_links import linked_pushes
 from sim.pages.widget.effects_view import effects_view
-from sim.pages.widget.effects_words import acting_sentences, force_name, push_marks
+from sim.pages.widget.effects_words import acting_sentences, push_marks, size_name
 from sim.pages.widget.exits import exits
 from sim.pages.widget.layout import Layout
 from sim.pages.widget.markers import MARKERS
@@ -30,6 +31,7 @@ from sim.pages.widget.words import (
     brief,
     event_sentence,
     exit_sentence,
+    force_on,
     graph_note,
     laws_of,
     model_sentences,
@@ -64,9 +66,9 @@ def scene_view(
         stages.append({**stage, "effects": acting})
     return {
         "id": fence.id,
-        "title": header.get("title") or "Carts on an air track",
+        "title": header.get("title") or tr("Carts on an air track"),
         "packages": " ".join(sorted({*fence.packages, *packages_of(header)})),
-        "warnings": header["warnings"],
+        "warnings": [heard(warning["message"]) for warning in header["warnings"]],
         "stages": stages,
         "torn": stages[0]["torn"],
         "may_tear": scales.may_tear,
@@ -84,7 +86,12 @@ def scene_view(
         "has_controls": bool(fence.controls or fence.switches),
         "presets": list(fence.presets),
         "windows": [
-            f"{brief(w.bodies[0])}–{brief(w.bodies[1])} at {fixed(w.start, 2)} s" for w in contacts
+            tr(
+                "{names} at {time} s",
+                names=f"{brief(w.bodies[0])}–{brief(w.bodies[1])}",
+                time=fixed(w.start, 2),
+            )
+            for w in contacts
         ],
         "graphs": [graph_view(q, header, run, scales, camera, told=told) for q in shown],
         "views_view": views_view(header, scales, fence.opened, forces=forces, told=told),
@@ -107,14 +114,14 @@ def graph_view(
     until = float(header["until"])
     per, speed = speed_unit(scales.velocity)
     unit = speed if quantity == "v" else unit
-    seen = "seen from the camera" if camera and quantity in ("x", "v") else ""
+    seen = tr("seen from the camera, ") if camera and quantity in ("x", "v") else ""
     curves = series_of(quantity, header, run, camera, per=per) if told else []
     plane = g.plane_for(curves, until, scales.reach[quantity])
     scale = max((abs(v) for curve in curves for v in curve.values), default=1.0)
     times = table_times(until, header["events"]) if told else []
     return {
         "quantity": quantity,
-        "title": title if quantity != "F" else f"Size of the {force_name(header)}",
+        "title": tr(title) if quantity != "F" else size_name(header),
         "seen": seen,
         "symbol": symbol if quantity != "F" else "|F|",
         "unit": unit,
@@ -205,25 +212,27 @@ def _story(
 
 
 def _description(header: Mapping[str, Any], scales: Scales, camera: float) -> str:
-    parts = [
-        f"{b['name']}, {short(b['mass'])} kg, is at {fixed(b['position'], 2)} m and "
-        + (
-            "is at rest"
-            if b["velocity"] == camera
-            else "moves at " + motion(b["velocity"] - camera, scales.decimals["v"], scales.velocity)
+    parts = []
+    for b in header["bodies"]:
+        told = {"cart": b["name"], "mass": short(b["mass"]), "place": fixed(b["position"], 2)}
+        if b["velocity"] == camera:
+            parts.append(tr("{cart}, {mass} kg, is at {place} m and is at rest.", **told))
+            continue
+        seen = motion(b["velocity"] - camera, scales.decimals["v"], scales.velocity)
+        sentence = tr(
+            "{cart}, {mass} kg, is at {place} m and moves at {velocity}.", **told, velocity=seen
         )
-        + "."
-        for b in header["bodies"]
-    ]
-    return "At the start: " + " ".join(parts)
+        parts.append(sentence)
+    return tr("At the start: {carts}", carts=" ".join(parts))
 
 
 def _camera_text(camera: float) -> str:
     if not camera:
         return ""
-    return (
-        f"Seen from a camera that moves at {motion(camera, 2, abs(camera))} along the track. "
-        "Positions and velocities are measured from the camera."
+    return tr(
+        "Seen from a camera that moves at {velocity} along the track. "
+        "Positions and velocities are measured from the camera.",
+        velocity=motion(camera, 2, abs(camera)),
     )
 
 
@@ -237,8 +246,7 @@ def _predict_view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict
         {
             "pair": f"{left}-{right}",
             "on": on,
-            "on_text": body(on),
-            "by_text": body(by),
+            "force": force_on(body(on), body(by)),
             "style": f"b{index[on] % 8}" if on in index else "wall",
         }
         for left, right in predict.pairs
@@ -246,7 +254,7 @@ def _predict_view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict
     ]
     return {
         "kind": predict.kind,
-        "ask": predict.ask,
+        "ask": heard(predict.ask),
         "talk": predict.talk,
         "arrows": arrows,
         "full": plain(full),

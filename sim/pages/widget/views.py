@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.pages.language import tr
 from sim.pages.widget.effects_forces import agent, linked_pairs, outside
 from sim.pages.widget.numbers import speed_unit
 from sim.pages.widget.scale_of import Scales
-from sim.pages.widget.words import body
+from sim.pages.widget.words import body, force_on
 
 
 def views_view(
@@ -29,14 +30,14 @@ def views_view(
             "name": name,
             "style": style,
             "forces": [
-                f"force on {name} by {body(other)}"
+                force_on(name, body(other))
                 for pair in lasting
                 if name in pair
                 for other in pair
                 if other != name
             ]
             + [
-                f"force on {name} by {agent(effect)}"
+                force_on(name, agent(effect))
                 for effect in header["effects"]
                 if effect["active"] and not effect["between"] and name in effect["carts"]
             ],
@@ -47,13 +48,14 @@ def views_view(
     if outside(header):
         momenta.append({"label": outside(header), "style": "wall"})
     if len(momenta) > 1:
-        momenta.append({"label": "all", "style": "total"})  # as the page names them
+        total = tr("all together") if outside(header) else tr("all carts")
+        momenta.append({"label": total, "style": "total"})
     keys = ("name", "symbol", "unit", "quantity")
     rows = [
-        ("resultant force", "F", "N", "F"),
-        ("mass", "m", "kg", "mass"),
-        ("acceleration", "a = F/m", "m/s²", "a"),
-        ("change of velocity", "Δv", unit, "dv"),
+        (tr("resultant force"), "F", "N", "F"),
+        (tr("mass"), "m", "kg", "mass"),
+        (tr("acceleration"), "a = F/m", "m/s²", "a"),
+        (tr("change of velocity"), "Δv", unit, "dv"),
     ]
     return {
         "told": told,

@@ -19,6 +19,18 @@
     );
   }
 
+  // src/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(sentence, values) {
+    return sentence.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
+  }
+
   // src/answers/outline.js
   var found;
   function outline() {
@@ -55,12 +67,12 @@
     constructor(book2, openPanel) {
       this.book = book2;
       this.root = html("aside", "carts carts-bar");
-      this.root.setAttribute("aria-label", "My answers");
+      this.root.setAttribute("aria-label", tr("My answers"));
       this.who = html("span", "carts-bar-who");
       this.meter = document.createElement("progress");
-      this.meter.setAttribute("aria-label", "questions answered on this page");
+      this.meter.setAttribute("aria-label", tr("questions answered on this page"));
       this.count = html("span", "carts-bar-count");
-      const button2 = html("button", "carts-button carts-bar-open", "My answers");
+      const button2 = html("button", "carts-button carts-bar-open", tr("My answers"));
       button2.setAttribute("type", "button");
       button2.setAttribute("aria-haspopup", "dialog");
       button2.addEventListener("click", openPanel);
@@ -85,10 +97,10 @@
       this.meter.hidden = of === 0;
       this.meter.max = of || 1;
       this.meter.value = done;
-      say(this.count, of ? `${done} of ${of}` : "");
-      say(this.who, this.book.student || (outline() ? "no code word yet" : ""));
+      say(this.count, of ? tr("{part} of {all}", { part: done, all: of }) : "");
+      say(this.who, this.book.student || (outline() ? tr("no code word yet") : ""));
       const code = this.book.student;
-      say(this.onPaper, code ? `Code word: ${code}` : "Code word: ____________________");
+      say(this.onPaper, tr("Code word: {code}", { code: code || "____________________" }));
       const warning = this.#warning();
       say(this.warning, warning);
       this.warning.hidden = !warning;
@@ -96,10 +108,12 @@
     #warning() {
       if (!outline()) return "";
       if (this.book.refused) {
-        return "This browser refuses to keep more. Press “My answers” and save your file now.";
+        return tr("This browser refuses to keep more. Press “My answers” and save your file now.");
       }
       if (this.book.store?.how === "memory") {
-        return "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave.";
+        return tr(
+          "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave."
+        );
       }
       return "";
     }
@@ -619,12 +633,12 @@
   }
   function readFile(text, site) {
     if (text.length > MOST_BYTES)
-      return { problem: "This file is too large to be a file of answers." };
+      return { problem: tr("This file is too large to be a file of answers.") };
     let content;
     try {
       content = JSON.parse(text.replace(/^\uFEFF/, ""));
     } catch {
-      return { problem: "This file is damaged, or it is not a file of answers." };
+      return { problem: tr("This file is damaged, or it is not a file of answers.") };
     }
     const problem = wrong(content, site);
     if (problem) return { problem };
@@ -632,7 +646,8 @@
     const found2 = /* @__PURE__ */ new Map();
     for (const row of content.items) {
       const entry = clean(row);
-      if (!entry) return { problem: "An answer in this file is damaged. Nothing was taken from it." };
+      if (!entry)
+        return { problem: tr("An answer in this file is damaged. Nothing was taken from it.") };
       const key = form === "worksheet" ? `${page}#${entry.id}` : `${page}#${form}:${entry.id}`;
       const other = found2.get(key);
       const full = { ...entry, form, lesson, lessonHash };
@@ -646,22 +661,22 @@
   }
   function wrong(content, site) {
     const isTable = typeof content === "object" && content !== null && !Array.isArray(content);
-    if (!isTable || content.kind !== KIND) return "This is not a file of answers.";
+    if (!isTable || content.kind !== KIND) return tr("This is not a file of answers.");
     if (!Number.isInteger(content.format) || content.format < 1)
-      return "This is not a file of answers.";
+      return tr("This is not a file of answers.");
     if (content.format > FORMAT) {
-      return "This file comes from a newer version of the lessons. Open it there.";
+      return tr("This file comes from a newer version of the lessons. Open it there.");
     }
-    if (content.site !== site) return "This file belongs to another site.";
+    if (content.site !== site) return tr("This file belongs to another site.");
     const texts = [content.lesson, content.student, content.page].every(
       (text) => typeof text === "string" && text.length <= 200 && !/[\p{Cc}#@]/u.test(text)
     );
     const hash2 = content.lessonHash === "" || HASH.test(String(content.lessonHash));
     if (!texts || !hash2 || !content.page || !FORMS.includes(content.form)) {
-      return "This file is damaged. Nothing was taken from it.";
+      return tr("This file is damaged. Nothing was taken from it.");
     }
     if (!Array.isArray(content.items) || content.items.length > MOST_ITEMS) {
-      return "This file is damaged. Nothing was taken from it.";
+      return tr("This file is damaged. Nothing was taken from it.");
     }
     return "";
   }
@@ -736,7 +751,7 @@
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
     const asked = html("span", "", `${question2} `);
-    const no = button("No", () => ask(false), "carts-answers-no");
+    const no = button(tr("No"), () => ask(false), "carts-answers-no");
     asked.append(button(yes, act, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row.append(first, asked);
@@ -761,15 +776,15 @@
   var NAMES = (
     /** @type {Record<string, string>} */
     {
-      worksheet: "worksheet",
-      pre: "test before",
-      post: "test after",
-      delayed: "last test"
+      worksheet: tr("worksheet"),
+      pre: tr("test before"),
+      post: tr("test after"),
+      delayed: tr("last test")
     }
   );
   var MOST_BYTES2 = 4e6;
   function filesPart(book2) {
-    const root = part("files", "Hand in: save a file");
+    const root = part("files", tr("Hand in: save a file"));
     const table = html("div", "carts-answers-table");
     const told = status();
     root.append(table, told, importRow(book2, told));
@@ -780,19 +795,16 @@
   function rows(book2, told) {
     const files = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString());
     files.sort((a, b) => Number(b.page === book2.page) - Number(a.page === book2.page));
-    if (!files.length) return [html("p", "carts-quiet", "Nothing has been answered yet.")];
+    if (!files.length) return [html("p", "carts-quiet", tr("Nothing has been answered yet."))];
     return files.map((file) => {
       const row = html("div", "carts-answers-file");
       const count = file.content.items.length;
       const last = file.content.items.map((item2) => item2.last).sort().pop();
       const name = html("span", "carts-answers-name");
-      name.append(
-        html("strong", "", file.lesson),
-        ` · ${NAMES[file.form]} · ${count} ${count === 1 ? "answer" : "answers"}`
-      );
+      name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${counted(count)}`);
       if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
       const save = button(
-        "Save file",
+        tr("Save file"),
         () => {
           const [fresh] = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString()).filter(
             (one) => one.page === file.page && one.form === file.form
@@ -802,20 +814,23 @@
 `, "application/json");
           say(
             told,
-            `Saved as ${file.name}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.`
+            tr(
+              "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
+              { file: file.name }
+            )
           );
         },
         "carts-answers-save"
       );
       const csv = button(
-        "Table (CSV)",
+        tr("Table (CSV)"),
         () => {
           download(
             fileName(file.lesson, file.form, book2.student, "csv"),
             csvText(file.content),
             "text/csv"
           );
-          say(told, "Saved. A spreadsheet program opens it.");
+          say(told, tr("Saved. A spreadsheet program opens it."));
         },
         "carts-answers-csv"
       );
@@ -823,22 +838,30 @@
       return row;
     });
   }
+  function counted(count) {
+    return count === 1 ? tr("1 answer") : tr("{count} answers", { count });
+  }
   function elsewhere(found2, book2) {
     const words2 = [];
     if (found2.student !== book2.student) {
-      const whose = found2.student || "somebody without a code word";
-      words2.push(` They belong to ${whose}: continue under that code word to see them.`);
+      const whose = found2.student || tr("somebody without a code word");
+      words2.push(tr("They belong to {whose}: continue under that code word to see them.", { whose }));
     }
     if (!found2.entries.some(([key]) => key.startsWith(`${book2.page}#`))) {
       const alone2 = location.protocol === "file:" && navigator.userAgent.includes("Firefox/");
-      const how = alone2 ? "open that page and bring the file back there" : "open that page to see them";
-      words2.push(` They belong to the page “${found2.lesson}”: ${how}.`);
+      const page = { page: found2.lesson };
+      words2.push(
+        alone2 ? tr(
+          "They belong to the page “{page}”: open that page and bring the file back there.",
+          page
+        ) : tr("They belong to the page “{page}”: open that page to see them.", page)
+      );
     }
-    return words2.join("");
+    return words2.join(" ");
   }
   function importRow(book2, told) {
     const row = html("p", "carts-answers-import");
-    const label = html("label", "", "Bring answers back from a file ");
+    const label = html("label", "", `${tr("Bring answers back from a file")} `);
     const box = (
       /** @type {HTMLInputElement} */
       html("input", "carts-answers-open")
@@ -854,10 +877,12 @@
       const found2 = readFile(text, book2.site);
       if ("problem" in found2) return say(told, found2.problem);
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
-      if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
+      if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
       const where = elsewhere(found2, book2);
-      const count = `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file`;
-      say(told, `${count}; nothing that was here is lost.${where}`);
+      const taken = tr("Taken from the file: {count}. Nothing that was here is lost.", {
+        count: counted(changed)
+      });
+      say(told, `${taken} ${where}`.trim());
       const predicted = found2.entries.some(([, entry]) => entry.locked);
       if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);
     });
@@ -866,7 +891,7 @@
 
   // src/answers/panel-leave.js
   function leavePart(book2) {
-    const root = part("leave", "Before you leave this computer");
+    const root = part("leave", tr("Before you leave this computer"));
     const forget = async (everybody) => {
       await book2.forget(everybody);
       location.reload();
@@ -874,16 +899,16 @@
     root.append(
       html("p", "carts-answers-where", whereKept(book2)),
       askingButton(
-        "Clear this laptop",
-        "Is your file saved? Your answers on this computer will be gone.",
-        "Clear my answers",
+        tr("Clear this laptop"),
+        tr("Is your file saved? Your answers on this computer will be gone."),
+        tr("Clear my answers"),
         () => void forget(false),
         "carts-answers-clear"
       ),
       askingButton(
-        "Delete everything",
-        "This deletes the answers of everybody who worked on this computer.",
-        "Delete all of them",
+        tr("Delete everything"),
+        tr("This deletes the answers of everybody who worked on this computer."),
+        tr("Delete all of them"),
         () => void forget(true),
         "carts-answers-delete"
       )
@@ -893,18 +918,22 @@
   function whereKept(book2) {
     const how = book2.store?.how;
     if (how === "memory")
-      return "This browser keeps nothing after the page is closed. Save your file now.";
-    const words2 = ["Your answers are kept in this browser on this computer, and nowhere else."];
-    if (how === "text") words2.push("If the computer crashes, the last seconds may be lost.");
+      return tr("This browser keeps nothing after the page is closed. Save your file now.");
+    const words2 = [tr("Your answers are kept in this browser on this computer, and nowhere else.")];
+    if (how === "text") words2.push(tr("If the computer crashes, the last seconds may be lost."));
     if (location.protocol === "file:" && navigator.userAgent.includes("Firefox/")) {
       words2.push(
-        "Firefox keeps them for this page in this folder: if the folder is moved or renamed, bring your file back in."
+        tr(
+          "Firefox keeps them for this page in this folder: if the folder is moved or renamed, bring your file back in."
+        )
       );
     } else if (location.protocol === "file:") {
-      words2.push("They are still there if the folder is moved or renamed.");
+      words2.push(tr("They are still there if the folder is moved or renamed."));
     }
     words2.push(
-      "A private window, or a laptop that is wiped when you log out, may forget them: save your file before you leave."
+      tr(
+        "A private window, or a laptop that is wiped when you log out, may forget them: save your file before you leave."
+      )
     );
     return words2.join(" ");
   }
@@ -946,24 +975,30 @@
   var NAMES2 = (
     /** @type {Record<string, string>} */
     {
-      pre: "the test before the lesson",
-      post: "the test after the lesson",
-      delayed: "the last test"
+      pre: tr("the test before the lesson"),
+      post: tr("the test after the lesson"),
+      delayed: tr("the last test")
     }
   );
   function reasons(rule, state) {
     const why = [];
-    if (rule.word && !state.words.includes(rule.word)) why.push("It opens with your teacher's word.");
-    if (rule.date && today(state.now) < rule.date) why.push(`It opens on ${rule.date}.`);
+    if (rule.word && !state.words.includes(rule.word)) {
+      why.push(tr("It opens with your teacher's word."));
+    }
+    if (rule.date && today(state.now) < rule.date) {
+      why.push(tr("It opens on {date}.", { date: rule.date }));
+    }
     if (rule.done === "worksheet" && !state.answered) {
-      why.push("It opens when every question of the worksheet above is answered.");
+      why.push(tr("It opens when every question of the worksheet above is answered."));
     } else if (rule.done && rule.done !== "worksheet") {
       const handed = state.handed[rule.done];
-      if (!handed) why.push(`It opens when ${NAMES2[rule.done] ?? rule.done} is handed in.`);
-      else if (rule.days) {
+      if (!handed) {
+        const form = NAMES2[rule.done] ?? rule.done;
+        why.push(tr("It opens when {form} is handed in.", { form }));
+      } else if (rule.days) {
         const day = new Date(handed);
         day.setDate(day.getDate() + rule.days);
-        if (today(state.now) < today(day)) why.push(`It opens on ${today(day)}.`);
+        if (today(state.now) < today(day)) why.push(tr("It opens on {date}.", { date: today(day) }));
       }
     }
     return why;
@@ -1070,13 +1105,13 @@
           handed: handedForms(book2)
         };
         const over = isOver(this.facts.close, now);
-        const why = handed ? [] : over ? ["This form is closed."] : reasons(this.facts.open, all);
+        const why = handed ? [] : over ? [tr("This form is closed.")] : reasons(this.facts.open, all);
         const review = handed && this.facts.review && reasons(this.facts.review, all).length === 0;
         const wantsWord = handed ? !review && this.facts.review?.word : !over && this.facts.open.word && !all.words.includes(this.facts.open.word);
         const open2 = !why.length && (!handed || review);
         need(this, ".carts-quiz-items").hidden = !open2;
         need(this, ".carts-quiz-gate").hidden = open2 && !wantsWord;
-        const again = handed && wantsWord ? ["To look at your answers again:"] : why;
+        const again = handed && wantsWord ? [tr("To look at your answers again:")] : why;
         say(need(this, ".carts-quiz-why"), again.join(" "));
         need(this, ".carts-quiz-ask").hidden = !wantsWord;
         need(this, ".carts-quiz-foot").hidden = !open2 || Boolean(handed);
@@ -1093,7 +1128,7 @@
         const sum = wordSum(this.facts.id, typed);
         const { open: open2, review } = this.facts;
         if (![open2.word, review?.word].includes(sum)) {
-          say(need(this, ".carts-quiz-why"), "That is not the word. Ask your teacher.");
+          say(need(this, ".carts-quiz-why"), tr("That is not the word. Ask your teacher."));
           return;
         }
         const state = this.state;
@@ -1107,15 +1142,21 @@
       }
       #count() {
         const left = this.#questions().filter((question2) => !question2.answered).length;
-        say(need(this, ".carts-quiz-left"), left ? `${left} not answered yet` : "All answered.");
+        say(
+          need(this, ".carts-quiz-left"),
+          left ? tr("{count} not answered yet", { count: left }) : tr("All answered.")
+        );
       }
       /** @param {boolean} on */
       #ask(on) {
         const left = this.#questions().filter((question2) => !question2.answered).length;
-        const missing = left ? `${left} ${left === 1 ? "question is" : "questions are"} not answered. ` : "";
-        const nameless = book2.student ? "" : "You have typed no code word yet: My answers. ";
-        const words2 = `${missing}${nameless}After handing in you cannot change anything.`;
-        say(need(this, ".carts-quiz-sure-text"), words2);
+        const missing = left === 1 ? tr("1 question is not answered.") : tr("{count} questions are not answered.", { count: left });
+        const words2 = [
+          left ? missing : "",
+          book2.student ? "" : tr("You have typed no code word yet: My answers."),
+          tr("After handing in you cannot change anything.")
+        ];
+        say(need(this, ".carts-quiz-sure-text"), words2.filter(Boolean).join(" "));
         need(this, ".carts-quiz-sure").hidden = !on;
         need(this, ".carts-quiz-hand-in").hidden = on;
         need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();
@@ -1160,10 +1201,14 @@
         const place2 = need(this, ".carts-quiz-done");
         place2.hidden = !handed;
         if (!handed) return;
-        const when = new Date(handed).toLocaleString();
-        const code = this.state.code ? ` Hand-in code: ${this.state.code}.` : "";
-        const hidden = review ? "" : " The questions are hidden until your teacher opens them again.";
-        say(place2, `Handed in on ${when}.${code} Save your file under “My answers”.${hidden}`);
+        const { code } = this.state;
+        const words2 = [
+          tr("Handed in on {when}.", { when: new Date(handed).toLocaleString() }),
+          code ? tr("Hand-in code: {code}.", { code }) : "",
+          tr("Save your file under “My answers”."),
+          review ? "" : tr("The questions are hidden until your teacher opens them again.")
+        ];
+        say(place2, words2.filter(Boolean).join(" "));
       }
     };
   }
@@ -1178,7 +1223,7 @@
 
   // src/answers/panel-list.js
   function listPart(book2) {
-    const root = part("list", "On this page");
+    const root = part("list", tr("On this page"));
     const mine = book2.entries().filter(([key, entry]) => key.startsWith(`${book2.page}#`) && entry?.type !== "form");
     const handed = handedForms(book2);
     const shown = mine.filter(([, entry]) => !handed[entry.form] && !isEmpty(entry.value));
@@ -1186,31 +1231,41 @@
     if (outline()) {
       const row = html("p");
       row.append(
-        button("Print with my answers", () => print(false)),
+        button(tr("Print with my answers"), () => print(false)),
         " ",
-        button("Print empty", () => print(true))
+        button(tr("Print empty"), () => print(true))
       );
       root.append(row);
-      const told = "Check works without a network because the right answers of worksheets are in their pages.";
+      const told = tr(
+        "Check works without a network because the right answers of worksheets are in their pages."
+      );
       root.append(html("p", "carts-quiet", told));
     }
-    if (!shown.length) root.append(html("p", "carts-quiet", "Nothing to show."));
+    if (!shown.length) root.append(html("p", "carts-quiet", tr("Nothing to show.")));
     if (hidden)
       root.append(
         html(
           "p",
           "carts-quiet",
-          `${hidden} answers of a form that was handed in are kept and not shown.`
+          tr("{count} answers of a form that was handed in are kept and not shown.", {
+            count: hidden
+          })
         )
       );
     const list = html("dl", "carts-answers-said");
     for (const [, entry] of shown) {
       const there = itemOf(entry);
-      const note = there ? "" : " (no longer on this page)";
+      const note = there ? "" : ` ${tr("(no longer on this page)")}`;
       list.append(html("dt", "", `${entry.asked || entry.id}${note}`));
       list.append(html("dd", "", entry.said || plainValue(entry.value)));
       for (const old of entry.earlier ?? []) {
-        list.append(html("dd", "carts-quiet", `earlier: ${old.said || plainValue(old.value)}`));
+        list.append(
+          html(
+            "dd",
+            "carts-quiet",
+            tr("earlier: {answer}", { answer: old.said || plainValue(old.value) })
+          )
+        );
       }
     }
     root.append(list);
@@ -1231,26 +1286,26 @@
     const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
     const codes = [...new Set(parts)].sort();
     const code = codes.join("+");
-    if (!typed.trim()) return { problem: "Type the code word from your card." };
-    if (code.length > MOST) return { problem: "That is too long for a code word." };
+    if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
+    if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
     if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
-      return { problem: "A code word has letters, digits and hyphens: BLUE-FOX-27" };
+      return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
     }
     if (codes.some((part2) => part2.length < 4)) {
-      return { problem: "A code word has at least four letters or digits." };
+      return { problem: tr("A code word has at least four letters or digits.") };
     }
     return { code };
   }
 
   // src/answers/panel-who.js
   function whoPart(book2) {
-    const root = part("who", "Who works here");
+    const root = part("who", tr("Who works here"));
     const { student } = book2;
-    const now = student ? `These are the answers of ${student}.` : "No code word yet: the next person at this computer sees these answers.";
+    const now = student ? tr("These are the answers of {student}.", { student }) : tr("No code word yet: the next person at this computer sees these answers.");
     const label = html(
       "label",
       "",
-      student ? "Somebody else? Code word " : "Code word from your card "
+      `${student ? tr("Somebody else? Code word") : tr("Code word from your card")} `
     );
     const box = (
       /** @type {HTMLInputElement} */
@@ -1261,20 +1316,24 @@
     label.append(box);
     const told = status();
     const choices = html("p", "carts-answers-choices");
-    const go = button("Continue", () => void look(), "carts-answers-go");
+    const go = button(tr("Continue"), () => void look(), "carts-answers-go");
     box.addEventListener("keydown", ({ key }) => {
       if (key === "Enter") void look();
     });
     const row = html("p");
     row.append(label, " ", go);
-    const two = html("p", "carts-quiet", "Two students at one computer: both code words with a +.");
+    const two = html(
+      "p",
+      "carts-quiet",
+      tr("Two students at one computer: both code words with a +.")
+    );
     root.append(html("p", "carts-answers-now", now), row, told, choices, two);
     async function look() {
       choices.replaceChildren();
       const found2 = readCode(box.value);
       if ("problem" in found2) return say(told, found2.problem);
       const { code } = found2;
-      if (code === student) return say(told, "That is who works here now.");
+      if (code === student) return say(told, tr("That is who works here now."));
       const loose = !student && book2.entries().length > 0;
       const known2 = await book2.has(code);
       if (known2 && !loose) return become(code, false);
@@ -1282,16 +1341,20 @@
       if (loose) {
         choices.append(
           button(
-            "They are mine: take them along",
+            tr("They are mine: take them along"),
             () => void become(code, true),
             "carts-answers-mine"
           ),
           " "
         );
-        choices.append(button("Leave them", () => void become(code, false)));
+        choices.append(button(tr("Leave them"), () => void become(code, false)));
       } else
         choices.append(
-          button(`Begin as ${code}`, () => void become(code, false), "carts-answers-begin")
+          button(
+            tr("Begin as {code}", { code }),
+            () => void become(code, false),
+            "carts-answers-begin"
+          )
         );
       choices.querySelector("button")?.focus();
     }
@@ -1302,8 +1365,11 @@
     return root;
   }
   function question(code, known2, loose) {
-    const first = known2 ? "" : `On this computer there is nothing of ${code} yet. `;
-    return loose ? `${first}Somebody has answered here without a code word. Was that you?` : first;
+    const words2 = [
+      known2 ? "" : tr("On this computer there is nothing of {code} yet.", { code }),
+      loose ? tr("Somebody has answered here without a code word. Was that you?") : ""
+    ];
+    return words2.filter(Boolean).join(" ");
   }
 
   // src/answers/panel.js
@@ -1324,9 +1390,9 @@
     async open() {
       await this.book.ready;
       await this.book.refresh();
-      const title = html("h2", "carts-answers-title", "My answers");
+      const title = html("h2", "carts-answers-title", tr("My answers"));
       title.id = "carts-answers-title";
-      const close = html("button", "carts-button carts-answers-close", "Close");
+      const close = html("button", "carts-button carts-answers-close", tr("Close"));
       close.setAttribute("type", "button");
       close.addEventListener("click", () => this.root.close());
       const head = html("div", "carts-answers-head");
@@ -1441,12 +1507,12 @@
 
   // src/question/feedback.js
   var WORDS = {
-    right: "Right.",
-    partly: "Partly right. Look again.",
-    wrong: "Not yet. Think again.",
-    open: "Written down.",
-    empty: "Answer first.",
-    unclear: "This cannot be read."
+    right: tr("Right."),
+    partly: tr("Partly right. Look again."),
+    wrong: tr("Not yet. Think again."),
+    open: tr("Written down."),
+    empty: tr("Answer first."),
+    unclear: tr("This cannot be read.")
   };
   var SHOW_AFTER = 3;
   var Feedback = class {
@@ -1493,7 +1559,14 @@
       this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found2.verdict]));
       if (own !== null && tries >= SHOW_AFTER && found2.verdict !== "right") {
         this.place.append(
-          html("p", "", `Your run says ${Number(own.toPrecision(3))} ${facts.unit}.`)
+          html(
+            "p",
+            "",
+            tr("Your run says {value} {unit}.", {
+              value: Number(own.toPrecision(3)),
+              unit: facts.unit
+            })
+          )
         );
       }
       for (const name of names) {
@@ -1687,27 +1760,32 @@
   var GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
   function readNumber(typed, units) {
     const text = typed.trim().replace(/[−–]/g, "-");
-    if (!text) return { problem: "Type a number, for example 0.5" };
-    if (text.length > LONGEST2) return { problem: "That is too long for a number." };
+    if (!text) return { problem: tr("Type a number, for example 0.5") };
+    if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
     const grouped = GROUPED.exec(text);
     if (grouped) return { problem: twoReadings(String(grouped[1])) };
     const found2 = NUMBER.exec(text);
-    if (!found2) return { problem: `“${text}” is not a number. Type for example 0.5` };
+    if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number = String(found2[1]);
     const unit = (found2[2] ?? "").replace(/μ/g, "µ");
     const factor = unit ? Object.hasOwn(units, unit) ? units[unit] : void 0 : 1;
     if (factor === void 0) {
       const known2 = Object.keys(units).filter(Boolean).join(", ");
-      return { problem: `“${found2[2]}” does not fit here. Units: ${known2}` };
+      const text2 = { unit: String(found2[2]), units: known2 };
+      return { problem: tr("“{unit}” does not fit here. Units: {units}", text2) };
     }
     const value = Number(number.replace(",", ".")) * factor;
-    return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
+    return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
   }
   function twoReadings(text) {
     const whole2 = text.replaceAll(",", "");
-    if (text.split(",").length > 2) return `Type ${whole2} without commas.`;
+    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole2 });
     const decimal = String(Number(text.replace(",", ".")));
-    return `${text} can mean ${decimal} or ${whole2}: type ${decimal} or ${whole2}`;
+    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+      text,
+      decimal,
+      whole: whole2
+    });
   }
 
   // src/question/forms/run.js
@@ -1758,7 +1836,7 @@
       follow: (book2) => {
         const entry = book2.get("worksheet", facts.scene);
         const locked = entry && !isEmpty(entry.value) && entry.locked;
-        done.textContent = locked ? "✓ done" : "";
+        done.textContent = locked ? tr("✓ done") : "";
       }
     };
   }
@@ -1830,6 +1908,7 @@
     matching: matchForm,
     drawn: drawnForm
   };
+  var NOT_SAVED = tr("Not saved");
   var ASKED = 300;
   function questionElement(book2) {
     return class CartsQuestion extends HTMLElement {
@@ -1923,8 +2002,8 @@
           ...old.map((entry) => {
             const line = html("p");
             const other = entry.hash !== this.facts.hash;
-            const head = other ? "Your answer to an earlier version of this question: " : "Your other answer: ";
-            line.append(html("strong", "", head), entry.said || JSON.stringify(entry.value));
+            const head = other ? tr("Your answer to an earlier version of this question:") : tr("Your other answer:");
+            line.append(html("strong", "", head), " ", entry.said || JSON.stringify(entry.value));
             return line;
           })
         );
@@ -1955,22 +2034,22 @@
         this.#writes += 1;
         const mine = this.#writes;
         this.#early = !book2.store;
-        this.#say("Saving…");
+        this.#say(tr("Saving…"));
         try {
           await book2.put(this.formName ?? "worksheet", this.#entry);
           if (mine === this.#writes) this.#say(this.#keptWord());
         } catch {
-          this.#say("Not saved");
+          this.#say(NOT_SAVED);
         }
       }
       #keptWord() {
-        return book2.store?.kind === "memory" ? "Not saved" : "Saved";
+        return book2.store?.kind === "memory" ? NOT_SAVED : tr("Saved");
       }
       /** One press on Check: what was answered, and the run that it was read off. */
       #attempt() {
         const problem = this.#form?.problem?.() ?? "";
         if (!this.answered || problem) {
-          this.#complain(problem || "Answer first.");
+          this.#complain(problem || tr("Answer first."));
           return null;
         }
         let own = null;
@@ -1978,7 +2057,7 @@
           const found2 = ownReading(this.facts);
           own = found2.own;
           if (own === null) {
-            this.#complain("Run the scene first: lock your prediction there.");
+            this.#complain(tr("Run the scene first: lock your prediction there."));
             return null;
           }
           this.#entry = { ...this.#entry, own, set: found2.set };
@@ -1998,7 +2077,7 @@
       #say(word) {
         const place2 = need(this, ".carts-q-saved");
         say(place2, word);
-        place2.classList.toggle("carts-q-unsaved", word === "Not saved");
+        place2.classList.toggle("carts-q-unsaved", word === NOT_SAVED);
       }
       /** @param {string} problem */
       #complain(problem) {

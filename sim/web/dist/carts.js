@@ -983,6 +983,41 @@
     return { fence, view, run: { header, trajectory: fromBaked(numbers, header.events) } };
   }
 
+  // src/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence2, values = {}) {
+    return filled(catalogue[sentence2] ?? sentence2, values);
+  }
+  function filled(sentence2, values) {
+    return sentence2.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
+  }
+  var patterns = null;
+  function heard(english) {
+    if (catalogue[english]) return catalogue[english];
+    patterns ??= Object.keys(catalogue).filter((key) => key.includes("{")).sort((a2, b2) => plain2(b2).length - plain2(a2).length).map((key) => [pattern(key), key]);
+    for (const [form, key] of patterns) {
+      const found2 = form.exec(english);
+      if (!found2) continue;
+      const parts2 = Object.entries(found2.groups ?? {});
+      return filled(
+        catalogue[key] ?? key,
+        Object.fromEntries(parts2.map(([name2, part]) => [name2, heard(part)]))
+      );
+    }
+    return english;
+  }
+  var plain2 = (key) => key.replace(/\{\w+\}/g, "");
+  function pattern(key) {
+    const parts2 = key.split(/\{(\w+)\}/);
+    const escaped = parts2.map(
+      (part, k) => k % 2 ? `(?<${part}>.+?)` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")
+    );
+    return new RegExp(`^${escaped.join("")}$`, "su");
+  }
+
   // src/switches.js
   var Switches = class {
     /** @type {Map<string, HTMLInputElement>} */
@@ -1058,23 +1093,27 @@
   var LONGEST = 40;
   function readTyped(typed) {
     const text = typed.trim().replace(/[−–]/g, "-");
-    if (!text) return { problem: "Type a number, for example 0.5" };
-    if (text.length > LONGEST) return { problem: "That is too long for a number." };
+    if (!text) return { problem: tr("Type a number, for example 0.5") };
+    if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
     if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
     if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
       const value = Number(text.replace(",", "."));
-      return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
+      return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
     }
     if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
-    return { problem: `“${text}” is not a number. Type for example 0.5` };
+    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   }
   function twoReadings(text) {
     const whole = text.replaceAll(",", "");
-    if (text.split(",").length > 2) return `Type ${whole} without commas.`;
+    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
     const decimal = String(Number(text.replace(",", ".")));
-    return `${text} can mean ${decimal} or ${whole}: type ${decimal} or ${whole}`;
+    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+      text,
+      decimal,
+      whole
+    });
   }
 
   // src/controls.js
@@ -1189,8 +1228,10 @@
         return change2(this.control.set, read.text, at);
       }
       if (read.value < low || read.value > high) {
-        const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
-        return this.complain(`${label}: ${range}, please.`);
+        const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
+        return this.complain(
+          tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() })
+        );
       }
       this.#accept(read.value);
       return change2(this.control.set, this.#asked(read.value), at);
@@ -1494,124 +1535,161 @@
     return windows.findLast((touch) => touch.start <= t3);
   }
 
+  // src/listed.js
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = names.slice(0, -1).join(", ");
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
   // src/words.js
   var QUANTITIES = {
-    x: ["Position", "x", "m"],
-    v: ["Velocity", "v", "m/s"],
-    a: ["Acceleration", "a", "m/s²"],
-    F: ["Contact force", "F", "N"],
-    p: ["Momentum", "p", "kg m/s"],
-    energy: ["Kinetic energy", "E", "J"]
+    x: [tr("Position"), "x", "m"],
+    v: [tr("Velocity"), "v", "m/s"],
+    a: [tr("Acceleration"), "a", "m/s²"],
+    F: [tr("Contact force"), "F", "N"],
+    p: [tr("Momentum"), "p", "kg m/s"],
+    energy: [tr("Kinetic energy"), "E", "J"]
   };
   var EFFECTS = {
-    friction: "friction",
-    incline: "a slope",
-    drag: "air resistance",
-    push: "pushes from outside",
-    spring: "springs between the carts",
-    magnets: "magnets",
-    release: "a release between the carts"
+    friction: tr("friction"),
+    incline: tr("a slope"),
+    drag: tr("air resistance"),
+    push: tr("pushes from outside"),
+    spring: tr("springs between the carts"),
+    magnets: tr("magnets"),
+    release: tr("a release between the carts")
   };
-  var BOTH_FORCES = "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.";
-  var IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”";
-  var JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw";
+  var BOTH_FORCES = tr(
+    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+  );
+  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
+  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
   function isWall(name2) {
     return name2 === "left" || name2 === "right";
   }
   function body(name2) {
-    return isWall(name2) ? `the ${name2} wall` : name2;
+    if (name2 === "left") return tr("the left wall");
+    return name2 === "right" ? tr("the right wall") : name2;
   }
   function brief(name2) {
-    return isWall(name2) ? `${name2} wall` : name2;
+    if (name2 === "left") return tr("left wall");
+    return name2 === "right" ? tr("right wall") : name2;
+  }
+  function forceOn(on, by) {
+    return tr("force on {on} by {by}", { on, by });
   }
   function motion(velocity2, decimals, scale) {
-    if (Math.abs(velocity2) < 1e-9 * scale) return "at rest";
+    if (isRest(velocity2, scale)) return tr("at rest");
     const [per, unit] = speedUnit(scale);
     const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return `${speed} to the ${velocity2 > 0 ? "right" : "left"}`;
+    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
   function lawsOf(contacts) {
     return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
   }
+  function isRest(velocity2, scale) {
+    return Math.abs(velocity2) < 1e-9 * scale;
+  }
   function eventSentence(event, telling, laws) {
     const { decimals, scale, camera, forces: forces2 } = telling;
     const names = event.bodies;
-    const pair = capital(names.map(body).join(" and "));
+    const pair = capital(listed(names.map(body)));
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
-    const shown2 = forces2 && impulse ? ` Impulse on each: ${short(impulse)} N s.` : "";
+    const after = speeds.length ? `${speeds.join(". ")}.` : "";
+    const size = `${short(impulse)} N s`;
+    const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return `${pair} hit and stay together.${shown2}${after}`;
+          return told3(tr("{pair} hit and stay together.", { pair }), shown2, after);
         }
-        if (impulse && joined(event, scale)) {
-          return `${pair} hit and ${goOn(event, telling)}.${shown2}`;
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
+        if (impulse) {
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after);
         }
-        if (impulse) return `${pair} hit each other and part at once.${shown2}${after}`;
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return `${mover} reaches ${body(String(other))}.`;
+        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
       }
       case "peak":
         if (forces2 && event.force) {
-          const size = fixed(event.force, decimals.F ?? 2);
-          return `${pair}: bumpers squeezed the most, ${size} N on each.`;
+          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
+          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
         }
-        return `${pair}: bumpers squeezed the most.`;
-      case "separate":
-        if (joined(event, scale)) {
-          const who = names.map(body).join(" and ");
-          const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
-          const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
-          return `The push between ${who} has ended; ${left}.${shown2}${rest ? after : ""}`;
+        return tr("{pair}: bumpers squeezed the most.", { pair });
+      case "separate": {
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after);
+        const ended2 = { pair: listed(names.map(body)) };
+        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+        if (rest) {
+          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
+          return told3(stay2, shown2, after);
         }
-        return `${pair} separate.${shown2}${after}`;
+        return told3(pushEnded(event, telling, ended2.pair), shown2);
+      }
       case "stick":
-        return `${pair} stay together.${after}`;
+        return told3(tr("{pair} stay together.", { pair }), after);
       case "stop":
-        return names[1] ? `${pair} stop: the track holds them.` : `${pair} stops: the track holds it.`;
+        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
       case "start":
-        return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
+        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
       case "release":
-        return `The exploder between ${pair} releases.${shown2}${after}`;
+        return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after);
       case "end":
-        return "End of the run.";
+        return tr("End of the run.");
       default:
         return `${event.kind}: ${pair}.`;
     }
   }
   function joined({ bodies, after }, scale) {
     const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
-    return Math.abs(Number(left) - Number(right)) < 1e-9 * scale;
+    return isRest(Number(left) - Number(right), scale);
   }
-  function goOn({ bodies, after }, { decimals, scale, camera }) {
+  function hitAndGoOn(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
+  }
+  function pushEnded(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
+      pair,
+      velocity: how
+    });
+  }
+  function together({ bodies, after }, { decimals, scale, camera }) {
     const cart = bodies.find((name2) => !isWall(name2)) ?? "";
-    const seen = motion(Number(after[cart]) - camera, decimals.v ?? 2, scale);
-    return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
+    const seen = Number(after[cart]) - camera;
+    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
   }
   function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
     const [per, unit] = speedUnit(scale);
     const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return `${name2} leaves the picture on the ${side}, still ${speed}.`;
+    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
   }
   function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
     if (struck && quantity === "F") return IMPULSE_ONLY;
     if (struck && quantity === "a") return JUMP_ONLY;
-    return quantity === "F" && !curves ? "no contact force in this run" : "";
+    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
   function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
-    const told2 = header.plan.length > 0;
-    if (told2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
+    const open2 = header.plan.length > 0;
+    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
     const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
-    const last = leftOut.pop();
-    if (last !== void 0) {
-      const listed2 = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
-      sentences.push(`Left out of this model: ${listed2}.`);
+    if (leftOut.length) {
+      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
     }
     return sentences;
+  }
+  function told2(why) {
+    return why.split("; ").map(heard).join("; ");
+  }
+  function lower(name2) {
+    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
   }
   function capital(text) {
     return text.slice(0, 1).toUpperCase() + text.slice(1);
@@ -1651,11 +1729,16 @@
     show(run) {
       this.#run = run;
       this.#means = meanForces(run);
-      const names = this.#means.map(({ cart, other }) => `${cart}, while it touches ${body(other)}`);
+      const names = this.#means.map(
+        ({ cart, other }) => tr("{cart}, while it touches {other}", { cart, other: body(other) })
+      );
       const same = [...this.which.options].map((one) => one.text).join() === names.join();
       if (!same) this.which.replaceChildren(...names.map((name2) => new Option(name2)));
       for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
-      say(this.note, names.length ? "" : "In this run no two touch for a time that can be read off.");
+      say(
+        this.note,
+        names.length ? "" : tr("In this run no two touch for a time that can be read off.")
+      );
     }
     /** The forces are shown at once where one was found before. */
     async restore() {
@@ -1669,12 +1752,16 @@
       const read = readTyped(this.box.value.replace(/\s*N\s*$/i, ""));
       if (!mean || !this.#run) return;
       if (!("value" in read)) {
-        return say(this.note, "problem" in read ? read.problem : "Type the number only, in N.");
+        return say(this.note, "problem" in read ? read.problem : tr("Type the number only, in N."));
       }
       this.#tries += 1;
       const off = read.value / mean.value - 1;
       if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
-      const said = `mean force on ${mean.cart} by ${body(mean.other)}: ${short(mean.value)} N`;
+      const said = tr("mean force on {cart} by {other}: {force} N", {
+        cart: mean.cart,
+        other: body(mean.other),
+        force: short(mean.value)
+      });
       await this.#keep(this.box.value, said);
       this.found();
     }
@@ -1682,7 +1769,7 @@
     #advice(mean, typed) {
       const ratio = typed / mean.value;
       if (Math.abs(ratio + 1) <= NEAR) {
-        return "The size is right. Which way does the force point? + is to the right.";
+        return tr("The size is right. Which way does the force point? + is to the right.");
       }
       const mass = massOf(
         /** @type {Run} */
@@ -1695,9 +1782,15 @@
         mean.other
       )];
       if (others.some((other) => Math.abs(Math.abs(ratio * mass / other) - 1) <= NEAR)) {
-        return `That would fit the mass of ${mean.other}. The velocity of ${mean.cart} goes with the mass of ${mean.cart}.`;
+        return tr(
+          "That would fit the mass of {other}. The velocity of {cart} goes with the mass of {cart}.",
+          { other: mean.other, cart: mean.cart }
+        );
       }
-      const steps = `Not yet. Δv is the velocity of ${mean.cart} after minus before, with signs; Δt is how long the two touch.`;
+      const steps = tr(
+        "Not yet. Δv is the velocity of {cart} after minus before, with signs; Δt is how long the two touch.",
+        { cart: mean.cart }
+      );
       if (this.#tries < MANY2) return steps;
       const touch = touchOf(
         /** @type {Run} */
@@ -1710,7 +1803,16 @@
         mean.cart,
         t3
       ));
-      return `${steps} Here: m = ${short(mass)} kg, v before ${v2(touch.start)} m/s, v after ${v2(touch.end)} m/s, Δt = ${short(touch.end - touch.start)} s.`;
+      const here = tr(
+        "Here: m = {mass} kg, v before {before} m/s, v after {after} m/s, Δt = {time} s.",
+        {
+          mass: short(mass),
+          before: v2(touch.start),
+          after: v2(touch.end),
+          time: short(touch.end - touch.start)
+        }
+      );
+      return `${steps} ${here}`;
     }
     /** @param {string} typed @param {string} said */
     async #keep(typed, said) {
@@ -1723,7 +1825,7 @@
           ...entry,
           tries: this.#tries,
           locked: null,
-          asked: "Find a force of this scene"
+          asked: tr("Find a force of this scene")
         });
         document.dispatchEvent(new Event("carts-kept"));
       } catch {
@@ -1745,8 +1847,11 @@
     const note = element.querySelector(".carts-found");
     if (!note) return;
     note.replaceChildren(
-      html("b", "", "You found a force."),
-      " Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time."
+      html("b", "", tr("You found a force.")),
+      " ",
+      tr(
+        "Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time."
+      )
     );
     note.hidden = false;
   }
@@ -1778,45 +1883,54 @@
   }
 
   // src/how-words.js
-  var LOCKED = "Make your prediction and lock it first. Then you can see how the run is computed.";
-  var PLAN = "The plan, found before anything moves:";
-  var MEASURING = "Measuring on this computer …";
-  var NO_PYTHON = "Python does not run here, so nothing can be measured.";
-  var SWITCH = "What if a program went step by step? The run then plays as that method computes it. Dashed: exact.";
-  var LOADING = "Python’s scipy is being loaded …";
-  var METHOD = "method";
-  var STEP2 = "step";
-  var TOLERANCE = "tolerance";
-  var EXACT = "exact (as always)";
-  var FAILED = "The exact run is shown.";
+  var LOCKED = tr(
+    "Make your prediction and lock it first. Then you can see how the run is computed."
+  );
+  var PLAN = tr("The plan, found before anything moves:");
+  var MEASURING = tr("Measuring on this computer …");
+  var NO_PYTHON = tr("Python does not run here, so nothing can be measured.");
+  var SWITCH = tr(
+    "What if a program went step by step? The run then plays as that method computes it. Dashed: exact."
+  );
+  var LOADING = tr("Python’s scipy is being loaded …");
+  var METHOD = tr("method");
+  var STEP2 = tr("step");
+  var TOLERANCE = tr("tolerance");
+  var EXACT = tr("exact (as always)");
+  var FAILED = tr("The exact run is shown.");
   var METHODS = {
     euler: "Euler",
-    "semi-implicit": "semi-implicit Euler",
-    verlet: "velocity Verlet",
+    "semi-implicit": tr("semi-implicit Euler"),
+    verlet: tr("velocity Verlet"),
     rk4: "RK4",
-    "rk4-events": "RK4 + located touches",
-    rk45: "adaptive RK45 + located touches",
-    adaptive: "adaptive DOP853 + located touches"
+    "rk4-events": tr("RK4 + located touches"),
+    rk45: tr("adaptive RK45 + located touches"),
+    adaptive: tr("adaptive DOP853 + located touches")
   };
   var SOLVERS = {
-    "free-flight": "free flight, exact",
-    flight: "flight with forces, exact",
-    "pair-contact": "one contact at a time, exact",
-    "power-series": "several forces at once, exact to rounding",
-    adaptive: "no formula: an adaptive method with located touches"
+    "free-flight": tr("free flight, exact"),
+    flight: tr("flight with forces, exact"),
+    "pair-contact": tr("one contact at a time, exact"),
+    "power-series": tr("several forces at once, exact to rounding"),
+    adaptive: tr("no formula: an adaptive method with located touches")
   };
   var USED = {
-    "free-flight": "free flights",
-    flight: "flights",
-    "pair-contact": "contacts",
-    "pair-phase": "contacts with other forces",
-    "power-series": "series for several forces",
-    adaptive: "steps of an adaptive method",
-    instant: "impacts"
+    "free-flight": tr("free flights"),
+    flight: tr("flights"),
+    "pair-contact": tr("contacts"),
+    "pair-phase": tr("contacts with other forces"),
+    "power-series": tr("series for several forces"),
+    adaptive: tr("steps of an adaptive method"),
+    instant: tr("impacts")
   };
   function phaseWords({ from, until, solver, why }, decimals) {
-    const times = `${fixed(from, decimals)} to ${fixed(until, decimals)} s`;
-    return [times, SOLVERS[solver] ?? solver, `${(why[0] ?? "").toUpperCase()}${why.slice(1)}.`];
+    const times = tr("{from} to {until} s", {
+      from: fixed(from, decimals),
+      until: fixed(until, decimals)
+    });
+    const because = told2(why);
+    const sentence2 = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
+    return [times, SOLVERS[solver] ?? solver, sentence2];
   }
   function duration(seconds) {
     if (seconds >= 1) return `${short(seconds, 2)} s`;
@@ -1825,41 +1939,48 @@
   }
   function formulasWords(solvers) {
     const used = Object.entries(solvers).map(([name2, count2]) => `${USED[name2] ?? name2}: ${count2}`);
-    return used.length ? `Formulas worked out, ${used.join(", ")}.` : "";
+    return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
   }
   function costWords({ cost }) {
     const all = cost.solution + cost.points;
-    return `On this computer, just now: ${duration(all)}, of which ${duration(cost.solution)} for the motion and ${duration(cost.points)} for the points of the curves.`;
+    return tr(
+      "On this computer, just now: {all}, of which {motion} for the motion and {points} for the points of the curves.",
+      { all: duration(all), motion: duration(cost.solution), points: duration(cost.points) }
+    );
   }
   function sizeWords({ step, rtol, steps }) {
-    if (rtol) return `tolerance 1e${Math.round(Math.log10(rtol))}`;
-    return `${steps} steps of ${duration(Number(step))}`;
+    if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
+    return tr("{count} steps of {step}", { count: steps, step: duration(Number(step)) });
   }
   function stepWords(until, parts2) {
-    return `${duration(until / parts2)} (run / ${parts2})`;
+    return tr("{step} (run / {parts})", { step: duration(until / parts2), parts: parts2 });
   }
   function toleranceWords(rtol) {
     return `1e${Math.round(Math.log10(rtol))}`;
   }
   function signWords(how) {
-    return `Step by step: ${METHODS[how.method]}, ${sizeWords(how)}. Not exact. Dashed: exact.`;
+    return tr("Step by step: {method}, {size}. Not exact. Dashed: exact.", {
+      method: String(METHODS[how.method]),
+      size: sizeWords(how)
+    });
   }
-  var BEYOND = "beyond all numbers";
-  var UNKNOWN = "not known: the exact run was stopped before";
+  var BEYOND = tr("beyond all numbers");
+  var UNKNOWN = tr("not known: the exact run was stopped before");
   var MANY3 = 10;
   function comparedWords(how) {
     const { error, energy, seconds, evaluations, blown, whole } = how;
-    const told2 = [
-      ["largest error of a velocity at the end", whole ? amount(error.v, "m/s") : UNKNOWN],
-      ["largest error of a position at the end", whole ? amount(error.x, "m") : UNKNOWN],
-      ["energy made from nothing", made(energy)],
-      ["times that all forces were computed", String(evaluations)],
-      ["time on this computer", ratioWords(seconds)]
+    const rows = [
+      [tr("largest error of a velocity at the end"), whole ? amount(error.v, "m/s") : UNKNOWN],
+      [tr("largest error of a position at the end"), whole ? amount(error.x, "m") : UNKNOWN],
+      [tr("energy made from nothing"), made(energy)],
+      [tr("times that all forces were computed"), String(evaluations)],
+      [tr("time on this computer"), ratioWords(seconds)]
     ];
     if (blown !== null) {
-      told2.unshift(["the numbers blow up", `at ${fixed(blown, 2)} s; drawn up to there`]);
+      const until = tr("at {time} s; drawn up to there", { time: fixed(blown, 2) });
+      rows.unshift([tr("the numbers blow up"), until]);
     }
-    return told2;
+    return rows;
   }
   function amount(value, unit) {
     return value === null ? BEYOND : `${short(value, 2)} ${unit}`;
@@ -1868,14 +1989,20 @@
     if (joules === null) return BEYOND;
     if (!initial) return `${short(joules, 2)} J`;
     const part = joules / initial;
-    const of = Math.abs(part) < MANY3 ? `${short(100 * part, 2)} % of` : `${short(part, 2)} times`;
-    return `${short(joules, 2)} J, ${of} the energy at the start`;
+    const size = {
+      energy: `${short(joules, 2)} J`,
+      part: short(part, 2),
+      percent: short(100 * part, 2)
+    };
+    return Math.abs(part) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
   }
   function ratioWords({ stepped, exact }) {
     const ratio = stepped / exact;
-    if (ratio >= 1)
-      return `${duration(stepped)}, ${short(ratio, 2)} times the exact run’s ${duration(exact)}`;
-    return `${duration(stepped)}; the exact run takes ${short(1 / ratio, 2)} times as long, ${duration(exact)}`;
+    const both = { stepped: duration(stepped), exact: duration(exact) };
+    return ratio >= 1 ? tr("{stepped}, {ratio} times the exact run’s {exact}", { ...both, ratio: short(ratio, 2) }) : tr("{stepped}; the exact run takes {ratio} times as long, {exact}", {
+      ...both,
+      ratio: short(1 / ratio, 2)
+    });
   }
 
   // src/how-panel.js
@@ -1893,7 +2020,7 @@
       this.until = 1;
       this.plan = html("ol", "carts-how-plan");
       this.plan.tabIndex = 0;
-      this.plan.setAttribute("aria-label", "Plan");
+      this.plan.setAttribute("aria-label", tr("Plan"));
       this.cost = html("p", "carts-how-cost");
       this.method = document.createElement("select");
       this.method.className = "carts-how-method";
@@ -2018,8 +2145,9 @@
   }
   function refusal2(problems) {
     const [first] = problems;
-    if (!first) return new Error("This value does not work.");
-    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+    if (!first) return new Error(tr("This value does not work."));
+    const message = heard(first.message);
+    return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
   }
 
   // src/how.js
@@ -2165,9 +2293,13 @@
   // src/effects-forces.js
   var ON_ONE = ["incline", "push", "friction", "drag"];
   var FEW = 3;
-  var AGENTS = { friction: "the track", drag: "the air", incline: "the Earth" };
+  var AGENTS = {
+    friction: tr("the track"),
+    drag: tr("the air"),
+    incline: tr("the Earth")
+  };
   function agent({ kind, by }) {
-    return AGENTS[kind] ?? by ?? "";
+    return AGENTS[kind] ?? heard(by ?? "");
   }
   function actsAt({ kind, active, numbers }, t3) {
     if (!active) return false;
@@ -2189,17 +2321,18 @@
         const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
         const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found2.push({ kind, on: name2, by: [...new Set(own2.map(agent))].join(" and "), value, size });
+        found2.push({ kind, on: name2, by: listed([...new Set(own2.map(agent))]), value, size });
       }
     }
     return found2;
   }
   function labels({ kind, on, by, size }) {
-    const brief2 = by.replaceAll("the ", "");
+    const told3 = { on, by, size };
+    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
-      `on ${on} by ${brief2}: ${size} N`,
-      `by ${brief2}: ${size} N`
+      kind === "incline" ? tr("on {on} by {by} (slope): {size} N", told3) : tr("on {on} by {by}: {size} N", told3),
+      tr("on {on} by {by}: {size} N", brief2),
+      tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
     ];
   }
@@ -2207,11 +2340,11 @@
     const walls = track.left === "wall" || track.right === "wall";
     const has = (kind) => effects.some((effect) => effect.kind === kind);
     const parts2 = [
-      walls ? "wall" : "",
-      has("friction") ? "track" : "",
-      has("drag") ? "air" : "",
+      walls ? tr("wall") : "",
+      has("friction") ? tr("track") : "",
+      has("drag") ? tr("air") : "",
       ...effects.filter(({ kind }) => kind === "push").map(agent),
-      walls || has("friction") || has("incline") ? "Earth" : ""
+      walls || has("friction") || has("incline") ? tr("Earth") : ""
     ];
     return [...new Set(parts2.filter(Boolean))].join(" + ");
   }
@@ -2304,7 +2437,7 @@
       return rows;
     };
     return {
-      label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
+      label: curves.some(({ style }) => style === "wall") ? tr("all together") : tr("all carts"),
       style: "total",
       over: false,
       values: sum(curves.map((c2) => c2.values)),
@@ -2326,14 +2459,14 @@
       }
       const [left, right] = contact.bodies;
       curves.push({
-        label: `on ${brief(left)} by ${brief(right)}`,
+        label: tr("on {on} by {by}", { on: brief(left), by: brief(right) }),
         style: styles.get(left) ?? "wall",
         over: false,
         values: Float64Array.from(force, (f2) => sign * f2),
         slopes: Float64Array.from(slope, (s3) => sign * s3)
       });
       curves.push({
-        label: `on ${brief(right)} by ${brief(left)}`,
+        label: tr("on {on} by {by}", { on: brief(right), by: brief(left) }),
         style: styles.get(right) ?? "wall",
         over: true,
         values: force,
@@ -2346,12 +2479,12 @@
   // src/ledger-effects.js
   var WANTED = "carts-energy-wanted";
   var BANDS = {
-    bumpers: ["in squeezed bumpers", "squeezed"],
-    spring: ["in the spring", "stored"],
-    magnets: ["between the magnets", "stored"],
-    incline: ["as height, above the lowest point", "stored"]
+    bumpers: [tr("in squeezed bumpers"), "squeezed"],
+    spring: [tr("in the spring"), "stored"],
+    magnets: [tr("between the magnets"), "stored"],
+    incline: [tr("as height, above the lowest point"), "stored"]
   };
-  var WARM = { friction: "track", drag: "air", spring: "spring" };
+  var WARM = { friction: tr("track"), drag: tr("air"), spring: tr("spring") };
   function needsParts({ fence }) {
     return (
       /** @type {unknown[]} */
@@ -2373,7 +2506,10 @@
       if (values.length === times.length) return values;
       return Float64Array.from(times, (t3) => valueAt(parts2.t, values, null, Number(t3)));
     };
-    const bands = moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` }));
+    const bands = moving.map((curve) => ({
+      ...curve,
+      label: tr("motion of {cart}", { cart: curve.label })
+    }));
     for (const [name2, [label, style]] of Object.entries(BANDS)) {
       if (!parts2.names.includes(name2)) continue;
       const values = column(name2);
@@ -2386,14 +2522,13 @@
     return bands;
   }
   function warmed({ contacts, effects }) {
-    const what = contacts.length ? ["bumpers"] : [];
+    const what = contacts.length ? [tr("bumpers")] : [];
     for (const { kind, active, numbers } of effects) {
       const damped = kind !== "spring" || (numbers.damping ?? 0) > 0;
       if (active && WARM[kind] && damped) what.push(String(WARM[kind]));
     }
     const names = [...new Set(what)];
-    const last = names.pop() ?? "surroundings";
-    return `has warmed the ${names.length ? `${names.join(", ")} and ${last}` : last}`;
+    return tr("has warmed the {things}", { things: listed(names) || tr("surroundings") });
   }
 
   // src/predict-again.js
@@ -2609,9 +2744,12 @@
       if (!missing2.length) return null;
       const refused = missing2.filter((row) => row.box.value.trim());
       if (refused.length) {
-        return `This number does not work yet: ${refused.map(name).join(", ")}. ${this.#range()}`;
+        const names = refused.map(name).join(", ");
+        return `${tr("This number does not work yet: {names}.", { names })} ${this.#range()}`;
       }
-      return `Set every arrow first: ${missing2.map(name).join(", ")}. Zero counts too: type 0.`;
+      return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
+        names: missing2.map(name).join(", ")
+      });
     }
     /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("./types.js").Run} run */
     compare(run) {
@@ -2623,7 +2761,11 @@
         const grid = html("div", "carts-compare");
         const newtons = (size) => `${fixed(size, this.decimals)} N`;
         const spoken = rows.map(
-          (row) => `${name(row)}: you ${newtons(row.size ?? 0)}, the run ${newtons(actual)}.`
+          (row) => tr("{force}: you {yours}, the run {actual}.", {
+            force: name(row),
+            yours: newtons(row.size ?? 0),
+            actual: newtons(actual)
+          })
         );
         grid.setAttribute("role", "img");
         grid.setAttribute("aria-label", spoken.join(" "));
@@ -2635,24 +2777,26 @@
           const [who, style] of
           /** @type {const} */
           [
-            ["you", "carts-guessed"],
-            ["the run", "carts-block-arrow"]
+            [tr("you"), "carts-guessed"],
+            [tr("the run"), "carts-block-arrow"]
           ]
         ) {
           grid.append(html("span", "", who));
           for (const row of rows) {
-            const size = who === "you" ? row.size ?? 0 : actual;
+            const size = style === "carts-guessed" ? row.size ?? 0 : actual;
             const cell = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
             cell.append(
               arrow(size, this.full, style, row.side),
-              ` ${newtons(size)}${isCut(size, this.full) ? ", arrow cut" : ""}`
+              ` ${newtons(size)}${isCut(size, this.full) ? tr(", arrow cut") : ""}`
             );
             grid.append(cell);
           }
         }
         return grid;
       });
-      const text = "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.";
+      const text = tr(
+        "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too."
+      );
       return [...tables, html("p", "", text)];
     }
     /** While typing only what makes sense is taken. @param {Row} row @param {() => void} changed @param {boolean} done */
@@ -2660,11 +2804,11 @@
       const read = readTyped(row.box.value);
       let problem = "";
       if ("problem" in read) problem = read.problem;
-      else if ("text" in read) problem = "Type a number; the unit is N.";
+      else if ("text" in read) problem = tr("Type a number; the unit is N.");
       else if (read.value < 0 || read.value > MOST2 * this.full) problem = this.#range();
       if (done && problem) {
-        const kept = row.good === null ? "" : ` ${fixed(row.good, this.decimals)} N is kept.`;
-        say(row.error, problem + kept);
+        const good = row.good === null ? "" : fixed(row.good, this.decimals);
+        say(row.error, good ? `${problem} ${tr("{size} N is kept.", { size: good })}` : problem);
         row.error.hidden = false;
         this.#restore(row, changed);
       }
@@ -2675,7 +2819,7 @@
       changed();
     }
     #range() {
-      return `0 to ${short(MOST2 * this.full)} N, please.`;
+      return tr("0 to {most} N, please.", { most: short(MOST2 * this.full) });
     }
     /** Goes back to the last good size; what was typed stays in the box to be mended. */
     /** @param {Row} row @param {() => void} changed */
@@ -2696,7 +2840,10 @@
     #set(row, size) {
       row.size = size;
       row.slider.valueAsNumber = size;
-      row.slider.setAttribute("aria-valuetext", `${fixed(size, this.decimals)} newtons`);
+      row.slider.setAttribute(
+        "aria-valuetext",
+        tr("{size} newtons", { size: fixed(size, this.decimals) })
+      );
     }
     /** @param {Row} row @param {number} size */
     #show(row, size) {
@@ -2714,7 +2861,7 @@
     }
   };
   function name({ on, by }) {
-    return `force on ${body(on)} by ${body(by)}`;
+    return forceOn(body(on), body(by));
   }
   function greatest2(run, pair) {
     const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
@@ -2778,7 +2925,9 @@
     }
     /** @returns {string} */
     get said() {
-      return `heights ${this.#heights.map((height) => height ?? "–").join(", ")}`;
+      return tr("heights {heights}", {
+        heights: this.#heights.map((height) => height ?? "–").join(", ")
+      });
     }
     set value(value) {
       if (Array.isArray(value) && value.length === this.#heights.length) this.#heights = value;
@@ -2791,14 +2940,15 @@
     }
     problem() {
       if (this.#heights.every((height) => height !== null)) return null;
-      return "Give all five heights first, also where you think it is 0.";
+      return tr("Give all five heights first, also where you think it is 0.");
     }
     /** @param {import("./types.js").Run} run */
     compare(run) {
       const touch = touches(run.header.events, run.header.until).find(
         ({ bodies }) => bodies.includes(this.cart)
       );
-      if (!touch) return [html("p", "", `In this run nothing touches ${this.cart}.`)];
+      if (!touch)
+        return [html("p", "", tr("In this run nothing touches {cart}.", { cart: this.cart }))];
       const { t: t3, F: F2, dF } = run.trajectory;
       const forces2 = Array.from({ length: FINE + 1 }, (_2, k) => {
         const at = touch.start + (touch.end - touch.start) * k / FINE;
@@ -2813,21 +2963,25 @@
       const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
       const mine = this.#heights.map(Number);
       const rows = [
-        ["starts from zero", mine[0] === 0, Number(forces2[0]) < 0.02 * top],
+        [tr("starts from zero"), mine[0] === 0, Number(forces2[0]) < 0.02 * top],
         [
-          "is greatest in between",
+          tr("is greatest in between"),
           Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
           true
         ],
-        ["goes up once and down once", hills(mine) === 1, hills(forces2.map(Number)) === 1],
-        ["is zero again at the end", mine[4] === 0, Number(forces2[FINE]) < 0.02 * top]
+        [tr("goes up once and down once"), hills(mine) === 1, hills(forces2.map(Number)) === 1],
+        [tr("is zero again at the end"), mine[4] === 0, Number(forces2[FINE]) < 0.02 * top]
       ];
       const list = html("ul");
       for (const [feature, yours, theirs] of rows) {
-        const said = (yes) => yes ? "yes" : "no";
-        list.append(html("li", "", `${feature}: your curve ${said(yours)}, the run ${said(theirs)}`));
+        const said = (yes) => yes ? tr("yes") : tr("no");
+        const both = { feature: String(feature), yours: said(yours), theirs: said(theirs) };
+        list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both)));
       }
-      const title = `Force on ${this.cart} by ${body(other)}: dashed is yours, solid is the run. Only the shape counts.`;
+      const title = tr(
+        "Force on {cart} by {other}: dashed is yours, solid is the run. Only the shape counts.",
+        { cart: this.cart, other: body(other) }
+      );
       return [html("p", "", title), list];
     }
     /** @param {PointerEvent} event */
@@ -2925,10 +3079,10 @@
       for (const radio of this.radios) radio.disabled = !on;
     }
     problem() {
-      return this.value === null ? "Choose one first." : null;
+      return this.value === null ? tr("Choose one first.") : null;
     }
     compare() {
-      return [html("p", "", "Play the run. What do you see?")];
+      return [html("p", "", tr("Play the run. What do you see?"))];
     }
   };
   var WordsForm = class {
@@ -2953,10 +3107,10 @@
       this.box.disabled = !on;
     }
     problem() {
-      return this.box.value.trim() ? null : "Write your prediction first; a few words are enough.";
+      return this.box.value.trim() ? null : tr("Write your prediction first; a few words are enough.");
     }
     compare() {
-      return [html("p", "", "Play the run and compare it with what you wrote.")];
+      return [html("p", "", tr("Play the run and compare it with what you wrote."))];
     }
   };
 
@@ -3024,14 +3178,14 @@
       if (this.#store.kind === "memory") {
         say(
           this.saved,
-          "This browser keeps nothing: your prediction is lost when you close the page."
+          tr("This browser keeps nothing: your prediction is lost when you close the page.")
         );
       }
       const found2 = await this.#store.get(this.key).catch(() => null);
       if (found2?.type === this.#entry.type && isCurrent(found2)) {
         this.#entry = found2;
         this.form.value = found2.value;
-        say(this.saved, "Saved.");
+        say(this.saved, tr("Saved."));
       }
       const talking = Boolean(this.#entry.talk) && !this.#entry.before;
       this.form.enable(!this.isLocked && !talking);
@@ -3048,13 +3202,16 @@
       place3.replaceChildren(...this.form.compare(run));
       const { before, why } = this.#entry;
       if (before) {
-        const both = `First you said: ${before.said}. After talking you said: ${this.form.said}.`;
+        const both = tr("First you said: {first}. After talking you said: {second}.", {
+          first: before.said,
+          second: this.form.said
+        });
         place3.append(html("p", "", both));
       }
       place3.hidden = false;
       this.why.show(why ?? "");
       this.again.offer();
-      say(need(this.root, ".carts-heading"), "Your prediction");
+      say(need(this.root, ".carts-heading"), tr("Your prediction"));
       this.root.classList.add("carts-locked");
     }
     /** @returns {string} the comparison as it is read out */
@@ -3063,7 +3220,7 @@
         ".carts-compared > [aria-label], .carts-compared p, .carts-compared li"
       );
       const texts = [...parts2].map((part) => part.getAttribute("aria-label") ?? part.textContent);
-      return `Your prediction. ${texts.join(" ")}`;
+      return `${tr("Your prediction.")} ${texts.join(" ")}`;
     }
     /** @param {string} message for the reader; empty: none */
     complain(message) {
@@ -3103,7 +3260,7 @@
       void this.#keep();
     }
     #showAgain() {
-      say(this.button, "Lock the changed prediction and show the run");
+      say(this.button, tr("Lock the changed prediction and show the run"));
     }
     async #finish() {
       this.#entry.locked = (/* @__PURE__ */ new Date()).toISOString();
@@ -3116,8 +3273,8 @@
     #told() {
       const { before, why } = this.#entry;
       const parts2 = [this.form.said];
-      if (before) parts2.push(`First: ${before.said}`);
-      if (why) parts2.push(`Why: ${why}`);
+      if (before) parts2.push(tr("First: {said}", { said: before.said }));
+      if (why) parts2.push(tr("Why: {said}", { said: why }));
       this.#entry.said = parts2.filter(Boolean).join(" · ");
     }
     /** @returns {Promise<boolean>} whether the prediction is gone */
@@ -3126,19 +3283,19 @@
         if (this.key) await this.#store?.remove(this.key);
         return true;
       } catch {
-        this.complain("This browser refuses to forget it.");
+        this.complain(tr("This browser refuses to forget it."));
         return false;
       }
     }
     async #keep() {
       if (!this.#store || !this.key) return;
-      if (this.#store.kind === "kept") say(this.saved, "Saving…");
+      if (this.#store.kind === "kept") say(this.saved, tr("Saving…"));
       try {
         await this.#store.put(this.key, this.#entry);
         document.dispatchEvent(new Event("carts-kept"));
-        if (this.#store.kind === "kept") say(this.saved, "Saved.");
+        if (this.#store.kind === "kept") say(this.saved, tr("Saved."));
       } catch {
-        say(this.saved, "Not saved: this browser refuses to keep it. Write it on paper too.");
+        say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
       }
     }
   };
@@ -3153,7 +3310,10 @@
     );
     button.disabled = false;
     const bar2 = html("p", "carts-project-bar");
-    const [reveal, next] = [made2("carts-button", "Reveal"), made2("carts-button", "Next scene")];
+    const [reveal, next] = [
+      made2("carts-button", tr("Reveal")),
+      made2("carts-button", tr("Next scene"))
+    ];
     bar2.append(reveal, " ", next);
     need(scene, ".carts-frame").append(bar2);
     button.addEventListener("click", () => void project(scene, !isOn(scene)));
@@ -3213,7 +3373,10 @@
     box2.type = "number";
     box2.min = "0";
     box2.max = String(MOST_HANDS);
-    box2.setAttribute("aria-label", `hands for: ${option2.textContent?.trim()}`);
+    box2.setAttribute(
+      "aria-label",
+      tr("hands for: {option}", { option: String(option2.textContent?.trim()) })
+    );
     const bar2 = document.createElement("meter");
     bar2.setAttribute("aria-hidden", "true");
     const part = html("span");
@@ -3236,7 +3399,7 @@
         say(
           /** @type {Element} */
           meter.nextElementSibling,
-          `${hands(one)} of ${all}`
+          tr("{part} of {all}", { part: hands(one), all })
         );
       }
     });
@@ -3690,8 +3853,8 @@
     if (!/^https?:/.test(link)) return [];
     const picture2 = s2(P(link), document, { on: "#000", off: "#fff", pad: 4, scale: 4 });
     picture2.setAttribute("role", "img");
-    picture2.setAttribute("aria-label", "QR code of the link");
-    return [picture2, html("p", "carts-quiet", "A phone that reads this opens the same state.")];
+    picture2.setAttribute("aria-label", tr("QR code of the link"));
+    return [picture2, html("p", "carts-quiet", tr("A phone that reads this opens the same state."))];
   }
 
   // src/share.js
@@ -3707,14 +3870,14 @@
   function readLink(hash, id) {
     const text = hash.replace(/^#/, "");
     if (!text.startsWith(`${MARK}${id}?`)) return null;
-    if (text.length > LONGEST3) return { problem: "This link is too long: it was not used." };
+    if (text.length > LONGEST3) return { problem: tr("This link is too long: it was not used.") };
     const settings = {};
     let t3 = 0;
     const parts2 = text.slice(MARK.length + id.length + 1).split("&");
     for (const part of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
       const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
       if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
-        return { problem: "This link is damaged: it was not used." };
+        return { problem: tr("This link is damaged: it was not used.") };
       }
       if (key === "t") t3 = Number(value);
       else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
@@ -3731,8 +3894,11 @@
       scene.time = asked2.t;
       scene.scrollIntoView();
     } catch (error) {
-      say2(`This link does not fit this scene: ${/** @type {Error} */
-      error.message}`);
+      const { message } = (
+        /** @type {Error} */
+        error
+      );
+      say2(tr("This link does not fit this scene: {why}", { why: message }));
     }
   }
   function decoded(text) {
@@ -3795,12 +3961,12 @@ ${lines2.join("\n")}
 
   // src/take-along.js
   var KINDS = [
-    ["csv", "values (CSV)"],
-    ["svg", "picture (SVG)"],
-    ["png", "picture (PNG)"],
-    ["link", "link to this state"],
-    ["block", "scene block"],
-    ["program", "Python program"]
+    ["csv", tr("values (CSV)")],
+    ["svg", tr("picture (SVG)")],
+    ["png", tr("picture (PNG)")],
+    ["link", tr("link to this state")],
+    ["block", tr("scene block")],
+    ["program", tr("Python program")]
   ];
   var TakeAlong = class {
     /**
@@ -3815,7 +3981,7 @@ ${lines2.join("\n")}
       text.readOnly = true;
       text.hidden = true;
       text.rows = 4;
-      text.setAttribute("aria-label", "Text to copy");
+      text.setAttribute("aria-label", tr("Text to copy"));
       const note = html("p", "carts-take-note");
       note.setAttribute("role", "status");
       const row = html("p", "carts-take-row");
@@ -3827,7 +3993,7 @@ ${lines2.join("\n")}
       }
       const code = html("div", "carts-take-code");
       place3.append(row, note, text, code);
-      const offer = async (made3, what) => {
+      const offer = async (made3) => {
         text.hidden = false;
         text.value = made3;
         text.select();
@@ -3835,7 +4001,7 @@ ${lines2.join("\n")}
           () => true,
           () => false
         );
-        say(note, copied ? `${what} is copied.` : `${what}: copy it from the box.`);
+        say(note, copied ? tr("It is copied.") : tr("Copy it from the box."));
       };
       const acts = {
         csv: () => {
@@ -3848,14 +4014,14 @@ ${lines2.join("\n")}
           const { settings, t: t3 } = state();
           const link = `${location.href.split("#")[0]}#${linkTo(fence.id, settings, t3)}`;
           code.replaceChildren(...qrCode(link));
-          return offer(link, "The link");
+          return offer(link);
         },
         program: async () => {
           const text2 = await program();
           download(`${fence.id}.py`, text2, "text/x-python");
-          return offer(text2, "The program");
+          return offer(text2);
         },
-        block: () => offer(sceneBlock(fence, state().settings), "The scene block")
+        block: () => offer(sceneBlock(fence, state().settings))
       };
       place3.addEventListener("click", async (event) => {
         const button = (
@@ -3869,8 +4035,11 @@ ${lines2.join("\n")}
           code.replaceChildren();
           await act();
         } catch (error) {
-          say(note, `This browser could not do it: ${/** @type {Error} */
-          error.message}`);
+          const { message } = (
+            /** @type {Error} */
+            error
+          );
+          say(note, tr("This browser could not do it: {why}", { why: message }));
         }
       });
     }
@@ -3955,83 +4124,113 @@ ${lines2.join("\n")}
   };
 
   // src/effects-words.js
-  var LEFT_OUT = { ...EFFECTS, release: "exploders" };
+  var LEFT_OUT = { ...EFFECTS, release: tr("exploders") };
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
-    const inside = acting.length ? acting.join("; ") : "nothing but the contacts between the carts";
-    const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2);
-    const outside2 = leftOut.length ? ` Left out: ${leftOut.join(", ")}.` : "";
-    return `In this model: ${inside}.${outside2}`;
+    const inside = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
+    const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2).join(", ");
+    const model = tr("In this model: {effects}.", { effects: inside });
+    return leftOut ? `${model} ${tr("Left out: {effects}.", { effects: leftOut })}` : model;
   }
   function phrase(effect, header, numbers) {
     const { kind, numbers: n3, carts, between: between2 } = effect;
     const names = between2 ?? carts;
-    const on = carts.length === header.bodies.length ? "" : ` on ${listed(carts)}`;
+    const everyone = carts.length === header.bodies.length;
+    const on = listed(carts);
     const both = listed(names.map(body));
-    const told2 = (text) => numbers ? `, ${text}` : "";
+    const told3 = (...parts2) => parts2.filter(Boolean).join(", ");
+    const seen = (text) => numbers ? text : "";
     const value = (key) => n3[key] ?? 0;
     switch (kind) {
       case "friction": {
         const held = n3.static ?? value("coefficient");
-        const rest = held > value("coefficient") ? ` (at rest up to ${short(held)})` : "";
-        return `friction${on} by the track${told2(`μ = ${short(value("coefficient"))}${rest}`)}`;
+        const rest = tr("(at rest up to {coefficient})", { coefficient: short(held) });
+        const size = `μ = ${short(value("coefficient"))}`;
+        return told3(
+          everyone ? tr("friction by the track") : tr("friction on {carts} by the track", { carts: on }),
+          seen(held > value("coefficient") ? `${size} ${rest}` : size)
+        );
       }
       case "incline":
-        return `a slope${on}, ${slopeText(value("angle"))}`;
+        return told3(
+          everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
+          slopeText(value("angle"))
+        );
       case "drag": {
         const parts2 = [
           ["linear", "m/s"],
           ["quadratic", "(m/s)²"]
-        ].filter(([key]) => value(String(key))).map(([key, unit]) => `${short(value(String(key)))} N per ${unit}`);
-        return `drag${on} by the air${told2(parts2.join(" and ") || "0 N")}`;
+        ].filter(([key]) => value(String(key))).map(
+          ([key, unit]) => tr("{size} N per {unit}", { size: short(value(String(key))), unit: String(unit) })
+        );
+        return told3(
+          everyone ? tr("drag by the air") : tr("drag on {carts} by the air", { carts: on }),
+          seen(parts2.length ? listed(parts2) : "0 N")
+        );
       }
       case "push":
-        return `a push on ${names[0]} by ${agent(effect)}${told2(pushText(value("force")))}${pushTimes(effect)}`;
+        return told3(
+          tr("a push on {cart} by {agent}", { cart: String(names[0]), agent: agent(effect) }),
+          seen(pushText(value("force"))),
+          pushTimes(effect)
+        );
       case "spring": {
-        const damped = n3.damping ? ", damped" : "";
-        const stiff = `${short(value("stiffness"))} N/m, natural length ${short(value("length"))} m`;
-        return `a spring between ${both}${damped}${told2(stiff)}`;
+        const length = tr("natural length {length} m", { length: short(value("length")) });
+        return told3(
+          tr("a spring between {bodies}", { bodies: both }),
+          n3.damping ? tr("damped") : "",
+          seen(`${short(value("stiffness"))} N/m, ${length}`)
+        );
       }
       case "magnets":
-        return `magnets on ${both}, like poles facing`;
+        return tr("magnets on {bodies}, like poles facing", { bodies: both });
       default:
-        return `an exploder between ${both}${told2(`${short(value("energy"))} J`)}, at ${short(value("at"))} s`;
+        return told3(
+          tr("an exploder between {bodies}", { bodies: both }),
+          seen(`${short(value("energy"))} J`),
+          tr("at {time} s", { time: short(value("at")) })
+        );
     }
   }
-  function forceName({ effects }) {
-    const linked = effects.some(({ kind }) => kind === "spring" || kind === "magnets");
-    return linked ? "force between them" : "contact force";
+  function isLinked({ effects }) {
+    return effects.some(({ kind }) => kind === "spring" || kind === "magnets");
+  }
+  function forceName(header) {
+    return isLinked(header) ? tr("Force between them") : tr("Contact force");
+  }
+  function sizeName(header) {
+    return isLinked(header) ? tr("Size of the force between them") : tr("Size of the contact force");
   }
   function pushText(force) {
-    return `${short(Math.abs(force))} N to the ${force >= 0 ? "right" : "left"}`;
+    const size = short(Math.abs(force));
+    return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
   }
   function pushTimes({ numbers }) {
     const { from = 0, until } = numbers;
-    const start = from || until !== void 0 ? `, from ${short(from)} s` : "";
-    return start + (until === void 0 ? "" : ` to ${short(until)} s`);
+    if (until !== void 0) {
+      return tr("from {from} s to {until} s", { from: short(from), until: short(until) });
+    }
+    return from ? tr("from {from} s", { from: short(from) }) : "";
   }
   function slopeText(angle) {
     const size = short(Math.abs(angle) * 180 / Math.PI);
-    if (size === "0") return "0°: the track is level";
-    return `${size}° down to the ${angle > 0 ? "right" : "left"}`;
+    if (size === "0") return tr("0°: the track is level");
+    return angle > 0 ? tr("{angle}° down to the right", { angle: size }) : tr("{angle}° down to the left", { angle: size });
   }
   function pushMarks({ effects, until }, forces2) {
     const marks2 = [];
     for (const effect of effects) {
       if (effect.kind !== "push" || !effect.active) continue;
-      const who = `The push on ${effect.carts[0]} by ${agent(effect)}`;
+      const who = { cart: String(effect.carts[0]), agent: agent(effect) };
       const { from = 0, until: end, force = 0 } = effect.numbers;
-      const size = forces2 ? `: ${pushText(force)}` : "";
-      if (from <= until) marks2.push({ t: from, sentence: `${who} begins${size}.` });
+      const begins = forces2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: pushText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      if (from <= until) marks2.push({ t: from, sentence: begins });
       if (end !== void 0 && from < end && end <= until) {
-        marks2.push({ t: end, sentence: `${who} ends.` });
+        marks2.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
       }
     }
     return marks2;
-  }
-  function listed(names) {
-    return names.length > 1 ? `${names.slice(0, -1).join(", ")} and ${names.at(-1)}` : String(names[0]);
   }
 
   // src/graph.js
@@ -4118,10 +4317,13 @@ ${lines2.join("\n")}
   }
 
   // src/choose.js
-  var AREAS = "boxes as large as the masses";
-  var STILLS = "in stills, without motion";
-  var STOPS = "stops at touch, greatest force and parting";
-  var TOGGLES = { F: ["with sign", ""], energy: ["as a ledger", " carts-stack"] };
+  var AREAS = tr("boxes as large as the masses");
+  var STILLS = tr("in stills, without motion");
+  var STOPS = tr("stops at touch, greatest force and parting");
+  var TOGGLES = {
+    F: [tr("with sign"), ""],
+    energy: [tr("as a ledger"), " carts-stack"]
+  };
   var FORCES = ["F", "a"];
   var Choose = class {
     /**
@@ -4135,7 +4337,7 @@ ${lines2.join("\n")}
       const { show, forces: forces2, slow } = baked.fence;
       const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
         key: quantity,
-        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
+        label: `${lower(QUANTITIES[quantity]?.[0] ?? "")} ${QUANTITIES[quantity]?.[1]}`,
         seen: show.includes(quantity)
       }));
       const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
@@ -4143,10 +4345,10 @@ ${lines2.join("\n")}
       const still = { key: "stills", label: STILLS, seen: stills };
       const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
       place3.replaceChildren(
-        group("Graphs", graphs, acts.graph),
-        group("Views", views, acts.view),
-        group("Picture", [areas], (_2, on) => acts.areas(on)),
-        group("Playing", lasting && slow !== "never" ? [stops, still] : [still], acts.playing)
+        group(tr("Graphs"), graphs, acts.graph),
+        group(tr("Views"), views, acts.view),
+        group(tr("Picture"), [areas], (_2, on) => acts.areas(on)),
+        group(tr("Playing"), lasting && slow !== "never" ? [stops, still] : [still], acts.playing)
       );
     }
   };
@@ -4169,18 +4371,18 @@ ${lines2.join("\n")}
   function emptyGraph(baked, quantity) {
     const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
     const isForce = quantity === "F";
-    const name2 = isForce ? `Size of the ${forceName(baked.run.header)}` : title;
+    const name2 = isForce ? sizeName(baked.run.header) : title;
     const graph = html("div", "carts-graph");
     graph.dataset.quantity = quantity;
     graph.setAttribute("role", "group");
-    graph.setAttribute("aria-label", `${name2} against time`);
+    graph.setAttribute("aria-label", tr("{quantity} against time", { quantity: name2 }));
     const head = html("p", "carts-graph-title");
     const named = html("span", "carts-graph-name");
-    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
+    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     named.append(
       `${name2} ${camera}`,
       html("i", "", isForce ? "|F|" : symbol),
-      ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`
+      tr(" in {unit}", { unit: quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit })
     );
     head.append(named);
     const [text, style] = TOGGLES[quantity] ?? [];
@@ -4196,7 +4398,7 @@ ${lines2.join("\n")}
     const scroll = html("div", "carts-scroll");
     scroll.append(table);
     const details = html("details", "carts-more");
-    details.append(html("summary", "", `Table: ${name2.toLowerCase()}`), scroll);
+    details.append(html("summary", "", tr("Table: {quantity}", { quantity: lower(name2) })), scroll);
     graph.append(head, plot(`${baked.fence.id}-${quantity}-clip`, isForce), html("p", "carts-key"));
     if (isForce) graph.append(html("p", "carts-area-note carts-quiet"));
     graph.append(details);
@@ -4214,7 +4416,7 @@ ${lines2.join("\n")}
     const defs = svg("defs");
     defs.append(inside);
     const unit = svg("text", { class: "carts-unit", x: RIGHT2, y: HEIGHT - 3, "text-anchor": "end" });
-    unit.textContent = "time t in s";
+    unit.textContent = tr("time t in s");
     const cut = { "clip-path": `url(#${clip})` };
     const areas = svg("g", { "data-part": "areas", ...cut });
     if (isForce)
@@ -4371,7 +4573,7 @@ ${lines2.join("\n")}
       const isLeft = left === name2;
       const by = isLeft ? right : left;
       return {
-        name: `force on ${name2} by ${body(by)}`,
+        name: forceOn(name2, body(by)),
         on: name2,
         by,
         way: (
@@ -4394,7 +4596,7 @@ ${lines2.join("\n")}
       const face = value < 0 ? "right" : "left";
       const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
       return {
-        name: `force on ${on} by ${by}${kind === "incline" ? ", along the slope" : ""}`,
+        name: kind === "incline" ? tr("force on {on} by {by}, along the slope", { on, by }) : forceOn(on, by),
         on,
         by,
         way: "along",
@@ -4408,14 +4610,17 @@ ${lines2.join("\n")}
     const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
     const slope = header.effects.filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name2)).reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
     const weight = mass * header.gravity * Math.cos(slope);
-    const pull = slope ? ", across the track" : "";
     return [
       {
-        name: `weight of ${name2}: force on ${name2} by the Earth${pull}`,
+        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name: name2 }) : tr("weight of {name}: force on {name} by the Earth", { name: name2 }),
         by: "Earth",
         value: -weight
       },
-      { name: `support: force on ${name2} by the track`, by: "track", value: weight }
+      {
+        name: tr("support: force on {name} by the track", { name: name2 }),
+        by: "track",
+        value: weight
+      }
     ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
   }
 
@@ -4468,7 +4673,7 @@ ${lines2.join("\n")}
       const paths = this.shade.children;
       for (const path2 of paths) put(path2, "d", "");
       if (!touch) {
-        const hint = "Move into a touch: the shaded area is the impulse.";
+        const hint = tr("Move into a touch: the shaded area is the impulse.");
         return say(this.note, this.windows.length ? hint : "");
       }
       const end = Math.min(t3, touch.end);
@@ -4495,10 +4700,11 @@ ${lines2.join("\n")}
       );
       const impulse = area(run, touch.pair, touch.start, end);
       const [names, amount3] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
-      const parts2 = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(({ name: name2, change: change2 }) => `m Δv of ${name2}: ${fixed(change2 ?? 0, this.decimals)}`);
-      const whole = t3 >= touch.end ? "" : " so far";
-      const all = [`${names}, shaded area${whole}: ${amount3}`, ...parts2].join("; ");
-      say(this.note, `${all}, all in N s.`);
+      const parts2 = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(
+        ({ name: name2, change: change2 }) => tr("m Δv of {name}: {change}", { name: name2, change: fixed(change2 ?? 0, this.decimals) })
+      );
+      const shaded = t3 >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount3 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount3 });
+      say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
     }
   };
 
@@ -4510,7 +4716,7 @@ ${lines2.join("\n")}
     const start = sum(0);
     const squeezed = new Float64Array(times.length);
     const warmed2 = new Float64Array(times.length);
-    const groups = together(windows);
+    const groups = together2(windows);
     let kept = 0;
     for (let k = 0; k < times.length; k += 1) {
       const t3 = Number(times[k]);
@@ -4521,18 +4727,24 @@ ${lines2.join("\n")}
       squeezed[k] = away - Number(warmed2[k]);
     }
     return [
-      ...moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` })),
+      ...moving.map((curve) => ({ ...curve, label: tr("motion of {cart}", { cart: curve.label }) })),
       {
-        label: "in squeezed bumpers",
+        label: tr("in squeezed bumpers"),
         style: "squeezed",
         over: false,
         values: squeezed,
         slopes: null
       },
-      { label: "has warmed the bumpers", style: "warmed", over: false, values: warmed2, slopes: null }
+      {
+        label: tr("has warmed the {things}", { things: tr("bumpers") }),
+        style: "warmed",
+        over: false,
+        values: warmed2,
+        slopes: null
+      }
     ];
   }
-  function together(windows) {
+  function together2(windows) {
     const groups = [];
     for (const { start, end } of windows) {
       const last = groups.at(-1);
@@ -4678,7 +4890,10 @@ ${lines2.join("\n")}
       const speed = speedUnit(this.view.velocity)[1];
       const unit = this.quantity === "v" ? speed : QUANTITIES[this.quantity]?.[2] ?? "";
       const head = html("tr");
-      head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
+      head.append(
+        heading(tr("t in s")),
+        ...curves.map((curve) => heading(`${curve.label}, ${unit}`))
+      );
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
       const scale = greatest3(curves);
@@ -4740,7 +4955,8 @@ ${lines2.join("\n")}
       this.root = root;
       this.quantity = root.dataset.quantity ?? "x";
       this.camera = baked.fence.camera;
-      this.force = forceName(baked.run.header);
+      this.signedName = forceName(baked.run.header);
+      this.name = sizeName(baked.run.header);
       this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
       this.per = speedUnit(baked.view.velocity)[0];
       this.plot = /** @type {SVGSVGElement} */
@@ -4810,9 +5026,9 @@ ${lines2.join("\n")}
     #toggle() {
       this.#pressed = !this.#pressed;
       this.button?.setAttribute("aria-pressed", String(this.#pressed));
-      const [title, symbol, rest] = this.ledger ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"] : this.#pressed ? [`${this.force[0]?.toUpperCase()}${this.force.slice(1)} `, "F", " in N, + is right"] : [`Size of the ${this.force} `, "|F|", " in N"];
+      const [title, symbol, rest] = this.ledger ? [this.#pressed ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })] : this.#pressed ? [this.signedName, "F", tr(" in N, + is right")] : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
       const italic = Object.assign(document.createElement("i"), { textContent: symbol });
-      need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
+      need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
       this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
     }
     /** @param {number} t */
@@ -4979,10 +5195,10 @@ ${lines2.join("\n")}
       const run = this.#run;
       if (!run) return;
       const { t: times, x: x2, v: v2, a: a2 } = run.trajectory;
-      const told2 = isTold(run);
+      const told3 = isTold(run);
       for (const { name: name2, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
-        const acceleration = told2 ? valueAt(times, a2[name2] ?? [], null, t3) : null;
+        const acceleration = told3 ? valueAt(times, a2[name2] ?? [], null, t3) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt(times, x2[name2] ?? [], v2[name2] ?? [], t3) - this.camera * t3],
           ["v", (valueAt(times, v2[name2] ?? [], a2[name2] ?? [], t3) - this.camera) / this.per],
@@ -5130,7 +5346,7 @@ ${lines2.join("\n")}
     const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
     const [x2, y2, rise] = [12, layout.tilt, length * slope];
     const [tall, flat] = angle > 0 ? [x2, x2 + length] : [x2 + length, x2];
-    const words = angle ? `track tilted ${slopeText(angle)}` : "the track is level: 0°";
+    const words = angle ? tr("track tilted {slope}", { slope: slopeText(angle) }) : tr("the track is level: 0°");
     const text = angle > 0 ? `${words} →` : angle < 0 ? `← ${words}` : words;
     return [
       {
@@ -5230,13 +5446,13 @@ ${lines2.join("\n")}
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d: d2 });
       const row = `row ${force.kind}`;
       if (named) {
-        const told2 = labels(force).map((one) => one + (cut ? ", arrow cut" : ""));
-        const text = told2.find((one) => fits(x2, length, one, layout.width)) ?? String(told2.at(-1));
+        const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
         const [at, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y2 + 4), anchor });
       } else if (!pieces.some((piece) => piece.key === row)) {
-        const text = `by ${force.by}`;
+        const text = tr("by {by}", { by: force.by });
         pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 4), anchor: "start" });
       }
     }
@@ -5265,6 +5481,7 @@ ${lines2.join("\n")}
   var PER_CHARACTER2 = 7.8;
   var ROW = 19;
   var GAP3 = 8;
+  var LINKS = { spring: tr("spring"), magnets: tr("magnets") };
   var EDGE2 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -5304,7 +5521,7 @@ ${lines2.join("\n")}
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told2 = [];
+      const told3 = [];
       for (const push of this.#pushes) {
         const { t: times, F: F2, dF } = run.trajectory;
         const [column, slopes] = [F2[push.pair], dF[push.pair]];
@@ -5325,27 +5542,27 @@ ${lines2.join("\n")}
         );
         const link = touching ? "" : linkKind(run.header, push.pair);
         if (touching || link && size > 0) {
-          told2.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told3.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
-      this.#names(told2);
+      this.#names(told3);
     }
     /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
-    #names(told2) {
-      const [only] = told2;
+    #names(told3) {
+      const [only] = told3;
       for (const { pair, groups } of this.#pushes) {
-        const on = told2.some(({ push }) => push.pair === pair);
+        const on = told3.some(({ push }) => push.pair === pair);
         for (const group2 of groups) {
           put(need(group2, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told2.length === 1 && only && this.#inFull(only)) return;
+      if (told3.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push, size, x: x2 } of told2) {
+      for (const { push, size, x: x2 } of told3) {
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
-        const label = `${this.#value(size)} on each`;
+        const label = tr("{size} on each", { size: this.#value(size) });
         const half = label.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x2, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
@@ -5360,15 +5577,16 @@ ${lines2.join("\n")}
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-    #inFull(told2) {
-      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    #inFull(told3) {
+      return this.#named(told3, told3.link && ` (${LINKS[told3.link]})`) || this.#named(told3, "");
     }
     /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push, size, x: x2 }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        return `on ${brief(on)} by ${brief(by)}${through}: ${this.#value(size)}`;
+        const name2 = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+        return `${name2}${through}: ${this.#value(size)}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -5402,7 +5620,7 @@ ${lines2.join("\n")}
     }
     /** @param {number} size in N */
     #value(size) {
-      const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
+      const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
@@ -5589,7 +5807,7 @@ ${lines2.join("\n")}
         `M${px(x2)} ${px(cart.lane)}V${px(cart.top)}`
       );
       const shortened = length !== exact || isCut(seen, view.velocity, FASTEST);
-      const cut = shortened ? ", arrow cut" : "";
+      const cut = shortened ? tr(", arrow cut") : "";
       const [per, unit] = speedUnit(view.velocity);
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
@@ -5597,7 +5815,7 @@ ${lines2.join("\n")}
       put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at));
       put(text, "y", px(cart.lane + 4));
       put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
-      say(text, outside2 ? `${name2} is outside: ${speed}` : speed);
+      say(text, outside2 ? tr("{name} is outside: {speed}", { name: name2, speed }) : speed);
     }
   };
   function drawBox(group2, name2, box2) {
@@ -5695,7 +5913,10 @@ ${lines2.join("\n")}
         return item;
       });
       const more = this.told.length - items.length;
-      if (more > 0) items.push(html("li", "carts-more-events", `… and ${more} more events.`));
+      if (more > 0)
+        items.push(
+          html("li", "carts-more-events", tr("… and {count} more events.", { count: more }))
+        );
       this.list.replaceChildren(...items);
       const scrolled = items.length > IN_FULL;
       this.list.classList.toggle("carts-events-scrolled", scrolled);
@@ -5822,12 +6043,16 @@ ${lines2.join("\n")}
     show() {
       const { player } = this;
       say(this.clock, fixed(player.time, player.isSlow ? 4 : this.decimals.t ?? 3));
-      say(this.playText, player.playing ? "Pause" : player.time >= player.until ? "Again" : "Play");
+      say(this.playText, this.#name());
       this.bar.classList.toggle("carts-is-playing", player.playing);
       this.bar.classList.toggle("carts-is-slow", player.isSlow);
       this.world.classList.toggle("carts-is-slow", player.isSlow);
       if (this.rate) say(this.rate, rateText(player.rate));
       if (this.ownClock) say(this.ownClock, fixed(player.own, 1));
+    }
+    #name() {
+      if (this.player.playing) return tr("Pause");
+      return this.player.time >= this.player.until ? tr("Again") : tr("Play");
     }
     /** @param {KeyboardEvent} event */
     #key(event) {
@@ -5888,7 +6113,7 @@ ${lines2.join("\n")}
       const run = this.#run;
       if (!run) return;
       const start = latestTouch(this.#windows, t3)?.start ?? 0;
-      say(this.since, `at ${fixed(start, 2)} s`);
+      say(this.since, tr("at {time} s", { time: fixed(start, 2) }));
       this.rows.forEach((row, k) => {
         const curve = this.#curves[k];
         row.hidden = !curve;
@@ -5955,7 +6180,8 @@ ${lines2.join("\n")}
       const run = this.#run;
       if (!run) return;
       const touch = latestTouch(this.#windows, t3);
-      say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
+      const since = touch && tr("since the touch at {time} s", { time: fixed(touch.start, 2) });
+      say(this.note, since || tr("since the start"));
       const room = this.#vertical ? this.#roomFor(run) : 0;
       for (const { name: name2, mass } of run.header.bodies) {
         const along = [...contactForces(run, name2, t3, this.zero), ...effectForces(run, name2, t3)];
@@ -6016,9 +6242,10 @@ ${lines2.join("\n")}
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name: name2, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const ways = way === "up" ? ["down", "up"] : ["to the left", "to the right"];
-      const where = value === 0 ? "" : ` ${ways[value < 0 ? 0 : 1]}`;
-      return `${name2}: ${size}${where}${cut ? ", arrow cut" : ""}`;
+      const told3 = { name: name2, size };
+      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
+      const said = value === 0 ? `${name2}: ${size}` : ways[value < 0 ? 0 : 1];
+      return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
   };
   function tail({ way, side, value }) {
@@ -6092,7 +6319,7 @@ ${lines2.join("\n")}
         "carts-is-slow",
         Boolean(touch && t3 >= touch.start && t3 <= touch.end)
       );
-      if (!run || !touch) return say(this.note, "Nothing touches in this run.");
+      if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
       this.#t = t3;
       const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
       const overlap = Math.max(0, left.face - right.face);
@@ -6104,10 +6331,11 @@ ${lines2.join("\n")}
       [left, right].forEach((side, k) => {
         this.#draw(k, side, Number(faces[k]), middle, force);
       });
-      const pair = touch.bodies.map(body).join(" and ");
+      const pair = listed(touch.bodies.map(body));
       const gap = right.face - left.face;
-      const apart = gap > 0 ? `${lengthText(gap)} apart` : `squeezed by ${lengthText(overlap)}`;
-      const push = `${fixed(force, this.view.decimals.F ?? 2)} N on each`;
+      const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
+      const size = fixed(force, this.view.decimals.F ?? 2);
+      const push = tr("{size} on each", { size: `${size} N` });
       say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t3, 4)} s`);
     }
     /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
@@ -6142,7 +6370,7 @@ ${lines2.join("\n")}
       const name2 = need(group2, '[data-part="name"]');
       const inside = Math.min(WIDTH5 - 34, Math.max(34, edge - 22 * way));
       put(name2, "x", px(inside));
-      say(name2, index < 0 ? "wall" : side.name);
+      say(name2, index < 0 ? tr("wall") : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
       const length = -way * arrowLength(force, this.view.force, this.#perForce);
@@ -6155,9 +6383,9 @@ ${lines2.join("\n")}
 
   // src/views.js
   var KINDS2 = {
-    "free-body": ["forces on each cart", FreeBody],
-    lens: ["lens on the contact, ×10", Lens],
-    bars: ["momentum before and now", Bars]
+    "free-body": [tr("forces on each cart"), FreeBody],
+    lens: [tr("lens on the contact, ×10"), Lens],
+    bars: [tr("momentum before and now"), Bars]
   };
   var Views = class {
     /** @type {View[]} */
@@ -6329,7 +6557,7 @@ ${lines2.join("\n")}
       for (const graph of this.graphs) graph.at(t3);
       this.views.at(t3);
       this.readouts.at(t3);
-      this.timeline.at(t3, `${fixed(t3, 2)} seconds`);
+      this.timeline.at(t3, tr("{time} seconds", { time: fixed(t3, 2) }));
       this.transport.show();
       if (forward && t3 !== before) this.announcer.tell(this.story.between(before, t3));
     }
@@ -6360,14 +6588,18 @@ ${lines2.join("\n")}
     #warn() {
       const { warnings } = this.run.header;
       this.warnings.hidden = warnings.length === 0;
-      this.warnings.replaceChildren(...warnings.map(({ message }) => html("p", "", message)));
+      this.warnings.replaceChildren(...warnings.map(({ message }) => html("p", "", heard(message))));
     }
     #offerWindows() {
       if (!this.zoom) return;
       const chosen = this.zoom.selectedIndex;
       const options = this.#windows.map(({ bodies, start }, i2) => {
         const names = bodies.map(brief).join("–");
-        const option2 = html("option", "", `${names} at ${fixed(start, 2)} s`);
+        const option2 = html(
+          "option",
+          "",
+          tr("{names} at {time} s", { names, time: fixed(start, 2) })
+        );
         option2.setAttribute("value", String(i2));
         return option2;
       });
@@ -6442,7 +6674,7 @@ ${lines2.join("\n")}
   };
 
   // src/element.js
-  var ASK_FIRST = "Make your prediction and lock it first.";
+  var ASK_FIRST = tr("Make your prediction and lock it first.");
   function sceneElement(client) {
     return class CartsScene extends HTMLElement {
       /** @type {SceneView | null} */
@@ -6628,7 +6860,10 @@ ${lines2.join("\n")}
         else this.#mark();
       }
       #mark() {
-        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+        need(this, ".carts-mark").setAttribute(
+          "aria-label",
+          tr("live: Python computes in this page")
+        );
       }
       async #goLive() {
         try {
@@ -6653,13 +6888,13 @@ ${lines2.join("\n")}
         }
       }
       /** @param {Error & {reason?: string}} error */
-      #fail(error = client.error ?? new Error("Python could not start.")) {
+      #fail(error = client.error ?? new Error(tr("Python could not start."))) {
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#controls?.enable(false);
         const note = need(this, ".carts-note");
         note.hidden = false;
-        const still = this.#told ? "The prepared run still plays; values cannot be changed." : "Your prediction is kept; the run cannot be shown.";
+        const still = this.#told ? tr("The prepared run still plays; values cannot be changed.") : tr("Your prediction is kept; the run cannot be shown.");
         say(note, `${error.message} ${still}`);
         this.#waiting.reject(error);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
@@ -6687,8 +6922,11 @@ ${lines2.join("\n")}
           if (now)
             this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
         } catch (error) {
-          this.#predict?.complain(`${/** @type {Error} */
-          error.message} Your prediction is kept.`);
+          const { message } = (
+            /** @type {Error} */
+            error
+          );
+          this.#predict?.complain(`${message} ${tr("Your prediction is kept.")}`);
         }
       }
       /** @param {string} target @param {Error} error */
@@ -6702,12 +6940,15 @@ ${lines2.join("\n")}
   // src/features.js
   function missingFeatures() {
     const needed = [
-      ["custom elements", typeof customElements === "object"],
+      [tr("custom elements"), typeof customElements === "object"],
       ["WebAssembly", typeof WebAssembly === "object"],
-      ["workers", typeof Worker === "function"],
-      ["decompression", typeof DecompressionStream === "function"],
-      ["array methods", typeof Array.prototype.findLast === "function"],
-      ["container queries", typeof CSS === "object" && CSS.supports("container-type: inline-size")]
+      [tr("workers"), typeof Worker === "function"],
+      [tr("decompression"), typeof DecompressionStream === "function"],
+      [tr("array methods"), typeof Array.prototype.findLast === "function"],
+      [
+        tr("container queries"),
+        typeof CSS === "object" && CSS.supports("container-type: inline-size")
+      ]
     ];
     return needed.filter(([, there]) => !there).map(([name2]) => name2);
   }
@@ -6715,7 +6956,10 @@ ${lines2.join("\n")}
     const note = scene.querySelector(".carts-note");
     if (!(note instanceof HTMLElement)) return;
     note.hidden = false;
-    note.textContent = `This browser is too old to play the run (missing: ${missing2.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.`;
+    note.textContent = tr(
+      "This browser is too old to play the run (missing: {features}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.",
+      { features: missing2.join(", ") }
+    );
   }
 
   // src/hard-words.js
@@ -7500,18 +7744,30 @@ ${lines2.join("\n")}
 
   // src/runtime-failure.js
   var MESSAGES = {
-    "not-packed": "This page was built without Python. It shows only the runs that came with it.",
-    "payload-missing": "A file of this page is missing, so Python can't start. Copy the whole folder again.",
-    "payload-damaged": "A file of this page is damaged, so Python can't start. Copy the whole folder again.",
-    "no-wasm": "This browser has no WebAssembly, so Python can't start here. Try another browser.",
-    "wasm-refused": "This browser, or the rules of this network, do not allow Python to start. Try another browser.",
-    "too-old": "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer.",
-    "worker-refused": "This browser does not let the page start Python. Try another browser.",
-    "worker-lost": "Python stopped. It may have run out of memory.",
-    "snapshot-refused": "Python could not start the quick way.",
-    "python-failed": "Python could not start. Copy the whole folder again or try another browser.",
-    stalled: "Python does not answer. Close other programs and load the page again.",
-    stopped: "Python was stopped."
+    "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
+    "payload-missing": tr(
+      "A file of this page is missing, so Python can't start. Copy the whole folder again."
+    ),
+    "payload-damaged": tr(
+      "A file of this page is damaged, so Python can't start. Copy the whole folder again."
+    ),
+    "no-wasm": tr(
+      "This browser has no WebAssembly, so Python can't start here. Try another browser."
+    ),
+    "wasm-refused": tr(
+      "This browser, or the rules of this network, do not allow Python to start. Try another browser."
+    ),
+    "too-old": tr(
+      "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
+    ),
+    "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
+    "worker-lost": tr("Python stopped. It may have run out of memory."),
+    "snapshot-refused": tr("Python could not start the quick way."),
+    "python-failed": tr(
+      "Python could not start. Copy the whole folder again or try another browser."
+    ),
+    stalled: tr("Python does not answer. Close other programs and load the page again."),
+    stopped: tr("Python was stopped.")
   };
   var RuntimeFailure = class extends Error {
     /**

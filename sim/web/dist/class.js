@@ -87,6 +87,18 @@
   };
   var plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();
 
+  // src/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(sentence, values) {
+    return sentence.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
   // src/answers/parts.js
   function button(text, act, name = "") {
     const made = (
@@ -101,7 +113,7 @@
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
     const asked = html("span", "", `${question} `);
-    const no = button("No", () => ask(false), "carts-answers-no");
+    const no = button(tr("No"), () => ask(false), "carts-answers-no");
     asked.append(button(yes, act, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row.append(first, asked);
@@ -954,30 +966,45 @@
   // src/features.js
   function missingFeatures() {
     const needed = [
-      ["custom elements", typeof customElements === "object"],
+      [tr("custom elements"), typeof customElements === "object"],
       ["WebAssembly", typeof WebAssembly === "object"],
-      ["workers", typeof Worker === "function"],
-      ["decompression", typeof DecompressionStream === "function"],
-      ["array methods", typeof Array.prototype.findLast === "function"],
-      ["container queries", typeof CSS === "object" && CSS.supports("container-type: inline-size")]
+      [tr("workers"), typeof Worker === "function"],
+      [tr("decompression"), typeof DecompressionStream === "function"],
+      [tr("array methods"), typeof Array.prototype.findLast === "function"],
+      [
+        tr("container queries"),
+        typeof CSS === "object" && CSS.supports("container-type: inline-size")
+      ]
     ];
     return needed.filter(([, there]) => !there).map(([name]) => name);
   }
 
   // src/runtime-failure.js
   var MESSAGES = {
-    "not-packed": "This page was built without Python. It shows only the runs that came with it.",
-    "payload-missing": "A file of this page is missing, so Python can't start. Copy the whole folder again.",
-    "payload-damaged": "A file of this page is damaged, so Python can't start. Copy the whole folder again.",
-    "no-wasm": "This browser has no WebAssembly, so Python can't start here. Try another browser.",
-    "wasm-refused": "This browser, or the rules of this network, do not allow Python to start. Try another browser.",
-    "too-old": "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer.",
-    "worker-refused": "This browser does not let the page start Python. Try another browser.",
-    "worker-lost": "Python stopped. It may have run out of memory.",
-    "snapshot-refused": "Python could not start the quick way.",
-    "python-failed": "Python could not start. Copy the whole folder again or try another browser.",
-    stalled: "Python does not answer. Close other programs and load the page again.",
-    stopped: "Python was stopped."
+    "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
+    "payload-missing": tr(
+      "A file of this page is missing, so Python can't start. Copy the whole folder again."
+    ),
+    "payload-damaged": tr(
+      "A file of this page is damaged, so Python can't start. Copy the whole folder again."
+    ),
+    "no-wasm": tr(
+      "This browser has no WebAssembly, so Python can't start here. Try another browser."
+    ),
+    "wasm-refused": tr(
+      "This browser, or the rules of this network, do not allow Python to start. Try another browser."
+    ),
+    "too-old": tr(
+      "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
+    ),
+    "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
+    "worker-lost": tr("Python stopped. It may have run out of memory."),
+    "snapshot-refused": tr("Python could not start the quick way."),
+    "python-failed": tr(
+      "Python could not start. Copy the whole folder again or try another browser."
+    ),
+    stalled: tr("Python does not answer. Close other programs and load the page again."),
+    stopped: tr("Python was stopped.")
   };
   var RuntimeFailure = class extends Error {
     /**

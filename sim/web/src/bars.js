@@ -1,6 +1,7 @@
 /** Momentum of each cart before the latest touch and now, as numbers with bars on one scale. */
 
 import { need, put, say } from "./dom.js";
+import { tr } from "./language.js";
 import { fixed, px } from "./numbers.js";
 import { seriesOf } from "./series.js";
 import { valueAt } from "./trajectory.js";
@@ -47,7 +48,7 @@ export class Bars {
     const run = this.#run;
     if (!run) return;
     const start = latestTouch(this.#windows, t)?.start ?? 0;
-    say(this.since, `at ${fixed(start, 2)} s`);
+    say(this.since, tr("at {time} s", { time: fixed(start, 2) }));
     this.rows.forEach((row, k) => {
       const curve = this.#curves[k];
       row.hidden = !curve;

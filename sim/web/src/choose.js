@@ -1,18 +1,22 @@
 /** The menu of what a scene can show: graphs that are made when they are asked for, and views. */
 
 import { html, need, svg } from "./dom.js";
-import { forceName } from "./effects-words.js";
+import { sizeName } from "./effects-words.js";
 import { BOTTOM, HEIGHT, LEFT, RIGHT, TOP, WIDTH } from "./graph.js";
+import { tr } from "./language.js";
 import { speedUnit } from "./numbers.js";
-import { QUANTITIES } from "./words.js";
+import { lower, QUANTITIES } from "./words.js";
 
 /** @typedef {{key: string, label: string, seen: boolean}} Choice */
 
-const AREAS = "boxes as large as the masses";
-const STILLS = "in stills, without motion";
-const STOPS = "stops at touch, greatest force and parting";
+const AREAS = tr("boxes as large as the masses");
+const STILLS = tr("in stills, without motion");
+const STOPS = tr("stops at touch, greatest force and parting");
 /** @type {Record<string, [string, string]>} a button of its own, and the class that it has besides */
-const TOGGLES = { F: ["with sign", ""], energy: ["as a ledger", " carts-stack"] };
+const TOGGLES = {
+  F: [tr("with sign"), ""],
+  energy: [tr("as a ledger"), " carts-stack"],
+};
 const FORCES = ["F", "a"]; // not offered where the forces are hidden
 
 export class Choose {
@@ -29,7 +33,7 @@ export class Choose {
       .filter((quantity) => forces === "shown" || !FORCES.includes(quantity))
       .map((quantity) => ({
         key: quantity,
-        label: `${QUANTITIES[quantity]?.[0].toLowerCase()} ${QUANTITIES[quantity]?.[1]}`,
+        label: `${lower(QUANTITIES[quantity]?.[0] ?? "")} ${QUANTITIES[quantity]?.[1]}`,
         seen: show.includes(quantity),
       }));
     const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
@@ -37,10 +41,10 @@ export class Choose {
     const still = { key: "stills", label: STILLS, seen: stills };
     const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
     place.replaceChildren(
-      group("Graphs", graphs, acts.graph),
-      group("Views", views, acts.view),
-      group("Picture", [areas], (_, on) => acts.areas(on)),
-      group("Playing", lasting && slow !== "never" ? [stops, still] : [still], acts.playing),
+      group(tr("Graphs"), graphs, acts.graph),
+      group(tr("Views"), views, acts.view),
+      group(tr("Picture"), [areas], (_, on) => acts.areas(on)),
+      group(tr("Playing"), lasting && slow !== "never" ? [stops, still] : [still], acts.playing),
     );
   }
 }
@@ -70,19 +74,19 @@ function group(title, choices, act) {
 export function emptyGraph(baked, quantity) {
   const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
   const isForce = quantity === "F";
-  const name = isForce ? `Size of the ${forceName(baked.run.header)}` : title;
+  const name = isForce ? sizeName(baked.run.header) : title;
   const graph = html("div", "carts-graph");
   graph.dataset.quantity = quantity;
   graph.setAttribute("role", "group");
-  graph.setAttribute("aria-label", `${name} against time`);
+  graph.setAttribute("aria-label", tr("{quantity} against time", { quantity: name }));
   const head = html("p", "carts-graph-title");
   const named = html("span", "carts-graph-name");
   const camera =
-    baked.fence.camera && ["x", "v"].includes(quantity) ? "seen from the camera, " : "";
+    baked.fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
   named.append(
     `${name} ${camera}`,
     html("i", "", isForce ? "|F|" : symbol),
-    ` in ${quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit}`,
+    tr(" in {unit}", { unit: quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit }),
   );
   head.append(named);
   const [text, style] = TOGGLES[quantity] ?? [];
@@ -98,7 +102,7 @@ export function emptyGraph(baked, quantity) {
   const scroll = html("div", "carts-scroll");
   scroll.append(table);
   const details = html("details", "carts-more");
-  details.append(html("summary", "", `Table: ${name.toLowerCase()}`), scroll);
+  details.append(html("summary", "", tr("Table: {quantity}", { quantity: lower(name) })), scroll);
   graph.append(head, plot(`${baked.fence.id}-${quantity}-clip`, isForce), html("p", "carts-key"));
   if (isForce) graph.append(html("p", "carts-area-note carts-quiet"));
   graph.append(details);
@@ -118,7 +122,7 @@ function plot(clip, isForce) {
   const defs = svg("defs");
   defs.append(inside);
   const unit = svg("text", { class: "carts-unit", x: RIGHT, y: HEIGHT - 3, "text-anchor": "end" });
-  unit.textContent = "time t in s";
+  unit.textContent = tr("time t in s");
   const cut = { "clip-path": `url(#${clip})` };
   const areas = svg("g", { "data-part": "areas", ...cut });
   if (isForce)

@@ -1,6 +1,7 @@
 /** Sliders and their number boxes. A wrong value is explained beside the box; the picture stays. */
 
 import { need, put, say } from "./dom.js";
+import { tr } from "./language.js";
 import { decimalsOf, fixed } from "./numbers.js";
 import { effectValue, Switches } from "./switches.js";
 import { readTyped } from "./typed.js";
@@ -130,8 +131,10 @@ class ControlView {
       return change(this.control.set, read.text, at);
     }
     if (read.value < low || read.value > high) {
-      const range = `${this.#text(low)} to ${this.#text(high)} ${unit}`.trim();
-      return this.complain(`${label}: ${range}, please.`);
+      const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
+      return this.complain(
+        tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() }),
+      );
     }
     this.#accept(read.value);
     return change(this.control.set, this.#asked(read.value), at);

@@ -3,6 +3,8 @@
  * Twin of `sim/pages/widget/effects_forces.py`.
  */
 
+import { heard, tr } from "./language.js";
+import { listed } from "./listed.js";
 import { decimalsFor, fixed } from "./numbers.js";
 import { valueAt } from "./trajectory.js";
 
@@ -15,11 +17,15 @@ const ON_ONE = ["incline", "push", "friction", "drag"]; // in this order from ab
 export const FEW = 3; // carts; with more, all forces of one kind share a row
 
 /** @type {Record<string, string>} */
-const AGENTS = { friction: "the track", drag: "the air", incline: "the Earth" };
+const AGENTS = {
+  friction: tr("the track"),
+  drag: tr("the air"),
+  incline: tr("the Earth"),
+};
 
 /** @param {Effect} effect @returns {string} who or what its force comes from */
 export function agent({ kind, by }) {
-  return AGENTS[kind] ?? by ?? "";
+  return AGENTS[kind] ?? heard(by ?? "");
 }
 
 /** @param {Effect} effect @param {number} t in s @returns {boolean} whether it acts; a push does from its beginning to its end */
@@ -47,7 +53,7 @@ export function forcesAt({ header, trajectory }, t, always = false) {
       const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
       const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
       const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-      found.push({ kind, on: name, by: [...new Set(own.map(agent))].join(" and "), value, size });
+      found.push({ kind, on: name, by: listed([...new Set(own.map(agent))]), value, size });
     }
   }
   return found;
@@ -55,11 +61,14 @@ export function forcesAt({ header, trajectory }, t, always = false) {
 
 /** @param {Acting} force @returns {string[]} what may stand beside its arrow; the shorter where room is scarce */
 export function labels({ kind, on, by, size }) {
-  const brief = by.replaceAll("the ", "");
+  const told = { on, by, size };
+  const brief = { ...told, by: by.replaceAll("the ", "") };
   return [
-    `on ${on} by ${by}${kind === "incline" ? " (slope)" : ""}: ${size} N`,
-    `on ${on} by ${brief}: ${size} N`,
-    `by ${brief}: ${size} N`, // whose force it is tells the line from the cart
+    kind === "incline"
+      ? tr("on {on} by {by} (slope): {size} N", told)
+      : tr("on {on} by {by}: {size} N", told),
+    tr("on {on} by {by}: {size} N", brief),
+    tr("by {by}: {size} N", brief), // whose force it is tells the line from the cart
   ];
 }
 
@@ -68,11 +77,11 @@ export function outside({ effects, track }) {
   const walls = track.left === "wall" || track.right === "wall";
   const has = (/** @type {string} */ kind) => effects.some((effect) => effect.kind === kind);
   const parts = [
-    walls ? "wall" : "",
-    has("friction") ? "track" : "",
-    has("drag") ? "air" : "",
+    walls ? tr("wall") : "",
+    has("friction") ? tr("track") : "",
+    has("drag") ? tr("air") : "",
     ...effects.filter(({ kind }) => kind === "push").map(agent),
-    walls || has("friction") || has("incline") ? "Earth" : "",
+    walls || has("friction") || has("incline") ? tr("Earth") : "",
   ];
   return [...new Set(parts.filter(Boolean))].join(" + ");
 }

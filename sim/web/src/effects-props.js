@@ -5,6 +5,7 @@
 
 import { actsAt } from "./effects-forces.js";
 import { slopeText } from "./effects-words.js";
+import { tr } from "./language.js";
 import { px } from "./numbers.js";
 import { bodyWidth, PUSH } from "./shapes.js";
 
@@ -169,7 +170,9 @@ function tilt({ numbers }, layout, key) {
   const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
   const [x, y, rise] = [12, layout.tilt, length * slope];
   const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
-  const words = angle ? `track tilted ${slopeText(angle)}` : "the track is level: 0°";
+  const words = angle
+    ? tr("track tilted {slope}", { slope: slopeText(angle) })
+    : tr("the track is level: 0°");
   const text = angle > 0 ? `${words} →` : angle < 0 ? `← ${words}` : words;
   return [
     {

@@ -7,6 +7,7 @@
 import { need, put, say, svg } from "./dom.js";
 import { FEW, forcesAt, labels } from "./effects-forces.js";
 import { props } from "./effects-props.js";
+import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
 import { px } from "./numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "./shapes.js";
@@ -106,13 +107,13 @@ export function arrows(run, layout, full, t, centre) {
     pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
     const row = `row ${force.kind}`;
     if (named) {
-      const told = labels(force).map((one) => one + (cut ? ", arrow cut" : ""));
+      const told = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
       const text = told.find((one) => fits(x, length, one, layout.width)) ?? String(told.at(-1));
       const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
       const cls = `carts-acts-name ${style}`;
       pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
     } else if (!pieces.some((piece) => piece.key === row)) {
-      const text = `by ${force.by}`;
+      const text = tr("by {by}", { by: force.by });
       pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
     }
   }

@@ -5,6 +5,7 @@ import { Controls, valueIn } from "./controls.js";
 import { need, say } from "./dom.js";
 import { showForces } from "./find-forces.js";
 import { askFirst, wireInside } from "./inside.js";
+import { tr } from "./language.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./share.js";
 import { fromWire } from "./trajectory.js";
@@ -14,7 +15,7 @@ import { deferred, drawn, frame, refusal } from "./waiting.js";
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */
 
-const ASK_FIRST = "Make your prediction and lock it first.";
+const ASK_FIRST = tr("Make your prediction and lock it first.");
 
 /** The element class for a client. @param {import("./client.js").Client} client */
 export function sceneElement(client) {
@@ -225,7 +226,10 @@ export function sceneElement(client) {
     }
 
     #mark() {
-      need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+      need(this, ".carts-mark").setAttribute(
+        "aria-label",
+        tr("live: Python computes in this page"),
+      );
     }
 
     async #goLive() {
@@ -249,15 +253,15 @@ export function sceneElement(client) {
     }
 
     /** @param {Error & {reason?: string}} error */
-    #fail(error = client.error ?? new Error("Python could not start.")) {
+    #fail(error = client.error ?? new Error(tr("Python could not start."))) {
       this.dataset.state = "failed";
       this.dataset.reason = error.reason ?? "failed";
       this.#controls?.enable(false);
       const note = need(this, ".carts-note");
       note.hidden = false;
       const still = this.#told
-        ? "The prepared run still plays; values cannot be changed."
-        : "Your prediction is kept; the run cannot be shown.";
+        ? tr("The prepared run still plays; values cannot be changed.")
+        : tr("Your prediction is kept; the run cannot be shown.");
       say(note, `${error.message} ${still}`);
       this.#waiting.reject(error);
       this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
@@ -287,7 +291,8 @@ export function sceneElement(client) {
         if (now)
           this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
       } catch (error) {
-        this.#predict?.complain(`${/** @type {Error} */ (error).message} Your prediction is kept.`);
+        const { message } = /** @type {Error} */ (error);
+        this.#predict?.complain(`${message} ${tr("Your prediction is kept.")}`);
       }
     }
 

@@ -1,15 +1,20 @@
 /** What a browser must have to run Python in the page. Without it the baked page stays as it is. */
 
+import { tr } from "./language.js";
+
 /** @returns {string[]} names of what is missing */
 export function missingFeatures() {
   /** @type {[string, boolean][]} */
   const needed = [
-    ["custom elements", typeof customElements === "object"],
+    [tr("custom elements"), typeof customElements === "object"],
     ["WebAssembly", typeof WebAssembly === "object"],
-    ["workers", typeof Worker === "function"],
-    ["decompression", typeof DecompressionStream === "function"],
-    ["array methods", typeof Array.prototype.findLast === "function"],
-    ["container queries", typeof CSS === "object" && CSS.supports("container-type: inline-size")],
+    [tr("workers"), typeof Worker === "function"],
+    [tr("decompression"), typeof DecompressionStream === "function"],
+    [tr("array methods"), typeof Array.prototype.findLast === "function"],
+    [
+      tr("container queries"),
+      typeof CSS === "object" && CSS.supports("container-type: inline-size"),
+    ],
   ];
   return needed.filter(([, there]) => !there).map(([name]) => name);
 }
@@ -19,7 +24,8 @@ export function excuse(scene, missing) {
   const note = scene.querySelector(".carts-note");
   if (!(note instanceof HTMLElement)) return;
   note.hidden = false;
-  note.textContent =
-    "This browser is too old to play the run " +
-    `(missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.`;
+  note.textContent = tr(
+    "This browser is too old to play the run (missing: {features}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.",
+    { features: missing.join(", ") },
+  );
 }

@@ -4,6 +4,7 @@
  */
 
 import { html, need, say } from "./dom.js";
+import { tr } from "./language.js";
 import { short } from "./numbers.js";
 import { openStore, place } from "./storage.js";
 import { valueAt } from "./trajectory.js";
@@ -43,11 +44,16 @@ export class FindForces {
   show(run) {
     this.#run = run;
     this.#means = meanForces(run);
-    const names = this.#means.map(({ cart, other }) => `${cart}, while it touches ${body(other)}`);
+    const names = this.#means.map(({ cart, other }) =>
+      tr("{cart}, while it touches {other}", { cart, other: body(other) }),
+    );
     const same = [...this.which.options].map((one) => one.text).join() === names.join();
     if (!same) this.which.replaceChildren(...names.map((name) => new Option(name)));
     for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
-    say(this.note, names.length ? "" : "In this run no two touch for a time that can be read off.");
+    say(
+      this.note,
+      names.length ? "" : tr("In this run no two touch for a time that can be read off."),
+    );
   }
 
   /** The forces are shown at once where one was found before. */
@@ -63,12 +69,16 @@ export class FindForces {
     const read = readTyped(this.box.value.replace(/\s*N\s*$/i, ""));
     if (!mean || !this.#run) return;
     if (!("value" in read)) {
-      return say(this.note, "problem" in read ? read.problem : "Type the number only, in N.");
+      return say(this.note, "problem" in read ? read.problem : tr("Type the number only, in N."));
     }
     this.#tries += 1;
     const off = read.value / mean.value - 1;
     if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
-    const said = `mean force on ${mean.cart} by ${body(mean.other)}: ${short(mean.value)} N`;
+    const said = tr("mean force on {cart} by {other}: {force} N", {
+      cart: mean.cart,
+      other: body(mean.other),
+      force: short(mean.value),
+    });
     await this.#keep(this.box.value, said);
     this.found();
   }
@@ -77,19 +87,34 @@ export class FindForces {
   #advice(mean, typed) {
     const ratio = typed / mean.value;
     if (Math.abs(ratio + 1) <= NEAR) {
-      return "The size is right. Which way does the force point? + is to the right.";
+      return tr("The size is right. Which way does the force point? + is to the right.");
     }
     const mass = massOf(/** @type {Run} */ (this.#run), mean.cart);
     const others = isWall(mean.other) ? [] : [massOf(/** @type {Run} */ (this.#run), mean.other)];
     if (others.some((other) => Math.abs(Math.abs((ratio * mass) / other) - 1) <= NEAR)) {
-      return `That would fit the mass of ${mean.other}. The velocity of ${mean.cart} goes with the mass of ${mean.cart}.`;
+      return tr(
+        "That would fit the mass of {other}. The velocity of {cart} goes with the mass of {cart}.",
+        { other: mean.other, cart: mean.cart },
+      );
     }
-    const steps = `Not yet. Δv is the velocity of ${mean.cart} after minus before, with signs; Δt is how long the two touch.`;
+    const steps = tr(
+      "Not yet. Δv is the velocity of {cart} after minus before, with signs; Δt is how long the two touch.",
+      { cart: mean.cart },
+    );
     if (this.#tries < MANY) return steps;
     const touch = touchOf(/** @type {Run} */ (this.#run), mean);
     const v = (/** @type {number} */ t) =>
       short(velocity(/** @type {Run} */ (this.#run), mean.cart, t));
-    return `${steps} Here: m = ${short(mass)} kg, v before ${v(touch.start)} m/s, v after ${v(touch.end)} m/s, Δt = ${short(touch.end - touch.start)} s.`;
+    const here = tr(
+      "Here: m = {mass} kg, v before {before} m/s, v after {after} m/s, Δt = {time} s.",
+      {
+        mass: short(mass),
+        before: v(touch.start),
+        after: v(touch.end),
+        time: short(touch.end - touch.start),
+      },
+    );
+    return `${steps} ${here}`;
   }
 
   /** @param {string} typed @param {string} said */
@@ -103,7 +128,7 @@ export class FindForces {
         ...entry,
         tries: this.#tries,
         locked: null,
-        asked: "Find a force of this scene",
+        asked: tr("Find a force of this scene"),
       });
       document.dispatchEvent(new Event("carts-kept"));
     } catch {
@@ -125,8 +150,11 @@ export function showForces(element) {
   const note = element.querySelector(".carts-found");
   if (!note) return;
   note.replaceChildren(
-    html("b", "", "You found a force."),
-    " Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time.",
+    html("b", "", tr("You found a force.")),
+    " ",
+    tr(
+      "Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time.",
+    ),
   );
   /** @type {HTMLElement} */ (note).hidden = false;
 }

@@ -4,9 +4,10 @@
  */
 
 import { forcesAt, linkKind } from "./effects-forces.js";
+import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
 import { valueAt } from "./trajectory.js";
-import { body } from "./words.js";
+import { body, forceOn } from "./words.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /**
@@ -35,7 +36,7 @@ export function contactForces(run, name, t, zero) {
       const isLeft = left === name;
       const by = isLeft ? right : left;
       return {
-        name: `force on ${name} by ${body(by)}`,
+        name: forceOn(name, body(by)),
         on: name,
         by,
         way: /** @type {const} */ ("along"),
@@ -55,7 +56,10 @@ export function effectForces(run, name, t) {
       const face = value < 0 ? "right" : "left";
       const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
       return {
-        name: `force on ${on} by ${by}${kind === "incline" ? ", along the slope" : ""}`,
+        name:
+          kind === "incline"
+            ? tr("force on {on} by {by}, along the slope", { on, by })
+            : forceOn(on, by),
         on,
         by,
         way: "along",
@@ -76,14 +80,19 @@ export function verticalForces({ header }, name) {
     .filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name))
     .reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
   const weight = mass * header.gravity * Math.cos(slope);
-  const pull = slope ? ", across the track" : "";
   return [
     {
-      name: `weight of ${name}: force on ${name} by the Earth${pull}`,
+      name: slope
+        ? tr("weight of {name}: force on {name} by the Earth, across the track", { name })
+        : tr("weight of {name}: force on {name} by the Earth", { name }),
       by: "Earth",
       value: -weight,
     },
-    { name: `support: force on ${name} by the track`, by: "track", value: weight },
+    {
+      name: tr("support: force on {name} by the track", { name }),
+      by: "track",
+      value: weight,
+    },
   ].map((force) => ({ ...force, on: name, way: "up", side: "middle" }));
 }
 

@@ -5,6 +5,7 @@
 
 import { need, put, say, svg } from "./dom.js";
 import { contactForces, effectForces, verticalForces } from "./forces.js";
+import { tr } from "./language.js";
 import { fixed, px, short, speedUnit } from "./numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "./shapes.js";
 import { valueAt } from "./trajectory.js";
@@ -54,7 +55,8 @@ export class FreeBody {
     const run = this.#run;
     if (!run) return;
     const touch = latestTouch(this.#windows, t);
-    say(this.note, touch ? `since the touch at ${fixed(touch.start, 2)} s` : "since the start");
+    const since = touch && tr("since the touch at {time} s", { time: fixed(touch.start, 2) });
+    say(this.note, since || tr("since the start"));
     const room = this.#vertical ? this.#roomFor(run) : 0;
     for (const { name, mass } of run.header.bodies) {
       const along = [...contactForces(run, name, t, this.zero), ...effectForces(run, name, t)];
@@ -112,9 +114,13 @@ export class FreeBody {
   /** @param {Force} force @param {boolean} cut */
   #sentence({ name, way, value, size: written }, cut) {
     const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)}\u00a0N`;
-    const ways = way === "up" ? ["down", "up"] : ["to the left", "to the right"];
-    const where = value === 0 ? "" : ` ${ways[value < 0 ? 0 : 1]}`;
-    return `${name}: ${size}${where}${cut ? ", arrow cut" : ""}`;
+    const told = { name, size };
+    const ways =
+      way === "up"
+        ? [tr("{name}: {size} down", told), tr("{name}: {size} up", told)]
+        : [tr("{name}: {size} to the left", told), tr("{name}: {size} to the right", told)];
+    const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];
+    return `${said}${cut ? tr(", arrow cut") : ""}`;
   }
 }
 

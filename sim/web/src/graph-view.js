@@ -1,10 +1,11 @@
 /** One graph on the page: curves, axes, key, the cursor linked to the carts. */
 
 import { need, put, say, svg } from "./dom.js";
-import { forceName } from "./effects-words.js";
+import { forceName, sizeName } from "./effects-words.js";
 import * as g from "./graph.js";
 import { ghostCurves } from "./how-ghost.js";
 import { ImpulseLayer } from "./impulse-layer.js";
+import { tr } from "./language.js";
 import { hasLedger, LedgerLayer } from "./ledger-layer.js";
 import { MARKERS } from "./markers.js";
 import { px, speedUnit } from "./numbers.js";
@@ -42,7 +43,8 @@ export class GraphView {
     this.root = root;
     this.quantity = root.dataset.quantity ?? "x";
     this.camera = baked.fence.camera;
-    this.force = forceName(baked.run.header);
+    this.signedName = forceName(baked.run.header);
+    this.name = sizeName(baked.run.header);
     this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
     this.per = speedUnit(baked.view.velocity)[0];
     this.plot = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-plot")));
@@ -119,12 +121,12 @@ export class GraphView {
     this.#pressed = !this.#pressed;
     this.button?.setAttribute("aria-pressed", String(this.#pressed));
     const [title, symbol, rest] = this.ledger
-      ? [this.#pressed ? "Energy " : "Kinetic energy ", "E", " in J"]
+      ? [this.#pressed ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })]
       : this.#pressed
-        ? [`${this.force[0]?.toUpperCase()}${this.force.slice(1)} `, "F", " in N, + is right"]
-        : [`Size of the ${this.force} `, "|F|", " in N"];
+        ? [this.signedName, "F", tr(" in N, + is right")]
+        : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
     const italic = Object.assign(document.createElement("i"), { textContent: symbol });
-    need(this.root, ".carts-graph-name").replaceChildren(title, italic, rest);
+    need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
     this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
   }
 

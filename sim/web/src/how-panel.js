@@ -2,6 +2,7 @@
 
 import { html, say } from "./dom.js";
 import * as words from "./how-words.js";
+import { tr } from "./language.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {{method: string, parts: number} | {method: string, rtol: number}} Choice */
@@ -22,7 +23,7 @@ export class HowPanel {
     this.until = 1;
     this.plan = html("ol", "carts-how-plan");
     this.plan.tabIndex = 0; // a long plan scrolls: by keys too
-    this.plan.setAttribute("aria-label", "Plan");
+    this.plan.setAttribute("aria-label", tr("Plan"));
     this.cost = html("p", "carts-how-cost");
     this.method = document.createElement("select");
     this.method.className = "carts-how-method";

@@ -1,6 +1,8 @@
 /** Every sentence of “How is this computed?”. */
 
+import { tr } from "./language.js";
 import { fixed, short } from "./numbers.js";
+import { told } from "./words.js";
 
 /** @typedef {{cost: {solution: number, points: number}}} Cost seconds */
 /**
@@ -9,55 +11,62 @@ import { fixed, short } from "./numbers.js";
  *   energy: {made: number | null, initial: number}}} Compared see `sim/bridge/how_answer.py`
  */
 
-export const LOCKED =
-  "Make your prediction and lock it first. Then you can see how the run is computed.";
-export const PLAN = "The plan, found before anything moves:";
-export const MEASURING = "Measuring on this computer …";
-export const NO_PYTHON = "Python does not run here, so nothing can be measured.";
-export const SWITCH =
-  "What if a program went step by step? The run then plays as that method computes it. Dashed: exact.";
-export const LOADING = "Python’s scipy is being loaded …";
-export const METHOD = "method";
-export const STEP = "step";
-export const TOLERANCE = "tolerance";
-export const EXACT = "exact (as always)";
-export const FAILED = "The exact run is shown.";
+export const LOCKED = tr(
+  "Make your prediction and lock it first. Then you can see how the run is computed.",
+);
+export const PLAN = tr("The plan, found before anything moves:");
+export const MEASURING = tr("Measuring on this computer …");
+export const NO_PYTHON = tr("Python does not run here, so nothing can be measured.");
+export const SWITCH = tr(
+  "What if a program went step by step? The run then plays as that method computes it. Dashed: exact.",
+);
+export const LOADING = tr("Python’s scipy is being loaded …");
+export const METHOD = tr("method");
+export const STEP = tr("step");
+export const TOLERANCE = tr("tolerance");
+export const EXACT = tr("exact (as always)");
+export const FAILED = tr("The exact run is shown.");
 
 /** @type {Record<string, string>} */
 export const METHODS = {
   euler: "Euler",
-  "semi-implicit": "semi-implicit Euler",
-  verlet: "velocity Verlet",
+  "semi-implicit": tr("semi-implicit Euler"),
+  verlet: tr("velocity Verlet"),
   rk4: "RK4",
-  "rk4-events": "RK4 + located touches",
-  rk45: "adaptive RK45 + located touches",
-  adaptive: "adaptive DOP853 + located touches",
+  "rk4-events": tr("RK4 + located touches"),
+  rk45: tr("adaptive RK45 + located touches"),
+  adaptive: tr("adaptive DOP853 + located touches"),
 };
 
 /** @type {Record<string, string>} what each solver of the plan is for */
 const SOLVERS = {
-  "free-flight": "free flight, exact",
-  flight: "flight with forces, exact",
-  "pair-contact": "one contact at a time, exact",
-  "power-series": "several forces at once, exact to rounding",
-  adaptive: "no formula: an adaptive method with located touches",
+  "free-flight": tr("free flight, exact"),
+  flight: tr("flight with forces, exact"),
+  "pair-contact": tr("one contact at a time, exact"),
+  "power-series": tr("several forces at once, exact to rounding"),
+  adaptive: tr("no formula: an adaptive method with located touches"),
 };
 
 /** @type {Record<string, string>} */
 const USED = {
-  "free-flight": "free flights",
-  flight: "flights",
-  "pair-contact": "contacts",
-  "pair-phase": "contacts with other forces",
-  "power-series": "series for several forces",
-  adaptive: "steps of an adaptive method",
-  instant: "impacts",
+  "free-flight": tr("free flights"),
+  flight: tr("flights"),
+  "pair-contact": tr("contacts"),
+  "pair-phase": tr("contacts with other forces"),
+  "power-series": tr("series for several forces"),
+  adaptive: tr("steps of an adaptive method"),
+  instant: tr("impacts"),
 };
 
 /** @param {import("./types.js").Phase} phase @param {number} decimals @returns {[string, string, string]} when, how, why */
 export function phaseWords({ from, until, solver, why }, decimals) {
-  const times = `${fixed(from, decimals)} to ${fixed(until, decimals)} s`;
-  return [times, SOLVERS[solver] ?? solver, `${(why[0] ?? "").toUpperCase()}${why.slice(1)}.`];
+  const times = tr("{from} to {until} s", {
+    from: fixed(from, decimals),
+    until: fixed(until, decimals),
+  });
+  const because = told(why);
+  const sentence = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
+  return [times, SOLVERS[solver] ?? solver, sentence];
 }
 
 /** @param {number} seconds */
@@ -70,27 +79,27 @@ function duration(seconds) {
 /** @param {Record<string, number>} solvers how often each was used @returns {string} */
 export function formulasWords(solvers) {
   const used = Object.entries(solvers).map(([name, count]) => `${USED[name] ?? name}: ${count}`);
-  return used.length ? `Formulas worked out, ${used.join(", ")}.` : "";
+  return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
 }
 
 /** @param {Cost} answer @returns {string} */
 export function costWords({ cost }) {
   const all = cost.solution + cost.points;
-  return (
-    `On this computer, just now: ${duration(all)}, of which ${duration(cost.solution)} for the motion ` +
-    `and ${duration(cost.points)} for the points of the curves.`
+  return tr(
+    "On this computer, just now: {all}, of which {motion} for the motion and {points} for the points of the curves.",
+    { all: duration(all), motion: duration(cost.solution), points: duration(cost.points) },
   );
 }
 
 /** @param {Compared} how @returns {string} the length of a step, or the tolerance */
 export function sizeWords({ step, rtol, steps }) {
-  if (rtol) return `tolerance 1e${Math.round(Math.log10(rtol))}`;
-  return `${steps} steps of ${duration(Number(step))}`;
+  if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
+  return tr("{count} steps of {step}", { count: steps, step: duration(Number(step)) });
 }
 
 /** @param {number} until in s @param {number} parts @returns {string} beside the slider */
 export function stepWords(until, parts) {
-  return `${duration(until / parts)} (run / ${parts})`;
+  return tr("{step} (run / {parts})", { step: duration(until / parts), parts });
 }
 
 /** @param {number} rtol */
@@ -100,28 +109,32 @@ export function toleranceWords(rtol) {
 
 /** @param {Compared} how @returns {string} beside the carts */
 export function signWords(how) {
-  return `Step by step: ${METHODS[how.method]}, ${sizeWords(how)}. Not exact. Dashed: exact.`;
+  return tr("Step by step: {method}, {size}. Not exact. Dashed: exact.", {
+    method: String(METHODS[how.method]),
+    size: sizeWords(how),
+  });
 }
 
-const BEYOND = "beyond all numbers";
-const UNKNOWN = "not known: the exact run was stopped before";
+const BEYOND = tr("beyond all numbers");
+const UNKNOWN = tr("not known: the exact run was stopped before");
 const MANY = 10; // times the energy at the start: percents say no more
 
 /** @param {Compared} how @returns {[string, string][]} what is told of a stepped run */
 export function comparedWords(how) {
   const { error, energy, seconds, evaluations, blown, whole } = how;
   /** @type {[string, string][]} */
-  const told = [
-    ["largest error of a velocity at the end", whole ? amount(error.v, "m/s") : UNKNOWN],
-    ["largest error of a position at the end", whole ? amount(error.x, "m") : UNKNOWN],
-    ["energy made from nothing", made(energy)],
-    ["times that all forces were computed", String(evaluations)],
-    ["time on this computer", ratioWords(seconds)],
+  const rows = [
+    [tr("largest error of a velocity at the end"), whole ? amount(error.v, "m/s") : UNKNOWN],
+    [tr("largest error of a position at the end"), whole ? amount(error.x, "m") : UNKNOWN],
+    [tr("energy made from nothing"), made(energy)],
+    [tr("times that all forces were computed"), String(evaluations)],
+    [tr("time on this computer"), ratioWords(seconds)],
   ];
   if (blown !== null) {
-    told.unshift(["the numbers blow up", `at ${fixed(blown, 2)} s; drawn up to there`]);
+    const until = tr("at {time} s; drawn up to there", { time: fixed(blown, 2) });
+    rows.unshift([tr("the numbers blow up"), until]);
   }
-  return told;
+  return rows;
 }
 
 /** @param {number | null} value @param {string} unit */
@@ -134,14 +147,24 @@ function made({ made: joules, initial }) {
   if (joules === null) return BEYOND;
   if (!initial) return `${short(joules, 2)} J`;
   const part = joules / initial;
-  const of = Math.abs(part) < MANY ? `${short(100 * part, 2)} % of` : `${short(part, 2)} times`;
-  return `${short(joules, 2)} J, ${of} the energy at the start`;
+  const size = {
+    energy: `${short(joules, 2)} J`,
+    part: short(part, 2),
+    percent: short(100 * part, 2),
+  };
+  return Math.abs(part) < MANY
+    ? tr("{energy}, {percent} % of the energy at the start", size)
+    : tr("{energy}, {part} times the energy at the start", size);
 }
 
 /** @param {Compared["seconds"]} seconds */
 function ratioWords({ stepped, exact }) {
   const ratio = stepped / exact;
-  if (ratio >= 1)
-    return `${duration(stepped)}, ${short(ratio, 2)} times the exact run’s ${duration(exact)}`;
-  return `${duration(stepped)}; the exact run takes ${short(1 / ratio, 2)} times as long, ${duration(exact)}`;
+  const both = { stepped: duration(stepped), exact: duration(exact) };
+  return ratio >= 1
+    ? tr("{stepped}, {ratio} times the exact run’s {exact}", { ...both, ratio: short(ratio, 2) })
+    : tr("{stepped}; the exact run takes {ratio} times as long, {exact}", {
+        ...both,
+        ratio: short(1 / ratio, 2),
+      });
 }

@@ -4,6 +4,7 @@ import { need, put, say } from "./dom.js";
 import { contactForce } from "./forces.js";
 import * as g from "./graph.js";
 import { area, changes } from "./impulse.js";
+import { tr } from "./language.js";
 import { fixed, px } from "./numbers.js";
 import { latestTouch, touches } from "./windows.js";
 import { brief } from "./words.js";
@@ -31,7 +32,7 @@ export class ImpulseLayer {
     const paths = this.shade.children;
     for (const path of paths) put(path, "d", "");
     if (!touch) {
-      const hint = "Move into a touch: the shaded area is the impulse.";
+      const hint = tr("Move into a touch: the shaded area is the impulse.");
       return say(this.note, this.windows.length ? hint : "");
     }
     const end = Math.min(t, touch.end);
@@ -50,9 +51,13 @@ export class ImpulseLayer {
     const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
     const parts = changes(run, this.windows, touch, end)
       .filter(({ change }) => change !== null)
-      .map(({ name, change }) => `m\u00a0Δv of ${name}: ${fixed(change ?? 0, this.decimals)}`);
-    const whole = t >= touch.end ? "" : " so far";
-    const all = [`${names}, shaded area${whole}: ${amount}`, ...parts].join("; ");
-    say(this.note, `${all}, all in N\u00a0s.`);
+      .map(({ name, change }) =>
+        tr("m\u00a0Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) }),
+      );
+    const shaded =
+      t >= touch.end
+        ? tr("{names}, shaded area: {amount}", { names, amount })
+        : tr("{names}, shaded area so far: {amount}", { names, amount });
+    say(this.note, tr("{values}, all in N\u00a0s.", { values: [shaded, ...parts].join("; ") }));
   }
 }

@@ -3,6 +3,8 @@
  * Who shows the graph asks by an event; the scene's element answers it.
  */
 
+import { tr } from "./language.js";
+import { listed } from "./listed.js";
 import { seriesOf } from "./series.js";
 import { valueAt } from "./trajectory.js";
 
@@ -14,13 +16,13 @@ export const WANTED = "carts-energy-wanted";
 
 /** @type {Record<string, [string, string]>} what a band is called, and its style */
 const BANDS = {
-  bumpers: ["in squeezed bumpers", "squeezed"],
-  spring: ["in the spring", "stored"],
-  magnets: ["between the magnets", "stored"],
-  incline: ["as height, above the lowest point", "stored"],
+  bumpers: [tr("in squeezed bumpers"), "squeezed"],
+  spring: [tr("in the spring"), "stored"],
+  magnets: [tr("between the magnets"), "stored"],
+  incline: [tr("as height, above the lowest point"), "stored"],
 };
 /** @type {Record<string, string>} what friction, drag and dampers warm */
-const WARM = { friction: "track", drag: "air", spring: "spring" };
+const WARM = { friction: tr("track"), drag: tr("air"), spring: tr("spring") };
 
 /** @param {import("./types.js").Baked} baked @returns {boolean} whether the ledger needs what Python counts */
 export function needsParts({ fence }) {
@@ -49,7 +51,10 @@ export function ledgerWithEffects({ header, trajectory }, parts) {
     return Float64Array.from(times, (t) => valueAt(parts.t, values, null, Number(t)));
   };
   /** @type {Series[]} */
-  const bands = moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` }));
+  const bands = moving.map((curve) => ({
+    ...curve,
+    label: tr("motion of {cart}", { cart: curve.label }),
+  }));
   for (const [name, [label, style]] of Object.entries(BANDS)) {
     if (!parts.names.includes(name)) continue;
     const values = column(name);
@@ -65,12 +70,11 @@ export function ledgerWithEffects({ header, trajectory }, parts) {
 
 /** @param {import("./types.js").Header} header */
 function warmed({ contacts, effects }) {
-  const what = contacts.length ? ["bumpers"] : [];
+  const what = contacts.length ? [tr("bumpers")] : [];
   for (const { kind, active, numbers } of effects) {
     const damped = kind !== "spring" || (numbers.damping ?? 0) > 0;
     if (active && WARM[kind] && damped) what.push(String(WARM[kind]));
   }
   const names = [...new Set(what)];
-  const last = names.pop() ?? "surroundings";
-  return `has warmed the ${names.length ? `${names.join(", ")} and ${last}` : last}`;
+  return tr("has warmed the {things}", { things: listed(names) || tr("surroundings") });
 }

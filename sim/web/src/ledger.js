@@ -5,6 +5,7 @@
  * counts it. Holds as long as only contacts act.
  */
 
+import { tr } from "./language.js";
 import { seriesOf } from "./series.js";
 
 /** @typedef {import("./types.js").Run} Run */
@@ -30,15 +31,21 @@ export function ledger({ header, trajectory }, windows, camera) {
     squeezed[k] = away - Number(warmed[k]);
   }
   return [
-    ...moving.map((curve) => ({ ...curve, label: `motion of ${curve.label}` })),
+    ...moving.map((curve) => ({ ...curve, label: tr("motion of {cart}", { cart: curve.label }) })),
     {
-      label: "in squeezed bumpers",
+      label: tr("in squeezed bumpers"),
       style: "squeezed",
       over: false,
       values: squeezed,
       slopes: null,
     },
-    { label: "has warmed the bumpers", style: "warmed", over: false, values: warmed, slopes: null },
+    {
+      label: tr("has warmed the {things}", { things: tr("bumpers") }),
+      style: "warmed",
+      over: false,
+      values: warmed,
+      slopes: null,
+    },
   ];
 }
 

@@ -6,6 +6,8 @@
 
 import { need, put, say } from "./dom.js";
 import { contactForce } from "./forces.js";
+import { tr } from "./language.js";
+import { listed } from "./listed.js";
 import { fixed, px, short } from "./numbers.js";
 import { niceAbove } from "./scales.js";
 import { arrowLength, blockArrow, cutArrow, isCut, spring } from "./shapes.js";
@@ -77,7 +79,7 @@ export class Lens {
       "carts-is-slow",
       Boolean(touch && t >= touch.start && t <= touch.end),
     );
-    if (!run || !touch) return say(this.note, "Nothing touches in this run.");
+    if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
     this.#t = t;
     const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
     const overlap = Math.max(0, left.face - right.face);
@@ -89,10 +91,14 @@ export class Lens {
     [left, right].forEach((side, k) => {
       this.#draw(k, side, Number(faces[k]), middle, force);
     });
-    const pair = touch.bodies.map(body).join(" and ");
+    const pair = listed(touch.bodies.map(body));
     const gap = right.face - left.face;
-    const apart = gap > 0 ? `${lengthText(gap)} apart` : `squeezed by ${lengthText(overlap)}`;
-    const push = `${fixed(force, this.view.decimals.F ?? 2)}\u00a0N on each`;
+    const apart =
+      gap > 0
+        ? tr("{length} apart", { length: lengthText(gap) })
+        : tr("squeezed by {length}", { length: lengthText(overlap) });
+    const size = fixed(force, this.view.decimals.F ?? 2);
+    const push = tr("{size} on each", { size: `${size}\u00a0N` });
     say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t, 4)} s`);
   }
 
@@ -129,7 +135,7 @@ export class Lens {
     const name = need(group, '[data-part="name"]');
     const inside = Math.min(WIDTH - 34, Math.max(34, edge - 22 * way));
     put(name, "x", px(inside));
-    say(name, index < 0 ? "wall" : side.name);
+    say(name, index < 0 ? tr("wall") : side.name);
     const arrow = need(group, '[data-part="arrow"]');
     const cut = isCut(force, this.view.force);
     const length = -way * arrowLength(force, this.view.force, this.#perForce);

@@ -1,10 +1,11 @@
 /** Prediction: how long is the force arrow on each body when the bumpers are squeezed the most? */
 
 import { html, need, say, svg } from "./dom.js";
+import { tr } from "./language.js";
 import { fixed, short } from "./numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "./shapes.js";
 import { readTyped } from "./typed.js";
-import { body } from "./words.js";
+import { body, forceOn } from "./words.js";
 
 /** @typedef {{pair: string, on: string, side: "left" | "right", size: number}} Guess size in N; side of the pair */
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, size: number | null,
@@ -85,9 +86,12 @@ export class ArrowsForm {
     if (!missing.length) return null;
     const refused = missing.filter((row) => row.box.value.trim());
     if (refused.length) {
-      return `This number does not work yet: ${refused.map(name).join(", ")}. ${this.#range()}`;
+      const names = refused.map(name).join(", ");
+      return `${tr("This number does not work yet: {names}.", { names })} ${this.#range()}`;
     }
-    return `Set every arrow first: ${missing.map(name).join(", ")}. Zero counts too: type 0.`;
+    return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
+      names: missing.map(name).join(", "),
+    });
   }
 
   /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("./types.js").Run} run */
@@ -99,8 +103,12 @@ export class ArrowsForm {
       const actual = greatest(run, pair);
       const grid = html("div", "carts-compare");
       const newtons = (/** @type {number} */ size) => `${fixed(size, this.decimals)} N`;
-      const spoken = rows.map(
-        (row) => `${name(row)}: you ${newtons(row.size ?? 0)}, the run ${newtons(actual)}.`,
+      const spoken = rows.map((row) =>
+        tr("{force}: you {yours}, the run {actual}.", {
+          force: name(row),
+          yours: newtons(row.size ?? 0),
+          actual: newtons(actual),
+        }),
       );
       grid.setAttribute("role", "img");
       grid.setAttribute("aria-label", spoken.join(" "));
@@ -109,24 +117,25 @@ export class ArrowsForm {
         ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
       );
       for (const [who, style] of /** @type {const} */ ([
-        ["you", "carts-guessed"],
-        ["the run", "carts-block-arrow"],
+        [tr("you"), "carts-guessed"],
+        [tr("the run"), "carts-block-arrow"],
       ])) {
         grid.append(html("span", "", who));
         for (const row of rows) {
-          const size = who === "you" ? (row.size ?? 0) : actual;
+          const size = style === "carts-guessed" ? (row.size ?? 0) : actual;
           const cell = html("span", `carts-compare-arrow ${row.style} ${row.side}`);
           cell.append(
             arrow(size, this.full, style, row.side),
-            ` ${newtons(size)}${isCut(size, this.full) ? ", arrow cut" : ""}`,
+            ` ${newtons(size)}${isCut(size, this.full) ? tr(", arrow cut") : ""}`,
           );
           grid.append(cell);
         }
       }
       return grid;
     });
-    const text =
-      "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.";
+    const text = tr(
+      "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.",
+    );
     return [...tables, html("p", "", text)];
   }
 
@@ -135,11 +144,11 @@ export class ArrowsForm {
     const read = readTyped(row.box.value);
     let problem = "";
     if ("problem" in read) problem = read.problem;
-    else if ("text" in read) problem = "Type a number; the unit is N.";
+    else if ("text" in read) problem = tr("Type a number; the unit is N.");
     else if (read.value < 0 || read.value > MOST * this.full) problem = this.#range();
     if (done && problem) {
-      const kept = row.good === null ? "" : ` ${fixed(row.good, this.decimals)} N is kept.`;
-      say(row.error, problem + kept);
+      const good = row.good === null ? "" : fixed(row.good, this.decimals);
+      say(row.error, good ? `${problem} ${tr("{size} N is kept.", { size: good })}` : problem);
       row.error.hidden = false;
       this.#restore(row, changed);
     }
@@ -151,7 +160,7 @@ export class ArrowsForm {
   }
 
   #range() {
-    return `0 to ${short(MOST * this.full)} N, please.`;
+    return tr("0 to {most} N, please.", { most: short(MOST * this.full) });
   }
 
   /** Goes back to the last good size; what was typed stays in the box to be mended. */
@@ -175,7 +184,10 @@ export class ArrowsForm {
   #set(row, size) {
     row.size = size;
     row.slider.valueAsNumber = size;
-    row.slider.setAttribute("aria-valuetext", `${fixed(size, this.decimals)} newtons`);
+    row.slider.setAttribute(
+      "aria-valuetext",
+      tr("{size} newtons", { size: fixed(size, this.decimals) }),
+    );
   }
 
   /** @param {Row} row @param {number} size */
@@ -197,7 +209,7 @@ export class ArrowsForm {
 
 /** @param {Row} row */
 function name({ on, by }) {
-  return `force on ${body(on)} by ${body(by)}`;
+  return forceOn(body(on), body(by));
 }
 
 /** Greatest contact force of a pair in N. @param {import("./types.js").Run} run @param {string} pair */

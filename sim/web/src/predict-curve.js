@@ -1,6 +1,7 @@
 /** Prediction: how the force changes during the contact. Compared by features, not by pixels. */
 
 import { html, need, put } from "./dom.js";
+import { tr } from "./language.js";
 import { px } from "./numbers.js";
 import { valueAt } from "./trajectory.js";
 import { touches } from "./windows.js";
@@ -45,7 +46,9 @@ export class CurveForm {
 
   /** @returns {string} */
   get said() {
-    return `heights ${this.#heights.map((height) => height ?? "–").join(", ")}`;
+    return tr("heights {heights}", {
+      heights: this.#heights.map((height) => height ?? "–").join(", "),
+    });
   }
 
   set value(value) {
@@ -61,7 +64,7 @@ export class CurveForm {
 
   problem() {
     if (this.#heights.every((height) => height !== null)) return null;
-    return "Give all five heights first, also where you think it is 0.";
+    return tr("Give all five heights first, also where you think it is 0.");
   }
 
   /** @param {import("./types.js").Run} run */
@@ -69,7 +72,8 @@ export class CurveForm {
     const touch = touches(run.header.events, run.header.until).find(({ bodies }) =>
       bodies.includes(this.cart),
     );
-    if (!touch) return [html("p", "", `In this run nothing touches ${this.cart}.`)];
+    if (!touch)
+      return [html("p", "", tr("In this run nothing touches {cart}.", { cart: this.cart }))];
     const { t, F, dF } = run.trajectory;
     const forces = Array.from({ length: FINE + 1 }, (_, k) => {
       const at = touch.start + ((touch.end - touch.start) * k) / FINE;
@@ -84,21 +88,25 @@ export class CurveForm {
     const other = touch.bodies.find((name) => name !== this.cart) ?? "";
     const mine = this.#heights.map(Number);
     const rows = [
-      ["starts from zero", mine[0] === 0, Number(forces[0]) < 0.02 * top],
+      [tr("starts from zero"), mine[0] === 0, Number(forces[0]) < 0.02 * top],
       [
-        "is greatest in between",
+        tr("is greatest in between"),
         Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
         true,
       ],
-      ["goes up once and down once", hills(mine) === 1, hills(forces.map(Number)) === 1],
-      ["is zero again at the end", mine[4] === 0, Number(forces[FINE]) < 0.02 * top],
+      [tr("goes up once and down once"), hills(mine) === 1, hills(forces.map(Number)) === 1],
+      [tr("is zero again at the end"), mine[4] === 0, Number(forces[FINE]) < 0.02 * top],
     ];
     const list = html("ul");
     for (const [feature, yours, theirs] of rows) {
-      const said = (/** @type {unknown} */ yes) => (yes ? "yes" : "no");
-      list.append(html("li", "", `${feature}: your curve ${said(yours)}, the run ${said(theirs)}`));
+      const said = (/** @type {unknown} */ yes) => (yes ? tr("yes") : tr("no"));
+      const both = { feature: String(feature), yours: said(yours), theirs: said(theirs) };
+      list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both)));
     }
-    const title = `Force on ${this.cart} by ${body(other)}: dashed is yours, solid is the run. Only the shape counts.`;
+    const title = tr(
+      "Force on {cart} by {other}: dashed is yours, solid is the run. Only the shape counts.",
+      { cart: this.cart, other: body(other) },
+    );
     return [html("p", "", title), list];
   }
 

@@ -1,6 +1,7 @@
 /** Predictions by choosing an option or by writing a sentence. */
 
 import { html, need } from "./dom.js";
+import { tr } from "./language.js";
 
 export class ChoiceForm {
   /** @param {HTMLElement} root @param {() => void} changed */
@@ -31,11 +32,11 @@ export class ChoiceForm {
   }
 
   problem() {
-    return this.value === null ? "Choose one first." : null;
+    return this.value === null ? tr("Choose one first.") : null;
   }
 
   compare() {
-    return [html("p", "", "Play the run. What do you see?")];
+    return [html("p", "", tr("Play the run. What do you see?"))];
   }
 }
 
@@ -65,10 +66,12 @@ export class WordsForm {
   }
 
   problem() {
-    return this.box.value.trim() ? null : "Write your prediction first; a few words are enough.";
+    return this.box.value.trim()
+      ? null
+      : tr("Write your prediction first; a few words are enough.");
   }
 
   compare() {
-    return [html("p", "", "Play the run and compare it with what you wrote.")];
+    return [html("p", "", tr("Play the run and compare it with what you wrote."))];
   }
 }

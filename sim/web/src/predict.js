@@ -5,6 +5,7 @@
 
 import { isCurrent } from "./answers/outline.js";
 import { html, need, say } from "./dom.js";
+import { tr } from "./language.js";
 import { Again } from "./predict-again.js";
 import { ArrowsForm } from "./predict-arrows.js";
 import { CurveForm } from "./predict-curve.js";
@@ -87,14 +88,14 @@ export class Predict {
     if (this.#store.kind === "memory") {
       say(
         this.saved,
-        "This browser keeps nothing: your prediction is lost when you close the page.",
+        tr("This browser keeps nothing: your prediction is lost when you close the page."),
       );
     }
     const found = await this.#store.get(this.key).catch(() => null);
     if (found?.type === this.#entry.type && isCurrent(found)) {
       this.#entry = found;
       this.form.value = found.value;
-      say(this.saved, "Saved.");
+      say(this.saved, tr("Saved."));
     }
     const talking = Boolean(this.#entry.talk) && !this.#entry.before;
     this.form.enable(!this.isLocked && !talking);
@@ -112,13 +113,16 @@ export class Predict {
     place.replaceChildren(...this.form.compare(run));
     const { before, why } = this.#entry;
     if (before) {
-      const both = `First you said: ${before.said}. After talking you said: ${this.form.said}.`;
+      const both = tr("First you said: {first}. After talking you said: {second}.", {
+        first: before.said,
+        second: this.form.said,
+      });
       place.append(html("p", "", both));
     }
     place.hidden = false;
     this.why.show(why ?? "");
     this.again.offer();
-    say(need(this.root, ".carts-heading"), "Your prediction");
+    say(need(this.root, ".carts-heading"), tr("Your prediction"));
     this.root.classList.add("carts-locked");
   }
 
@@ -128,7 +132,7 @@ export class Predict {
       ".carts-compared > [aria-label], .carts-compared p, .carts-compared li",
     );
     const texts = [...parts].map((part) => part.getAttribute("aria-label") ?? part.textContent);
-    return `Your prediction. ${texts.join(" ")}`;
+    return `${tr("Your prediction.")} ${texts.join(" ")}`;
   }
 
   /** @param {string} message for the reader; empty: none */
@@ -173,7 +177,7 @@ export class Predict {
   }
 
   #showAgain() {
-    say(this.button, "Lock the changed prediction and show the run");
+    say(this.button, tr("Lock the changed prediction and show the run"));
   }
 
   async #finish() {
@@ -188,8 +192,8 @@ export class Predict {
   #told() {
     const { before, why } = this.#entry;
     const parts = [this.form.said];
-    if (before) parts.push(`First: ${before.said}`);
-    if (why) parts.push(`Why: ${why}`);
+    if (before) parts.push(tr("First: {said}", { said: before.said }));
+    if (why) parts.push(tr("Why: {said}", { said: why }));
     this.#entry.said = parts.filter(Boolean).join(" · ");
   }
 
@@ -199,20 +203,20 @@ export class Predict {
       if (this.key) await this.#store?.remove(this.key);
       return true;
     } catch {
-      this.complain("This browser refuses to forget it.");
+      this.complain(tr("This browser refuses to forget it."));
       return false;
     }
   }
 
   async #keep() {
     if (!this.#store || !this.key) return;
-    if (this.#store.kind === "kept") say(this.saved, "Saving…");
+    if (this.#store.kind === "kept") say(this.saved, tr("Saving…"));
     try {
       await this.#store.put(this.key, this.#entry);
       document.dispatchEvent(new Event("carts-kept"));
-      if (this.#store.kind === "kept") say(this.saved, "Saved.");
+      if (this.#store.kind === "kept") say(this.saved, tr("Saved."));
     } catch {
-      say(this.saved, "Not saved: this browser refuses to keep it. Write it on paper too.");
+      say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
     }
   }
 }

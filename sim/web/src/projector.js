@@ -4,6 +4,7 @@
  */
 
 import { html, need, say } from "./dom.js";
+import { tr } from "./language.js";
 
 /** @typedef {HTMLElement & {reveal?: () => Promise<void>}} Scene */
 
@@ -16,7 +17,10 @@ export function offerProjector(scene) {
   const button = /** @type {HTMLButtonElement} */ (need(scene, ".carts-project"));
   button.disabled = false;
   const bar = html("p", "carts-project-bar");
-  const [reveal, next] = [made("carts-button", "Reveal"), made("carts-button", "Next scene")];
+  const [reveal, next] = [
+    made("carts-button", tr("Reveal")),
+    made("carts-button", tr("Next scene")),
+  ];
   bar.append(reveal, " ", next);
   need(scene, ".carts-frame").append(bar);
   button.addEventListener("click", () => void project(scene, !isOn(scene)));
@@ -76,7 +80,10 @@ function count(scene, option) {
   box.type = "number";
   box.min = "0";
   box.max = String(MOST_HANDS);
-  box.setAttribute("aria-label", `hands for: ${option.textContent?.trim()}`);
+  box.setAttribute(
+    "aria-label",
+    tr("hands for: {option}", { option: String(option.textContent?.trim()) }),
+  );
   const bar = document.createElement("meter");
   bar.setAttribute("aria-hidden", "true");
   const part = html("span");
@@ -93,7 +100,10 @@ function count(scene, option) {
       const share = all ? hands(one) / all : 0;
       const meter = /** @type {HTMLMeterElement} */ (one.nextElementSibling);
       meter.value = share;
-      say(/** @type {Element} */ (meter.nextElementSibling), `${hands(one)} of ${all}`);
+      say(
+        /** @type {Element} */ (meter.nextElementSibling),
+        tr("{part} of {all}", { part: hands(one), all }),
+      );
     }
   });
 }

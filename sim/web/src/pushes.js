@@ -6,6 +6,7 @@
 
 import { need, put, say } from "./dom.js";
 import { linkKind } from "./effects-forces.js";
+import { tr } from "./language.js";
 import { fixed, px } from "./numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut, PUSH } from "./shapes.js";
 import { valueAt } from "./trajectory.js";
@@ -19,6 +20,8 @@ import { brief, isWall } from "./words.js";
 const PER_CHARACTER = 7.8; // units, of the bold names on the beam in a wide font
 const ROW = 19; // units between two rows of names
 const GAP = 8; // units between a name and the place of contact or a wall
+/** @type {Record<string, string>} */
+const LINKS = { spring: tr("spring"), magnets: tr("magnets") };
 const EDGE = 6; // units that names keep from the edges of the picture
 
 export class Pushes {
@@ -106,7 +109,7 @@ export class Pushes {
     for (const { push, size, x } of told) {
       const [text, other] = push.groups.map((group) => need(group, '[data-part="text"]'));
       if (!text || !other) continue;
-      const label = `${this.#value(size)} on each`;
+      const label = tr("{size} on each", { size: this.#value(size) });
       const half = (label.length * PER_CHARACTER) / 2;
       const at = Math.min(Math.max(x, low + half), high - half);
       const free = [...new Set(this.layout.rows)].find((y) =>
@@ -123,7 +126,7 @@ export class Pushes {
 
   /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
   #inFull(told) {
-    return this.#named(told, told.link && ` (${told.link})`) || this.#named(told, "");
+    return this.#named(told, told.link && ` (${LINKS[told.link]})`) || this.#named(told, "");
   }
 
   /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
@@ -131,7 +134,8 @@ export class Pushes {
     const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
-      return `on ${brief(on)} by ${brief(by)}${through}: ${this.#value(size)}`;
+      const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+      return `${name}${through}: ${this.#value(size)}`;
     });
     const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
     if (!first || !second || !left || !right) return false;
@@ -167,7 +171,7 @@ export class Pushes {
 
   /** @param {number} size in N */
   #value(size) {
-    const cut = isCut(size, this.view.force) ? ", arrow cut" : "";
+    const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
     return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
   }
 }

@@ -7,6 +7,7 @@ import { Drag } from "./drag.js";
 import { actingSentences, pushMarks } from "./effects-words.js";
 import { GraphView } from "./graph-view.js";
 import { Ghost } from "./how-ghost.js";
+import { heard, tr } from "./language.js";
 import { fixed } from "./numbers.js";
 import { Player } from "./player.js";
 import { Readouts } from "./readouts.js";
@@ -146,7 +147,7 @@ export class SceneView {
     for (const graph of this.graphs) graph.at(t);
     this.views.at(t);
     this.readouts.at(t);
-    this.timeline.at(t, `${fixed(t, 2)} seconds`);
+    this.timeline.at(t, tr("{time} seconds", { time: fixed(t, 2) }));
     this.transport.show();
     if (forward && t !== before) this.announcer.tell(this.story.between(before, t));
   }
@@ -180,7 +181,7 @@ export class SceneView {
   #warn() {
     const { warnings } = this.run.header;
     this.warnings.hidden = warnings.length === 0;
-    this.warnings.replaceChildren(...warnings.map(({ message }) => html("p", "", message)));
+    this.warnings.replaceChildren(...warnings.map(({ message }) => html("p", "", heard(message))));
   }
 
   #offerWindows() {
@@ -188,7 +189,11 @@ export class SceneView {
     const chosen = this.zoom.selectedIndex;
     const options = this.#windows.map(({ bodies, start }, i) => {
       const names = bodies.map(brief).join("–");
-      const option = html("option", "", `${names} at ${fixed(start, 2)} s`);
+      const option = html(
+        "option",
+        "",
+        tr("{names} at {time} s", { names, time: fixed(start, 2) }),
+      );
       option.setAttribute("value", String(i));
       return option;
     });

@@ -1,6 +1,7 @@
 /** The curves of each graph. Twin of `sim/pages/widget/series.py`. */
 
 import { outside } from "./effects-forces.js";
+import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
 import { brief } from "./words.js";
 
@@ -77,7 +78,7 @@ function total(curves) {
     return rows;
   };
   return {
-    label: curves.some(({ style }) => style === "wall") ? "all together" : "all carts",
+    label: curves.some(({ style }) => style === "wall") ? tr("all together") : tr("all carts"),
     style: "total",
     over: false,
     values: sum(curves.map((c) => c.values)),
@@ -102,14 +103,14 @@ function forces(header, run, signed) {
     }
     const [left, right] = contact.bodies;
     curves.push({
-      label: `on ${brief(left)} by ${brief(right)}`,
+      label: tr("on {on} by {by}", { on: brief(left), by: brief(right) }),
       style: styles.get(left) ?? "wall",
       over: false,
       values: Float64Array.from(force, (f) => sign * f),
       slopes: Float64Array.from(slope, (s) => sign * s),
     });
     curves.push({
-      label: `on ${brief(right)} by ${brief(left)}`,
+      label: tr("on {on} by {by}", { on: brief(right), by: brief(left) }),
       style: styles.get(right) ?? "wall",
       over: true,
       values: force,

@@ -3,6 +3,7 @@
  * for is checked like any other input: by Python, when it is set.
  */
 
+import { tr } from "./language.js";
 import { effectPath } from "./switches.js";
 
 /** @typedef {Record<string, number | string | boolean>} Settings */
@@ -27,7 +28,7 @@ export function linkTo(id, settings, t) {
 export function readLink(hash, id) {
   const text = hash.replace(/^#/, "");
   if (!text.startsWith(`${MARK}${id}?`)) return null;
-  if (text.length > LONGEST) return { problem: "This link is too long: it was not used." };
+  if (text.length > LONGEST) return { problem: tr("This link is too long: it was not used.") };
   /** @type {Settings} */
   const settings = {};
   let t = 0;
@@ -35,7 +36,7 @@ export function readLink(hash, id) {
   for (const part of parts.filter(Boolean).slice(0, MOST_KEYS)) {
     const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
     if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
-      return { problem: "This link is damaged: it was not used." };
+      return { problem: tr("This link is damaged: it was not used.") };
     }
     if (key === "t") t = Number(value);
     else if (/^(true|false)$/.test(value)) settings[key] = value === "true";
@@ -58,7 +59,8 @@ export async function followLink(scene, id, say) {
     scene.time = asked.t;
     scene.scrollIntoView();
   } catch (error) {
-    say(`This link does not fit this scene: ${/** @type {Error} */ (error).message}`);
+    const { message } = /** @type {Error} */ (error);
+    say(tr("This link does not fit this scene: {why}", { why: message }));
   }
 }
 

@@ -2,6 +2,7 @@
 
 import { need, put, say, svg } from "./dom.js";
 import { Effects } from "./effects.js";
+import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
 import { fixed, px, speedUnit } from "./numbers.js";
 import { Pushes } from "./pushes.js";
@@ -184,7 +185,7 @@ export class Stage {
       `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`,
     );
     const shortened = length !== exact || shapes.isCut(seen, view.velocity, shapes.FASTEST);
-    const cut = shortened ? ", arrow cut" : "";
+    const cut = shortened ? tr(", arrow cut") : "";
     const [per, unit] = speedUnit(view.velocity);
     const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
     const text = need(cart.velocity, '[data-part="text"]');
@@ -192,7 +193,7 @@ export class Stage {
     put(text, "x", px(outside ? (x < 0 ? 8 : layout.width - 8) : at));
     put(text, "y", px(cart.lane + 4));
     put(text, "text-anchor", outside ? (x < 0 ? "start" : "end") : anchor);
-    say(text, outside ? `${name} is outside: ${speed}` : speed);
+    say(text, outside ? tr("{name} is outside: {speed}", { name, speed }) : speed);
   }
 }
 

@@ -3,6 +3,7 @@
 import { html, need } from "./dom.js";
 import { pushMarks } from "./effects-words.js";
 import { exits } from "./exits.js";
+import { tr } from "./language.js";
 import { fixed } from "./numbers.js";
 import { isTold } from "./trajectory.js";
 import { eventSentence, exitSentence, lawsOf, modelSentences } from "./words.js";
@@ -59,7 +60,10 @@ export class Story {
       return item;
     });
     const more = this.told.length - items.length;
-    if (more > 0) items.push(html("li", "carts-more-events", `… and ${more} more events.`));
+    if (more > 0)
+      items.push(
+        html("li", "carts-more-events", tr("… and {count} more events.", { count: more })),
+      );
     this.list.replaceChildren(...items);
     const scrolled = items.length > IN_FULL;
     this.list.classList.toggle("carts-events-scrolled", scrolled);

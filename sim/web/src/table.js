@@ -4,6 +4,7 @@
  */
 
 import { html, need } from "./dom.js";
+import { tr } from "./language.js";
 import { fixed, speedUnit } from "./numbers.js";
 import { span, ticks } from "./scales.js";
 import { valueAt } from "./trajectory.js";
@@ -43,7 +44,10 @@ export class Table {
     const speed = speedUnit(this.view.velocity)[1];
     const unit = this.quantity === "v" ? speed : (QUANTITIES[this.quantity]?.[2] ?? "");
     const head = html("tr");
-    head.append(heading("t in s"), ...curves.map((curve) => heading(`${curve.label}, ${unit}`)));
+    head.append(
+      heading(tr("t in s")),
+      ...curves.map((curve) => heading(`${curve.label}, ${unit}`)),
+    );
     need(this.details, "thead").replaceChildren(head);
     const decimals = this.view.decimals[this.quantity] ?? 3;
     const scale = greatest(curves);

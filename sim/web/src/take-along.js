@@ -3,6 +3,7 @@
 import { csv } from "./csv.js";
 import { html, need, say } from "./dom.js";
 import { download, downloadBlob } from "./download.js";
+import { tr } from "./language.js";
 import { asPng, picture } from "./picture.js";
 import { qrCode } from "./qr.js";
 import { linkTo, sceneBlock } from "./share.js";
@@ -12,12 +13,12 @@ import { linkTo, sceneBlock } from "./share.js";
 
 /** @type {[string, string][]} */
 const KINDS = [
-  ["csv", "values (CSV)"],
-  ["svg", "picture (SVG)"],
-  ["png", "picture (PNG)"],
-  ["link", "link to this state"],
-  ["block", "scene block"],
-  ["program", "Python program"],
+  ["csv", tr("values (CSV)")],
+  ["svg", tr("picture (SVG)")],
+  ["png", tr("picture (PNG)")],
+  ["link", tr("link to this state")],
+  ["block", tr("scene block")],
+  ["program", tr("Python program")],
 ];
 
 export class TakeAlong {
@@ -33,7 +34,7 @@ export class TakeAlong {
     text.readOnly = true;
     text.hidden = true;
     text.rows = 4;
-    text.setAttribute("aria-label", "Text to copy");
+    text.setAttribute("aria-label", tr("Text to copy"));
     const note = html("p", "carts-take-note");
     note.setAttribute("role", "status");
     const row = html("p", "carts-take-row");
@@ -45,8 +46,8 @@ export class TakeAlong {
     }
     const code = html("div", "carts-take-code");
     place.append(row, note, text, code);
-    /** @param {string} made @param {string} what */
-    const offer = async (made, what) => {
+    /** @param {string} made */
+    const offer = async (made) => {
       text.hidden = false;
       text.value = made;
       text.select();
@@ -54,7 +55,7 @@ export class TakeAlong {
         () => true,
         () => false,
       );
-      say(note, copied ? `${what} is copied.` : `${what}: copy it from the box.`);
+      say(note, copied ? tr("It is copied.") : tr("Copy it from the box."));
     };
     /** @type {Record<string, () => unknown>} */
     const acts = {
@@ -68,14 +69,14 @@ export class TakeAlong {
         const { settings, t } = state();
         const link = `${location.href.split("#")[0]}#${linkTo(fence.id, settings, t)}`;
         code.replaceChildren(...qrCode(link));
-        return offer(link, "The link");
+        return offer(link);
       },
       program: async () => {
         const text = await program();
         download(`${fence.id}.py`, text, "text/x-python");
-        return offer(text, "The program");
+        return offer(text);
       },
-      block: () => offer(sceneBlock(fence, state().settings), "The scene block"),
+      block: () => offer(sceneBlock(fence, state().settings)),
     };
     place.addEventListener("click", async (event) => {
       const button = /** @type {Element} */ (event.target).closest("button");
@@ -86,7 +87,8 @@ export class TakeAlong {
         code.replaceChildren();
         await act();
       } catch (error) {
-        say(note, `This browser could not do it: ${/** @type {Error} */ (error).message}`);
+        const { message } = /** @type {Error} */ (error);
+        say(note, tr("This browser could not do it: {why}", { why: message }));
       }
     });
   }

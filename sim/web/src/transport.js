@@ -1,6 +1,7 @@
 /** Buttons, speed, clocks and keys: everything that moves the time. */
 
 import { need, say } from "./dom.js";
+import { tr } from "./language.js";
 import { fixed } from "./numbers.js";
 import { rateText } from "./slow.js";
 
@@ -51,12 +52,17 @@ export class Transport {
   show() {
     const { player } = this;
     say(this.clock, fixed(player.time, player.isSlow ? 4 : (this.decimals.t ?? 3)));
-    say(this.playText, player.playing ? "Pause" : player.time >= player.until ? "Again" : "Play");
+    say(this.playText, this.#name());
     this.bar.classList.toggle("carts-is-playing", player.playing);
     this.bar.classList.toggle("carts-is-slow", player.isSlow);
     this.world.classList.toggle("carts-is-slow", player.isSlow);
     if (this.rate) say(this.rate, rateText(player.rate));
     if (this.ownClock) say(this.ownClock, fixed(player.own, 1));
+  }
+
+  #name() {
+    if (this.player.playing) return tr("Pause");
+    return this.player.time >= this.player.until ? tr("Again") : tr("Play");
   }
 
   /** @param {KeyboardEvent} event */

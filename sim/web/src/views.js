@@ -2,6 +2,7 @@
 
 import { Bars } from "./bars.js";
 import { FreeBody } from "./free-body.js";
+import { tr } from "./language.js";
 import { Lens } from "./lens.js";
 import { isTold } from "./trajectory.js";
 
@@ -11,9 +12,9 @@ import { isTold } from "./trajectory.js";
 
 /** @type {Record<string, [string, new (root: HTMLElement, baked: import("./types.js").Baked, redraw: () => void) => View]>} */
 const KINDS = {
-  "free-body": ["forces on each cart", FreeBody],
-  lens: ["lens on the contact, ×10", Lens],
-  bars: ["momentum before and now", Bars],
+  "free-body": [tr("forces on each cart"), FreeBody],
+  lens: [tr("lens on the contact, ×10"), Lens],
+  bars: [tr("momentum before and now"), Bars],
 };
 
 export class Views {

@@ -1,5 +1,7 @@
 /** Small promises: the next frame, and one that is settled from outside. */
 
+import { heard, tr } from "./language.js";
+
 /** Resolves in the next animation frame, when what was drawn is on the screen. @returns {Promise<unknown>} */
 export function frame() {
   return new Promise((resolve) => requestAnimationFrame(resolve));
@@ -26,6 +28,7 @@ export function deferred() {
 /** @param {import("./types.js").Problem[]} problems @returns {Error} what a reader can do about it */
 export function refusal(problems) {
   const [first] = problems;
-  if (!first) return new Error("This value does not work.");
-  return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+  if (!first) return new Error(tr("This value does not work."));
+  const message = heard(first.message);
+  return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
 }

@@ -1,5 +1,7 @@
 /** Sentences for readers. Twin of `sim/pages/widget/words.py`. */
 
+import { heard, tr } from "./language.js";
+import { listed } from "./listed.js";
 import { fixed, short, speedUnit } from "./numbers.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
@@ -9,28 +11,28 @@ import { fixed, short, speedUnit } from "./numbers.js";
 
 /** @type {Record<string, [string, string, string]>} title, symbol, unit */
 export const QUANTITIES = {
-  x: ["Position", "x", "m"],
-  v: ["Velocity", "v", "m/s"],
-  a: ["Acceleration", "a", "m/s²"],
-  F: ["Contact force", "F", "N"],
-  p: ["Momentum", "p", "kg m/s"],
-  energy: ["Kinetic energy", "E", "J"],
+  x: [tr("Position"), "x", "m"],
+  v: [tr("Velocity"), "v", "m/s"],
+  a: [tr("Acceleration"), "a", "m/s²"],
+  F: [tr("Contact force"), "F", "N"],
+  p: [tr("Momentum"), "p", "kg m/s"],
+  energy: [tr("Kinetic energy"), "E", "J"],
 };
 /** @type {Record<string, string>} */
 export const EFFECTS = {
-  friction: "friction",
-  incline: "a slope",
-  drag: "air resistance",
-  push: "pushes from outside",
-  spring: "springs between the carts",
-  magnets: "magnets",
-  release: "a release between the carts",
+  friction: tr("friction"),
+  incline: tr("a slope"),
+  drag: tr("air resistance"),
+  push: tr("pushes from outside"),
+  spring: tr("springs between the carts"),
+  magnets: tr("magnets"),
+  release: tr("a release between the carts"),
 };
-const BOTH_FORCES =
-  "Each contact has one force in the program: it pushes both bodies, equally hard, " +
-  "away from each other. So the program assumes Newton’s third law; it cannot prove it.";
-const IMPULSE_ONLY = "too large and too short to draw: see the impulses under “What happens”";
-const JUMP_ONLY = "where v jumps, the acceleration is too large and too short to draw";
+const BOTH_FORCES = tr(
+  "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.",
+);
+const IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
+const JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
 
 /** @param {string} name */
 export function isWall(name) {
@@ -39,20 +41,29 @@ export function isWall(name) {
 
 /** @param {string} name @returns {string} a body as a sentence names it */
 export function body(name) {
-  return isWall(name) ? `the ${name} wall` : name;
+  if (name === "left") return tr("the left wall");
+  return name === "right" ? tr("the right wall") : name;
 }
 
 /** @param {string} name @returns {string} a body as a label names it */
 export function brief(name) {
-  return isWall(name) ? `${name} wall` : name;
+  if (name === "left") return tr("left wall");
+  return name === "right" ? tr("right wall") : name;
+}
+
+/** @param {string} on @param {string} by @returns {string} both bodies as a sentence names them */
+export function forceOn(on, by) {
+  return tr("force on {on} by {by}", { on, by });
 }
 
 /** @param {number} velocity @param {number} decimals @param {number} scale of velocities in the scene */
 export function motion(velocity, decimals, scale) {
-  if (Math.abs(velocity) < 1e-9 * scale) return "at rest";
+  if (isRest(velocity, scale)) return tr("at rest");
   const [per, unit] = speedUnit(scale);
   const speed = `${fixed(Math.abs(velocity) / per, decimals)}\u00a0${unit}`;
-  return `${speed} to the ${velocity > 0 ? "right" : "left"}`;
+  return velocity > 0
+    ? tr("{speed} to the right", { speed })
+    : tr("{speed} to the left", { speed });
 }
 
 /** @param {Header["contacts"]} contacts @returns {Laws} */
@@ -60,55 +71,66 @@ export function lawsOf(contacts) {
   return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
 }
 
+/** @param {number} velocity @param {number} scale */
+function isRest(velocity, scale) {
+  return Math.abs(velocity) < 1e-9 * scale;
+}
+
 /** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @returns {string} what happens at an event */
 export function eventSentence(event, telling, laws) {
   const { decimals, scale, camera, forces } = telling;
   const names = event.bodies;
-  const pair = capital(names.map(body).join(" and "));
+  const pair = capital(listed(names.map(body)));
   const impulse = event.impulse ?? 0;
   const speeds = names
     .filter((name) => !isWall(name) && name in (event.after ?? {}))
     .map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-  const after = speeds.length ? ` ${speeds.join(". ")}.` : "";
-  const shown = forces && impulse ? ` Impulse on each: ${short(impulse)}\u00a0N\u00a0s.` : "";
+  const after = speeds.length ? `${speeds.join(". ")}.` : "";
+  const size = `${short(impulse)}\u00a0N\u00a0s`;
+  const shown = forces && impulse ? tr("Impulse on each: {size}.", { size }) : "";
+  const told = (/** @type {string[]} */ ...sentences) => sentences.filter(Boolean).join(" ");
   switch (event.kind) {
     case "contact": {
       if (impulse && laws[names.join("-")] === "velcro") {
-        return `${pair} hit and stay together.${shown}${after}`;
+        return told(tr("{pair} hit and stay together.", { pair }), shown, after);
       }
-      if (impulse && joined(event, scale)) {
-        return `${pair} hit and ${goOn(event, telling)}.${shown}`;
+      if (impulse && joined(event, scale)) return told(...hitAndGoOn(event, telling, pair), shown);
+      if (impulse) {
+        return told(tr("{pair} hit each other and part at once.", { pair }), shown, after);
       }
-      if (impulse) return `${pair} hit each other and part at once.${shown}${after}`;
       const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-      return `${mover} reaches ${body(String(other))}.`;
+      return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
     }
     case "peak":
       if (forces && event.force) {
-        const size = fixed(event.force, decimals.F ?? 2);
-        return `${pair}: bumpers squeezed the most, ${size}\u00a0N on each.`;
+        const force = `${fixed(event.force, decimals.F ?? 2)}\u00a0N`;
+        return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
       }
-      return `${pair}: bumpers squeezed the most.`;
-    case "separate":
-      if (joined(event, scale)) {
-        const who = names.map(body).join(" and ");
-        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
-        const left = rest ? "they stay together" : `they ${goOn(event, telling)}`;
-        return `The push between ${who} has ended; ${left}.${shown}${rest ? after : ""}`;
+      return tr("{pair}: bumpers squeezed the most.", { pair });
+    case "separate": {
+      if (!joined(event, scale)) return told(tr("{pair} separate.", { pair }), shown, after);
+      const ended = { pair: listed(names.map(body)) };
+      const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+      if (rest) {
+        const stay = tr("The push between {pair} has ended; they stay together.", ended);
+        return told(stay, shown, after);
       }
-      return `${pair} separate.${shown}${after}`;
+      return told(pushEnded(event, telling, ended.pair), shown);
+    }
     case "stick":
-      return `${pair} stay together.${after}`;
+      return told(tr("{pair} stay together.", { pair }), after);
     case "stop":
       return names[1]
-        ? `${pair} stop: the track holds them.`
-        : `${pair} stops: the track holds it.`;
+        ? tr("{pair} stop: the track holds them.", { pair })
+        : tr("{cart} stops: the track holds it.", { cart: pair });
     case "start":
-      return `${pair} ${names[1] ? "start" : "starts"} to slide.`;
+      return names[1]
+        ? tr("{pair} start to slide.", { pair })
+        : tr("{cart} starts to slide.", { cart: pair });
     case "release":
-      return `The exploder between ${pair} releases.${shown}${after}`;
+      return told(tr("The exploder between {pair} releases.", { pair }), shown, after);
     case "end":
-      return "End of the run.";
+      return tr("End of the run.");
     default:
       return `${event.kind}: ${pair}.`;
   }
@@ -117,21 +139,42 @@ export function eventSentence(event, telling, laws) {
 /** Whether both bodies have one velocity after the event; a wall has none. @param {RunEvent} event @param {number} scale */
 function joined({ bodies, after }, scale) {
   const [left, right] = bodies.map((name) => (isWall(name) ? 0 : Number(after[name])));
-  return Math.abs(Number(left) - Number(right)) < 1e-9 * scale; // rounding, not motion
+  return isRest(Number(left) - Number(right), scale); // rounding, not motion
 }
 
-/** @param {RunEvent} event of two bodies with one velocity @param {Telling} telling */
-function goOn({ bodies, after }, { decimals, scale, camera }) {
+/** @param {RunEvent} event of two bodies with one velocity @param {Telling} telling @param {string} pair @returns {string[]} */
+function hitAndGoOn(event, telling, pair) {
+  const how = together(event, telling);
+  return how === null
+    ? [tr("{pair} hit and stay together, at rest.", { pair })]
+    : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
+}
+
+/** @param {RunEvent} event of two bodies with one velocity @param {Telling} telling @param {string} pair */
+function pushEnded(event, telling, pair) {
+  const how = together(event, telling);
+  return how === null
+    ? tr("The push between {pair} has ended; they stay together, at rest.", { pair })
+    : tr("The push between {pair} has ended; they go on together at {velocity}.", {
+        pair,
+        velocity: how,
+      });
+}
+
+/** @param {RunEvent} event of two bodies with one velocity @param {Telling} telling @returns {string | null} it; null: at rest */
+function together({ bodies, after }, { decimals, scale, camera }) {
   const cart = bodies.find((name) => !isWall(name)) ?? "";
-  const seen = motion(Number(after[cart]) - camera, decimals.v ?? 2, scale);
-  return seen === "at rest" ? "stay together, at rest" : `go on together at ${seen}`;
+  const seen = Number(after[cart]) - camera;
+  return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
 }
 
 /** @param {import("./exits.js").Exit} exit @param {number} decimals @param {number} scale @returns {string} */
 export function exitSentence({ name, side, velocity }, decimals, scale) {
   const [per, unit] = speedUnit(scale);
   const speed = `${fixed(Math.abs(velocity) / per, decimals)}\u00a0${unit}`;
-  return `${name} leaves the picture on the ${side}, still ${speed}.`;
+  return side === "right"
+    ? tr("{name} leaves the picture on the right, still {speed}.", { name, speed })
+    : tr("{name} leaves the picture on the left, still {speed}.", { name, speed });
 }
 
 /**
@@ -142,21 +185,29 @@ export function graphNote(quantity, events, curves) {
   const struck = events.some((event) => event.kind === "contact" && event.impulse);
   if (struck && quantity === "F") return IMPULSE_ONLY;
   if (struck && quantity === "a") return JUMP_ONLY;
-  return quantity === "F" && !curves ? "no contact force in this run" : "";
+  return quantity === "F" && !curves ? tr("no contact force in this run") : "";
 }
 
 /** @param {Header} header @returns {string[]} what is in this model, and what is left out */
 export function modelSentences(header) {
-  const sentences = [...new Set(header.plan.map((phase) => sentence(phase.why)))];
-  const told = header.plan.length > 0; // not so before a prediction
-  if (told && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+  const sentences = [...new Set(header.plan.map((phase) => sentence(told(phase.why))))];
+  const open = header.plan.length > 0; // not so before a prediction
+  if (open && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
   const leftOut = header.notSimulated.map((name) => EFFECTS[name] ?? name);
-  const last = leftOut.pop();
-  if (last !== undefined) {
-    const listed = leftOut.length ? `${leftOut.join(", ")} and ${last}` : last;
-    sentences.push(`Left out of this model: ${listed}.`);
+  if (leftOut.length) {
+    sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
   }
   return sentences;
+}
+
+/** @param {string} why of a phase, as Python says it: clauses between semicolons @returns {string} */
+export function told(why) {
+  return why.split("; ").map(heard).join("; ");
+}
+
+/** @param {string} name of a graph or a quantity @returns {string} it within a sentence */
+export function lower(name) {
+  return name.slice(0, 1).toLowerCase() + name.slice(1);
 }
 
 /** @param {string} text */

@@ -4,6 +4,7 @@
  */
 
 import { html, say } from "../dom.js";
+import { tr } from "../language.js";
 import { outline } from "./outline.js";
 
 export class Bar {
@@ -11,12 +12,12 @@ export class Bar {
   constructor(book, openPanel) {
     this.book = book;
     this.root = html("aside", "carts carts-bar");
-    this.root.setAttribute("aria-label", "My answers");
+    this.root.setAttribute("aria-label", tr("My answers"));
     this.who = html("span", "carts-bar-who");
     this.meter = document.createElement("progress");
-    this.meter.setAttribute("aria-label", "questions answered on this page");
+    this.meter.setAttribute("aria-label", tr("questions answered on this page"));
     this.count = html("span", "carts-bar-count");
-    const button = html("button", "carts-button carts-bar-open", "My answers");
+    const button = html("button", "carts-button carts-bar-open", tr("My answers"));
     button.setAttribute("type", "button");
     button.setAttribute("aria-haspopup", "dialog");
     button.addEventListener("click", openPanel);
@@ -42,10 +43,10 @@ export class Bar {
     this.meter.hidden = of === 0;
     this.meter.max = of || 1;
     this.meter.value = done;
-    say(this.count, of ? `${done} of ${of}` : "");
-    say(this.who, this.book.student || (outline() ? "no code word yet" : ""));
+    say(this.count, of ? tr("{part} of {all}", { part: done, all: of }) : "");
+    say(this.who, this.book.student || (outline() ? tr("no code word yet") : ""));
     const code = this.book.student;
-    say(this.onPaper, code ? `Code word: ${code}` : "Code word: ____________________");
+    say(this.onPaper, tr("Code word: {code}", { code: code || "____________________" }));
     const warning = this.#warning();
     say(this.warning, warning);
     this.warning.hidden = !warning;
@@ -54,10 +55,12 @@ export class Bar {
   #warning() {
     if (!outline()) return "";
     if (this.book.refused) {
-      return "This browser refuses to keep more. Press “My answers” and save your file now.";
+      return tr("This browser refuses to keep more. Press “My answers” and save your file now.");
     }
     if (this.book.store?.how === "memory") {
-      return "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave.";
+      return tr(
+        "This browser keeps nothing: your answers are lost when you close the page. Save your file before you leave.",
+      );
     }
     return "";
   }

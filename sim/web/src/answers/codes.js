@@ -1,5 +1,7 @@
 /** Code words of students, from a printed card: BLUE-FOX-27. Two on one laptop: BLUE-FOX-27+RED-OWL-13. */
 
+import { tr } from "../language.js";
+
 const MOST = 80;
 
 /**
@@ -14,13 +16,13 @@ export function readCode(typed) {
     .map((part) => part.trim().replace(/[\s–—−_]+/g, "-"));
   const codes = [...new Set(parts)].sort();
   const code = codes.join("+");
-  if (!typed.trim()) return { problem: "Type the code word from your card." };
-  if (code.length > MOST) return { problem: "That is too long for a code word." };
+  if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
+  if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
   if (!codes.every((part) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part))) {
-    return { problem: "A code word has letters, digits and hyphens: BLUE-FOX-27" };
+    return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
   }
   if (codes.some((part) => part.length < 4)) {
-    return { problem: "A code word has at least four letters or digits." };
+    return { problem: tr("A code word has at least four letters or digits.") };
   }
   return { code };
 }

@@ -1,5 +1,6 @@
 /** The answer file: made, and read with checks. Nothing of a file is taken that is not known. Pure. */
 
+import { tr } from "../language.js";
 import { isEmpty } from "./entry.js";
 
 export const FORMAT = 1;
@@ -97,13 +98,13 @@ function item(entry) {
  */
 export function readFile(text, site) {
   if (text.length > MOST_BYTES)
-    return { problem: "This file is too large to be a file of answers." };
+    return { problem: tr("This file is too large to be a file of answers.") };
   /** @type {any} */
   let content;
   try {
     content = JSON.parse(text.replace(/^\uFEFF/, ""));
   } catch {
-    return { problem: "This file is damaged, or it is not a file of answers." };
+    return { problem: tr("This file is damaged, or it is not a file of answers.") };
   }
   const problem = wrong(content, site);
   if (problem) return { problem };
@@ -112,7 +113,8 @@ export function readFile(text, site) {
   const found = new Map();
   for (const row of content.items) {
     const entry = clean(row);
-    if (!entry) return { problem: "An answer in this file is damaged. Nothing was taken from it." };
+    if (!entry)
+      return { problem: tr("An answer in this file is damaged. Nothing was taken from it.") };
     const key = form === "worksheet" ? `${page}#${entry.id}` : `${page}#${form}:${entry.id}`;
     const other = found.get(key);
     const full = { ...entry, form, lesson, lessonHash };
@@ -131,22 +133,22 @@ export function readFile(text, site) {
 /** @param {any} content @param {string} site @returns {string} what is wrong with the whole; empty: nothing */
 function wrong(content, site) {
   const isTable = typeof content === "object" && content !== null && !Array.isArray(content);
-  if (!isTable || content.kind !== KIND) return "This is not a file of answers.";
+  if (!isTable || content.kind !== KIND) return tr("This is not a file of answers.");
   if (!Number.isInteger(content.format) || content.format < 1)
-    return "This is not a file of answers.";
+    return tr("This is not a file of answers.");
   if (content.format > FORMAT) {
-    return "This file comes from a newer version of the lessons. Open it there.";
+    return tr("This file comes from a newer version of the lessons. Open it there.");
   }
-  if (content.site !== site) return "This file belongs to another site.";
+  if (content.site !== site) return tr("This file belongs to another site.");
   const texts = [content.lesson, content.student, content.page].every(
     (text) => typeof text === "string" && text.length <= 200 && !/[\p{Cc}#@]/u.test(text),
   );
   const hash = content.lessonHash === "" || HASH.test(String(content.lessonHash));
   if (!texts || !hash || !content.page || !FORMS.includes(content.form)) {
-    return "This file is damaged. Nothing was taken from it.";
+    return tr("This file is damaged. Nothing was taken from it.");
   }
   if (!Array.isArray(content.items) || content.items.length > MOST_ITEMS) {
-    return "This file is damaged. Nothing was taken from it.";
+    return tr("This file is damaged. Nothing was taken from it.");
   }
   return "";
 }

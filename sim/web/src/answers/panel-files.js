@@ -2,21 +2,22 @@
 
 import { html, say } from "../dom.js";
 import { download } from "../download.js";
+import { tr } from "../language.js";
 import { csvText } from "./csv.js";
 import { fileName, makeFiles, readFile } from "./file.js";
 import { button, clock, part, status } from "./parts.js";
 
 const NAMES = /** @type {Record<string, string>} */ ({
-  worksheet: "worksheet",
-  pre: "test before",
-  post: "test after",
-  delayed: "last test",
+  worksheet: tr("worksheet"),
+  pre: tr("test before"),
+  post: tr("test after"),
+  delayed: tr("last test"),
 });
 const MOST_BYTES = 4_000_000;
 
 /** @param {import("./book.js").Book} book @returns {{root: HTMLElement, draw: () => void}} */
 export function filesPart(book) {
-  const root = part("files", "Hand in: save a file");
+  const root = part("files", tr("Hand in: save a file"));
   const table = html("div", "carts-answers-table");
   const told = status();
   root.append(table, told, importRow(book, told));
@@ -29,7 +30,7 @@ export function filesPart(book) {
 function rows(book, told) {
   const files = makeFiles(book.entries(), book, new Date().toISOString());
   files.sort((a, b) => Number(b.page === book.page) - Number(a.page === book.page));
-  if (!files.length) return [html("p", "carts-quiet", "Nothing has been answered yet.")];
+  if (!files.length) return [html("p", "carts-quiet", tr("Nothing has been answered yet."))];
   return files.map((file) => {
     const row = html("div", "carts-answers-file");
     const count = file.content.items.length;
@@ -38,13 +39,10 @@ function rows(book, told) {
       .sort()
       .pop();
     const name = html("span", "carts-answers-name");
-    name.append(
-      html("strong", "", file.lesson),
-      ` · ${NAMES[file.form]} · ${count} ${count === 1 ? "answer" : "answers"}`,
-    );
+    name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${counted(count)}`);
     if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
     const save = button(
-      "Save file",
+      tr("Save file"),
       () => {
         const [fresh] = makeFiles(book.entries(), book, new Date().toISOString()).filter(
           (one) => one.page === file.page && one.form === file.form,
@@ -53,20 +51,23 @@ function rows(book, told) {
         download(file.name, `${JSON.stringify(content, null, 1)}\n`, "application/json");
         say(
           told,
-          `Saved as ${file.name}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.`,
+          tr(
+            "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
+            { file: file.name },
+          ),
         );
       },
       "carts-answers-save",
     );
     const csv = button(
-      "Table (CSV)",
+      tr("Table (CSV)"),
       () => {
         download(
           fileName(file.lesson, file.form, book.student, "csv"),
           csvText(file.content),
           "text/csv",
         );
-        say(told, "Saved. A spreadsheet program opens it.");
+        say(told, tr("Saved. A spreadsheet program opens it."));
       },
       "carts-answers-csv",
     );
@@ -75,29 +76,39 @@ function rows(book, told) {
   });
 }
 
+/** @param {number} count @returns {string} */
+function counted(count) {
+  return count === 1 ? tr("1 answer") : tr("{count} answers", { count });
+}
+
 /** What to do to see answers that are not this page's or this student's; empty: nothing. */
 /** @param {{student: string, lesson: string, entries: [string, any][]}} found @param {import("./book.js").Book} book */
 function elsewhere(found, book) {
   const words = [];
   if (found.student !== book.student) {
-    const whose = found.student || "somebody without a code word";
-    words.push(` They belong to ${whose}: continue under that code word to see them.`);
+    const whose = found.student || tr("somebody without a code word");
+    words.push(tr("They belong to {whose}: continue under that code word to see them.", { whose }));
   }
   if (!found.entries.some(([key]) => key.startsWith(`${book.page}#`))) {
     // Firefox keeps what a page of a folder has for that page alone.
     const alone = location.protocol === "file:" && navigator.userAgent.includes("Firefox/");
-    const how = alone
-      ? "open that page and bring the file back there"
-      : "open that page to see them";
-    words.push(` They belong to the page “${found.lesson}”: ${how}.`);
+    const page = { page: found.lesson };
+    words.push(
+      alone
+        ? tr(
+            "They belong to the page “{page}”: open that page and bring the file back there.",
+            page,
+          )
+        : tr("They belong to the page “{page}”: open that page to see them.", page),
+    );
   }
-  return words.join("");
+  return words.join(" ");
 }
 
 /** @param {import("./book.js").Book} book @param {HTMLElement} told */
 function importRow(book, told) {
   const row = html("p", "carts-answers-import");
-  const label = html("label", "", "Bring answers back from a file ");
+  const label = html("label", "", `${tr("Bring answers back from a file")} `);
   const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-open"));
   Object.assign(box, { type: "file", accept: ".json,application/json" });
   label.append(box);
@@ -111,10 +122,12 @@ function importRow(book, told) {
     const found = readFile(text, book.site);
     if ("problem" in found) return say(told, found.problem);
     const changed = await book.take(found.student, found.entries).catch(() => -1);
-    if (changed < 0) return say(told, "This browser refuses to keep the answers of this file.");
+    if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
     const where = elsewhere(found, book);
-    const count = `${changed} ${changed === 1 ? "answer" : "answers"} taken from the file`;
-    say(told, `${count}; nothing that was here is lost.${where}`);
+    const taken = tr("Taken from the file: {count}. Nothing that was here is lost.", {
+      count: counted(changed),
+    });
+    say(told, `${taken} ${where}`.trim());
     // A scene takes its prediction up only when the page is read.
     const predicted = found.entries.some(([, entry]) => entry.locked);
     if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);

@@ -1,6 +1,7 @@
 /** What was answered on this page, in words; also to questions that are no longer there. */
 
 import { html } from "../dom.js";
+import { tr } from "../language.js";
 import { handedForms } from "../question/quiz.js";
 import { isEmpty } from "./entry.js";
 import { itemOf, outline } from "./outline.js";
@@ -8,7 +9,7 @@ import { button, part } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
 export function listPart(book) {
-  const root = part("list", "On this page");
+  const root = part("list", tr("On this page"));
   const mine = book
     .entries()
     .filter(([key, entry]) => key.startsWith(`${book.page}#`) && entry?.type !== "form");
@@ -18,32 +19,41 @@ export function listPart(book) {
   if (outline()) {
     const row = html("p");
     row.append(
-      button("Print with my answers", () => print(false)),
+      button(tr("Print with my answers"), () => print(false)),
       " ",
-      button("Print empty", () => print(true)),
+      button(tr("Print empty"), () => print(true)),
     );
     root.append(row);
-    const told =
-      "Check works without a network because the right answers of worksheets are in their pages.";
+    const told = tr(
+      "Check works without a network because the right answers of worksheets are in their pages.",
+    );
     root.append(html("p", "carts-quiet", told));
   }
-  if (!shown.length) root.append(html("p", "carts-quiet", "Nothing to show."));
+  if (!shown.length) root.append(html("p", "carts-quiet", tr("Nothing to show.")));
   if (hidden)
     root.append(
       html(
         "p",
         "carts-quiet",
-        `${hidden} answers of a form that was handed in are kept and not shown.`,
+        tr("{count} answers of a form that was handed in are kept and not shown.", {
+          count: hidden,
+        }),
       ),
     );
   const list = html("dl", "carts-answers-said");
   for (const [, entry] of shown) {
     const there = itemOf(entry);
-    const note = there ? "" : " (no longer on this page)";
+    const note = there ? "" : ` ${tr("(no longer on this page)")}`;
     list.append(html("dt", "", `${entry.asked || entry.id}${note}`));
     list.append(html("dd", "", entry.said || plainValue(entry.value)));
     for (const old of entry.earlier ?? []) {
-      list.append(html("dd", "carts-quiet", `earlier: ${old.said || plainValue(old.value)}`));
+      list.append(
+        html(
+          "dd",
+          "carts-quiet",
+          tr("earlier: {answer}", { answer: old.said || plainValue(old.value) }),
+        ),
+      );
     }
   }
   root.append(list);

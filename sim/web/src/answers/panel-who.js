@@ -1,20 +1,21 @@
 /** New student, or continue as … by the code word from a printed card. Nobody else's answers are shown. */
 
 import { html, say } from "../dom.js";
+import { tr } from "../language.js";
 import { readCode } from "./codes.js";
 import { button, part, status } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
 export function whoPart(book) {
-  const root = part("who", "Who works here");
+  const root = part("who", tr("Who works here"));
   const { student } = book;
   const now = student
-    ? `These are the answers of ${student}.`
-    : "No code word yet: the next person at this computer sees these answers.";
+    ? tr("These are the answers of {student}.", { student })
+    : tr("No code word yet: the next person at this computer sees these answers.");
   const label = html(
     "label",
     "",
-    student ? "Somebody else? Code word " : "Code word from your card ",
+    `${student ? tr("Somebody else? Code word") : tr("Code word from your card")} `,
   );
   const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-code"));
   Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
@@ -22,13 +23,17 @@ export function whoPart(book) {
   label.append(box);
   const told = status();
   const choices = html("p", "carts-answers-choices");
-  const go = button("Continue", () => void look(), "carts-answers-go");
+  const go = button(tr("Continue"), () => void look(), "carts-answers-go");
   box.addEventListener("keydown", ({ key }) => {
     if (key === "Enter") void look();
   });
   const row = html("p");
   row.append(label, " ", go);
-  const two = html("p", "carts-quiet", "Two students at one computer: both code words with a +.");
+  const two = html(
+    "p",
+    "carts-quiet",
+    tr("Two students at one computer: both code words with a +."),
+  );
   root.append(html("p", "carts-answers-now", now), row, told, choices, two);
 
   async function look() {
@@ -36,7 +41,7 @@ export function whoPart(book) {
     const found = readCode(box.value);
     if ("problem" in found) return say(told, found.problem);
     const { code } = found;
-    if (code === student) return say(told, "That is who works here now.");
+    if (code === student) return say(told, tr("That is who works here now."));
     const loose = !student && book.entries().length > 0;
     const known = await book.has(code);
     if (known && !loose) return become(code, false);
@@ -44,16 +49,20 @@ export function whoPart(book) {
     if (loose) {
       choices.append(
         button(
-          "They are mine: take them along",
+          tr("They are mine: take them along"),
           () => void become(code, true),
           "carts-answers-mine",
         ),
         " ",
       );
-      choices.append(button("Leave them", () => void become(code, false)));
+      choices.append(button(tr("Leave them"), () => void become(code, false)));
     } else
       choices.append(
-        button(`Begin as ${code}`, () => void become(code, false), "carts-answers-begin"),
+        button(
+          tr("Begin as {code}", { code }),
+          () => void become(code, false),
+          "carts-answers-begin",
+        ),
       );
     choices.querySelector("button")?.focus();
   }
@@ -68,6 +77,9 @@ export function whoPart(book) {
 
 /** @param {string} code @param {boolean} known @param {boolean} loose */
 function question(code, known, loose) {
-  const first = known ? "" : `On this computer there is nothing of ${code} yet. `;
-  return loose ? `${first}Somebody has answered here without a code word. Was that you?` : first;
+  const words = [
+    known ? "" : tr("On this computer there is nothing of {code} yet.", { code }),
+    loose ? tr("Somebody has answered here without a code word. Was that you?") : "",
+  ];
+  return words.filter(Boolean).join(" ");
 }

@@ -1,6 +1,7 @@
 /** “My answers”: who works here, files, what was answered, and how to hand in. One on every page. */
 
 import { html } from "../dom.js";
+import { tr } from "../language.js";
 import { filesPart } from "./panel-files.js";
 import { leavePart } from "./panel-leave.js";
 import { listPart } from "./panel-list.js";
@@ -25,9 +26,9 @@ export class Panel {
   async open() {
     await this.book.ready;
     await this.book.refresh();
-    const title = html("h2", "carts-answers-title", "My answers");
+    const title = html("h2", "carts-answers-title", tr("My answers"));
     title.id = "carts-answers-title";
-    const close = html("button", "carts-button carts-answers-close", "Close");
+    const close = html("button", "carts-button carts-answers-close", tr("Close"));
     close.setAttribute("type", "button");
     close.addEventListener("click", () => this.root.close());
     const head = html("div", "carts-answers-head");

@@ -1,6 +1,7 @@
 /** Pieces that the parts of the panel share. */
 
 import { html } from "../dom.js";
+import { tr } from "../language.js";
 
 /** A part of the panel with its heading. @param {string} name of the class @param {string} title @returns {HTMLElement} */
 export function part(name, title) {
@@ -24,7 +25,7 @@ export function askingButton(text, question, yes, act, name) {
   const row = html("p", `carts-answers-asking ${name}`);
   const first = button(text, () => ask(true));
   const asked = html("span", "", `${question} `);
-  const no = button("No", () => ask(false), "carts-answers-no");
+  const no = button(tr("No"), () => ask(false), "carts-answers-no");
   asked.append(button(yes, act, "carts-answers-yes"), " ", no);
   asked.hidden = true;
   row.append(first, asked);

@@ -2,6 +2,7 @@
 
 import { isEmpty } from "../answers/entry.js";
 import { html, need, say } from "../dom.js";
+import { tr } from "../language.js";
 import { Feedback } from "./feedback.js";
 import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";
@@ -28,6 +29,7 @@ const FORMS = {
   matching: matchForm,
   drawn: drawnForm,
 };
+const NOT_SAVED = tr("Not saved");
 const ASKED = 300; // characters of the question that go with an answer
 
 /** The element class for the page's answers. @param {import("../answers/book.js").Book} book */
@@ -126,9 +128,9 @@ export function questionElement(book) {
           const line = html("p");
           const other = entry.hash !== this.facts.hash;
           const head = other
-            ? "Your answer to an earlier version of this question: "
-            : "Your other answer: ";
-          line.append(html("strong", "", head), entry.said || JSON.stringify(entry.value));
+            ? tr("Your answer to an earlier version of this question:")
+            : tr("Your other answer:");
+          line.append(html("strong", "", head), " ", entry.said || JSON.stringify(entry.value));
           return line;
         }),
       );
@@ -161,24 +163,24 @@ export function questionElement(book) {
       this.#writes += 1;
       const mine = this.#writes;
       this.#early = !book.store;
-      this.#say("Saving…");
+      this.#say(tr("Saving…"));
       try {
         await book.put(this.formName ?? "worksheet", this.#entry);
         if (mine === this.#writes) this.#say(this.#keptWord());
       } catch {
-        this.#say("Not saved");
+        this.#say(NOT_SAVED);
       }
     }
 
     #keptWord() {
-      return book.store?.kind === "memory" ? "Not saved" : "Saved";
+      return book.store?.kind === "memory" ? NOT_SAVED : tr("Saved");
     }
 
     /** One press on Check: what was answered, and the run that it was read off. */
     #attempt() {
       const problem = this.#form?.problem?.() ?? "";
       if (!this.answered || problem) {
-        this.#complain(problem || "Answer first.");
+        this.#complain(problem || tr("Answer first."));
         return null;
       }
       let own = null;
@@ -186,7 +188,7 @@ export function questionElement(book) {
         const found = ownReading(this.facts);
         own = found.own;
         if (own === null) {
-          this.#complain("Run the scene first: lock your prediction there.");
+          this.#complain(tr("Run the scene first: lock your prediction there."));
           return null;
         }
         this.#entry = { ...this.#entry, own, set: found.set };
@@ -208,7 +210,7 @@ export function questionElement(book) {
     #say(word) {
       const place = need(this, ".carts-q-saved");
       say(place, word);
-      place.classList.toggle("carts-q-unsaved", word === "Not saved");
+      place.classList.toggle("carts-q-unsaved", word === NOT_SAVED);
     }
 
     /** @param {string} problem */

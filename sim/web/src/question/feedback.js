@@ -1,15 +1,16 @@
 /** Check, hints, and what the page says to an answer. The texts lie in templates beside the question. */
 
 import { html, need } from "../dom.js";
+import { tr } from "../language.js";
 import { mark } from "./marking/mark.js";
 
 const WORDS = {
-  right: "Right.",
-  partly: "Partly right. Look again.",
-  wrong: "Not yet. Think again.",
-  open: "Written down.",
-  empty: "Answer first.",
-  unclear: "This cannot be read.",
+  right: tr("Right."),
+  partly: tr("Partly right. Look again."),
+  wrong: tr("Not yet. Think again."),
+  open: tr("Written down."),
+  empty: tr("Answer first."),
+  unclear: tr("This cannot be read."),
 };
 const SHOW_AFTER = 3; // tries until the explanation is shown all the same
 
@@ -50,7 +51,14 @@ export class Feedback {
     this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found.verdict]));
     if (own !== null && tries >= SHOW_AFTER && found.verdict !== "right") {
       this.place.append(
-        html("p", "", `Your run says ${Number(own.toPrecision(3))} ${facts.unit}.`),
+        html(
+          "p",
+          "",
+          tr("Your run says {value} {unit}.", {
+            value: Number(own.toPrecision(3)),
+            unit: facts.unit,
+          }),
+        ),
       );
     }
     for (const name of names) {

@@ -6,26 +6,34 @@
  *   words: checksums of the words given so far; answered: the worksheet is; handed: when each form was
  */
 
+import { tr } from "../language.js";
+
 const NAMES = /** @type {Record<string, string>} */ ({
-  pre: "the test before the lesson",
-  post: "the test after the lesson",
-  delayed: "the last test",
+  pre: tr("the test before the lesson"),
+  post: tr("the test after the lesson"),
+  delayed: tr("the last test"),
 });
 
 /** Why a form is not open yet; empty: it is. @param {Rule} rule @param {State} state @returns {string[]} */
 export function reasons(rule, state) {
   const why = [];
-  if (rule.word && !state.words.includes(rule.word)) why.push("It opens with your teacher's word.");
-  if (rule.date && today(state.now) < rule.date) why.push(`It opens on ${rule.date}.`);
+  if (rule.word && !state.words.includes(rule.word)) {
+    why.push(tr("It opens with your teacher's word."));
+  }
+  if (rule.date && today(state.now) < rule.date) {
+    why.push(tr("It opens on {date}.", { date: rule.date }));
+  }
   if (rule.done === "worksheet" && !state.answered) {
-    why.push("It opens when every question of the worksheet above is answered.");
+    why.push(tr("It opens when every question of the worksheet above is answered."));
   } else if (rule.done && rule.done !== "worksheet") {
     const handed = state.handed[rule.done];
-    if (!handed) why.push(`It opens when ${NAMES[rule.done] ?? rule.done} is handed in.`);
-    else if (rule.days) {
+    if (!handed) {
+      const form = NAMES[rule.done] ?? rule.done;
+      why.push(tr("It opens when {form} is handed in.", { form }));
+    } else if (rule.days) {
       const day = new Date(handed);
       day.setDate(day.getDate() + rule.days);
-      if (today(state.now) < today(day)) why.push(`It opens on ${today(day)}.`);
+      if (today(state.now) < today(day)) why.push(tr("It opens on {date}.", { date: today(day) }));
     }
   }
   return why;

@@ -2,6 +2,7 @@
 
 import { isEmpty } from "../answers/entry.js";
 import { need, say } from "../dom.js";
+import { tr } from "../language.js";
 import { encode, fits } from "./handin.js";
 import { isOver, reasons, wordSum } from "./opening.js";
 import { shuffleOptions } from "./shuffle.js";
@@ -68,7 +69,7 @@ export function quizElement(book) {
         handed: handedForms(book),
       };
       const over = isOver(this.facts.close, now);
-      const why = handed ? [] : over ? ["This form is closed."] : reasons(this.facts.open, all);
+      const why = handed ? [] : over ? [tr("This form is closed.")] : reasons(this.facts.open, all);
       const review = handed && this.facts.review && reasons(this.facts.review, all).length === 0;
       const wantsWord = handed
         ? !review && this.facts.review?.word
@@ -76,7 +77,7 @@ export function quizElement(book) {
       const open = !why.length && (!handed || review);
       need(this, ".carts-quiz-items").hidden = !open;
       need(this, ".carts-quiz-gate").hidden = open && !wantsWord;
-      const again = handed && wantsWord ? ["To look at your answers again:"] : why;
+      const again = handed && wantsWord ? [tr("To look at your answers again:")] : why;
       say(need(this, ".carts-quiz-why"), again.join(" "));
       need(this, ".carts-quiz-ask").hidden = !wantsWord;
       need(this, ".carts-quiz-foot").hidden = !open || Boolean(handed);
@@ -95,7 +96,7 @@ export function quizElement(book) {
       const sum = wordSum(this.facts.id, typed);
       const { open, review } = this.facts;
       if (![open.word, review?.word].includes(sum)) {
-        say(need(this, ".carts-quiz-why"), "That is not the word. Ask your teacher.");
+        say(need(this, ".carts-quiz-why"), tr("That is not the word. Ask your teacher."));
         return;
       }
       const state = this.state;
@@ -110,18 +111,25 @@ export function quizElement(book) {
 
     #count() {
       const left = this.#questions().filter((question) => !question.answered).length;
-      say(need(this, ".carts-quiz-left"), left ? `${left} not answered yet` : "All answered.");
+      say(
+        need(this, ".carts-quiz-left"),
+        left ? tr("{count} not answered yet", { count: left }) : tr("All answered."),
+      );
     }
 
     /** @param {boolean} on */
     #ask(on) {
       const left = this.#questions().filter((question) => !question.answered).length;
-      const missing = left
-        ? `${left} ${left === 1 ? "question is" : "questions are"} not answered. `
-        : "";
-      const nameless = book.student ? "" : "You have typed no code word yet: My answers. ";
-      const words = `${missing}${nameless}After handing in you cannot change anything.`;
-      say(need(this, ".carts-quiz-sure-text"), words);
+      const missing =
+        left === 1
+          ? tr("1 question is not answered.")
+          : tr("{count} questions are not answered.", { count: left });
+      const words = [
+        left ? missing : "",
+        book.student ? "" : tr("You have typed no code word yet: My answers."),
+        tr("After handing in you cannot change anything."),
+      ];
+      say(need(this, ".carts-quiz-sure-text"), words.filter(Boolean).join(" "));
       need(this, ".carts-quiz-sure").hidden = !on;
       need(this, ".carts-quiz-hand-in").hidden = on;
       need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();
@@ -171,10 +179,14 @@ export function quizElement(book) {
       const place = need(this, ".carts-quiz-done");
       place.hidden = !handed;
       if (!handed) return;
-      const when = new Date(handed).toLocaleString();
-      const code = this.state.code ? ` Hand-in code: ${this.state.code}.` : "";
-      const hidden = review ? "" : " The questions are hidden until your teacher opens them again.";
-      say(place, `Handed in on ${when}.${code} Save your file under “My answers”.${hidden}`);
+      const { code } = this.state;
+      const words = [
+        tr("Handed in on {when}.", { when: new Date(handed).toLocaleString() }),
+        code ? tr("Hand-in code: {code}.", { code }) : "",
+        tr("Save your file under “My answers”."),
+        review ? "" : tr("The questions are hidden until your teacher opens them again."),
+      ];
+      say(place, words.filter(Boolean).join(" "));
     }
   };
 }

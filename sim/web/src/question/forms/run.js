@@ -1,6 +1,7 @@
 /** Questions on a scene of the page: a reading off the student's own run, and a drawn prediction. */
 
 import { isEmpty } from "../../answers/entry.js";
+import { tr } from "../../language.js";
 import { reading } from "../marking/own-run.js";
 import { readNumber } from "../marking/typed-number.js";
 
@@ -48,7 +49,7 @@ export function drawnForm(root, _changed, facts) {
     follow: (book) => {
       const entry = book.get("worksheet", facts.scene);
       const locked = entry && !isEmpty(entry.value) && entry.locked;
-      done.textContent = locked ? "✓ done" : "";
+      done.textContent = locked ? tr("✓ done") : "";
     },
   };
 }

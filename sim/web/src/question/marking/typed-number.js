@@ -1,5 +1,7 @@
 /** A number that a student typed, in the question's own unit. The same rules as sim/lesson/typed.py. */
 
+import { tr } from "../../language.js";
+
 const LONGEST = 40;
 const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
 const GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
@@ -10,27 +12,32 @@ const GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
  */
 export function readNumber(typed, units) {
   const text = typed.trim().replace(/[−–]/g, "-");
-  if (!text) return { problem: "Type a number, for example 0.5" };
-  if (text.length > LONGEST) return { problem: "That is too long for a number." };
+  if (!text) return { problem: tr("Type a number, for example 0.5") };
+  if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
   const grouped = GROUPED.exec(text);
   if (grouped) return { problem: twoReadings(String(grouped[1])) };
   const found = NUMBER.exec(text);
-  if (!found) return { problem: `“${text}” is not a number. Type for example 0.5` };
+  if (!found) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   const number = String(found[1]);
   const unit = (found[2] ?? "").replace(/μ/g, "µ");
   const factor = unit ? (Object.hasOwn(units, unit) ? units[unit] : undefined) : 1;
   if (factor === undefined) {
     const known = Object.keys(units).filter(Boolean).join(", ");
-    return { problem: `“${found[2]}” does not fit here. Units: ${known}` };
+    const text = { unit: String(found[2]), units: known };
+    return { problem: tr("“{unit}” does not fit here. Units: {units}", text) };
   }
   const value = Number(number.replace(",", ".")) * factor;
-  return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
+  return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
 }
 
 /** @param {string} text */
 function twoReadings(text) {
   const whole = text.replaceAll(",", "");
-  if (text.split(",").length > 2) return `Type ${whole} without commas.`;
+  if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
   const decimal = String(Number(text.replace(",", ".")));
-  return `${text} can mean ${decimal} or ${whole}: type ${decimal} or ${whole}`;
+  return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+    text,
+    decimal,
+    whole,
+  });
 }

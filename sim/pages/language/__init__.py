@@ -1,0 +1,23 @@
+"""Interface words in the reader's language. An English sentence is its own key.
+
+Lessons are written in whatever language their author chooses. What stands around them (buttons,
+readouts, sentences about a run) is English in the code, `tr("Step back")`, and comes out in the
+language of the page. Catalogues are gettext's `.po` files, which translators have tools for.
+`sim/web/src/language.js` does the same in the page, with a script that `words_script` writes.
+"""
+
+from sim.pages.language.catalogue import LANGUAGES, UnknownLanguageError, language_of, words_script
+from sim.pages.language.say import form_of, heard, mark, speaking, tr, tr_html
+
+__all__ = [
+    "LANGUAGES",
+    "UnknownLanguageError",
+    "form_of",
+    "heard",
+    "language_of",
+    "mark",
+    "speaking",
+    "tr",
+    "tr_html",
+    "words_script",
+]

@@ -1,0 +1,70 @@
+"""Catalogues: what each language says, and which part of it the page's script needs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+FOLDER = Path(__file__).parent / "catalogues"
+ENGLISH = "en"
+LANGUAGES = {
+    "en": "English",
+    "ms": "Bahasa Melayu",
+    "ta": "தமிழ்",
+    "zh-Hans": "简体中文",
+}
+# What a generator or a browser calls a language of ours.
+_ALSO = {"zh": "zh-Hans", "zh-cn": "zh-Hans", "zh-sg": "zh-Hans", "zh-hans": "zh-Hans"}
+
+
+class UnknownLanguageError(ValueError):
+    """There is no catalogue of this language."""
+
+
+def language_of(code: str) -> str:
+    """Our name of a language: `zh` is `zh-Hans`, `ms-SG` is `ms`; raises UnknownLanguageError."""
+    lowered = code.replace("_", "-").lower()
+    found = _ALSO.get(lowered) or lowered.partition("-")[0]
+    if found not in LANGUAGES:
+        listed = ", ".join(LANGUAGES)
+        raise UnknownLanguageError(f"no interface words in “{code}”: there are {listed}")
+    return found
+
+
+@cache
+def words(language: str) -> Mapping[str, str]:
+    """What each English sentence is in a language; empty for English."""
+    return {key: said for key, (said, _) in _entries(language).items()}
+
+
+@cache
+def words_script(language: str) -> str:
+    """A script that gives the page its words; "" where it needs none."""
+    found = {key: said for key, (said, in_page) in _entries(language).items() if in_page}
+    if not found:
+        return ""
+    text = json.dumps(found, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
+    return f"globalThis.cartsWords={text};\n"
+
+
+@cache
+def _entries(language: str) -> Mapping[str, tuple[str, bool]]:
+    """Sentence → what is said, and whether the page's script says it."""
+    if language == ENGLISH:
+        return {}
+    from babel.messages.pofile import read_po  # only a page in another language needs it
+
+    with (FOLDER / f"{language}.po").open("rb") as file:
+        catalog = read_po(file, locale=language.replace("-", "_"))
+    return {
+        str(entry.id): (str(entry.string), any(_in_page(name) for name, _ in entry.locations))
+        for entry in catalog
+        if entry.id and entry.string and not entry.fuzzy
+    }
+
+
+def _in_page(location: str) -> bool:
+    """Scripts say it themselves; what Python says in the page passes through them."""
+    return location.endswith((".js", "from_python.py"))

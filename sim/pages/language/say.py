@@ -1,0 +1,78 @@
+"""A sentence in the language that is being written now."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
+from types import MappingProxyType
+
+from markupsafe import Markup, escape
+
+_PLACE = re.compile(r"\{(\w+)\}")
+_words: ContextVar[Mapping[str, str]] = ContextVar("carts-words", default=MappingProxyType({}))
+
+
+def tr(sentence: str, **values: object) -> str:
+    """The sentence with its values in the places {name}.
+
+    It must stand in the call as text, or be `mark`ed elsewhere, so that it is found for the
+    catalogues.
+    """
+    said = _words.get().get(sentence, sentence)
+    return _PLACE.sub(lambda place: str(values.get(place[1], place[0])), said)
+
+
+def tr_html(sentence: str, **values: object) -> Markup:
+    """The same for templates: values that are no markup are escaped."""
+    said = str(escape(_words.get().get(sentence, sentence)))
+    return Markup(_PLACE.sub(lambda place: str(escape(values.get(place[1], place[0]))), said))
+
+
+def heard(english: str) -> str:
+    """A sentence that the numerics or a validator made, told in the language of the page.
+
+    It is known by its form: the catalogue's sentence with the most text of its own that fits.
+    What stands at the {names} is told the same way. Unknown sentences stay as they are.
+    """
+    words = _words.get()
+    if english in words:
+        return words[english]
+    for form, key in _forms(tuple(words)):
+        found = form.fullmatch(english)
+        if found:
+            parts = {name: heard(part) for name, part in found.groupdict().items()}
+            return tr(key, **parts)
+    return english
+
+
+@cache
+def _forms(keys: tuple[str, ...]) -> list[tuple[re.Pattern[str], str]]:
+    """What a sentence of each form looks like, those with most text first."""
+    with_places = [key for key in keys if _PLACE.search(key)]
+    with_places.sort(key=lambda key: -len(_PLACE.sub("", key)))
+    return [(form_of(key), key) for key in with_places]
+
+
+def form_of(key: str) -> re.Pattern[str]:
+    """What a sentence looks like that fills the places of `key`."""
+    pieces = _PLACE.split(key)
+    parts = [f"(?P<{p}>.+?)" if k % 2 else re.escape(p) for k, p in enumerate(pieces)]
+    return re.compile("".join(parts), re.DOTALL)
+
+
+def mark(sentence: str) -> str:
+    """Says that a sentence is for the catalogues; it is translated later, where it is told."""
+    return sentence
+
+
+@contextmanager
+def speaking(words: Mapping[str, str]) -> Iterator[None]:
+    """Inside, sentences are told in these words; empty: in English."""
+    before = _words.set(words)
+    try:
+        yield
+    finally:
+        _words.reset(before)
