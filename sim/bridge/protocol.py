@@ -53,6 +53,8 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return _other(request)
     if request.get("kind") == "class":
         return _class(request)
+    if request.get("kind") == "teach":
+        return _teach(request)
     if request.get("kind") != "run":
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
         return refusal(identity, [problem])
@@ -93,6 +95,12 @@ def _class(request: Mapping[str, Any]) -> Answer:
     from sim.bridge.class_answer import class_answer  # in a package that only its page loads
 
     return {"id": request.get("id"), "ok": True, **class_answer(request)}, array("d")
+
+
+def _teach(request: Mapping[str, Any]) -> Answer:
+    """What teacher mode asks: its package comes with the page that loads it, not with this one."""
+    header, numbers = import_module("sim.pages.teach.answer").teach_answer(request)
+    return {"id": request.get("id"), "ok": True, **header}, numbers
 
 
 def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> Answer:

@@ -1,4 +1,4 @@
-"""The package of the page "Class results": questions and statistics, loaded by that page alone."""
+"""Packages of ours that few pages load: "Class results" has one, teacher mode has one."""
 
 from __future__ import annotations
 
@@ -8,26 +8,24 @@ from pathlib import Path
 from . import pins
 from .cache import Cache, key_of
 from .node import code_key, tools_key
-from .ours import CLASSROOM, Ours
+from .ours import Ours
 from .stdlib import NO_DOCSTRINGS, compile_archives, used_files
 
 
 @dataclass(frozen=True)
-class ClassWheel:
+class ExtraWheel:
     """The compiled wheel, and the files of the standard library that it needs."""
 
     wheel: Path
     used: tuple[str, ...]
 
 
-def make_class_wheel(
-    core: Path, stdlib: Path, ours: Path, classroom: Ours, cache: Cache
-) -> ClassWheel:
-    """Return the wheel of `classroom`; `ours` is the wheel that every page has."""
+def make_extra_wheel(core: Path, stdlib: Path, ours: Path, extra: Ours, cache: Cache) -> ExtraWheel:
+    """Return the wheel of `extra`; `ours` is the wheel that every page has."""
 
     def make(folder: Path) -> None:
-        source, wheel = folder / "source.zip", folder / classroom.wheel_name
-        classroom.write_wheel(source)
+        source, wheel = folder / "source.zip", folder / extra.wheel_name
+        extra.write_wheel(source)
         archive = {
             "from": str(source), "to": str(wheel), "optimize": NO_DOCSTRINGS, "wheel": True
         }  # fmt: skip
@@ -35,14 +33,14 @@ def make_class_wheel(
         source.unlink()
         modules = [
             name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-            for name, _ in classroom.files
-            if name.endswith(".py")
+            for name, _ in extra.files
+            if name.endswith(".py") and name.startswith("sim/")
         ]
         used = used_files(core, stdlib, folder, wheels=[ours, wheel], modules=modules)
         (folder / "used.txt").write_text("\n".join(used.files), encoding="utf-8")
 
     code = code_key("class_wheel", "stdlib", "ours")
-    key = key_of(tools_key(), code, classroom.key, ours.parent.name, *pins.CORE.values())
-    folder = cache.step(CLASSROOM, key, make)
+    key = key_of(tools_key(), code, extra.key, ours.parent.name, *pins.CORE.values())
+    folder = cache.step(extra.name, key, make)
     used = (folder / "used.txt").read_text(encoding="utf-8").split()
-    return ClassWheel(folder / classroom.wheel_name, tuple(used))
+    return ExtraWheel(folder / extra.wheel_name, tuple(used))

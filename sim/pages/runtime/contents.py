@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from . import pins
 from .cache import Cache, key_of, sha256
-from .class_wheel import make_class_wheel
+from .class_wheel import make_extra_wheel
 from .classic import classic_script
 from .lock import make_lock
 from .node import code_key, node_version
-from .ours import CLASSROOM, ENTRY, NAME, Ours
+from .ours import CLASSROOM, ENTRY, NAME, TEACHER, Ours
 from .packages import MORE, make_packages, more_of_stdlib
 from .payload import Payload, payload_from_json, write_payload
 from .snapshot import make_start
@@ -41,11 +41,11 @@ def make_contents(
     originals: dict[str, Path],
     cache: Cache,
     report: Report,
-    classroom: Ours | None = None,
+    extras: Iterable[Ours] = (),
 ) -> Contents:
     """Return the runtime with `ours` and the wheels `originals` (package name -> verified file).
 
-    `classroom`: what the page "Class results" needs beside them, if there is such a page.
+    `extras`: packages of ours that few pages load, where the site has such pages.
     """
     report("Packing Python for the page")
     stdlib = compiled_stdlib(core, cache)
@@ -62,9 +62,9 @@ def make_contents(
         packages = make_packages(originals, core, stdlib, cache, report)
         wheels |= packages.wheels
         more += packages.used
-    if classroom:
-        made = make_class_wheel(core, stdlib, start.wheel, classroom, cache)
-        wheels[CLASSROOM] = made.wheel
+    for extra in extras:
+        made = make_extra_wheel(core, stdlib, start.wheel, extra, cache)
+        wheels[extra.name] = made.wheel
         more += made.used
     table_at = 0
     if more:
@@ -86,7 +86,7 @@ def make_contents(
         "lock": lock,
     }
     scripts = {part.src: folder / part.src for folder, p in payloads for part in p.parts}
-    ours_too = (NAME, CLASSROOM)
+    ours_too = (NAME, CLASSROOM, TEACHER)
     versions |= {n: path.name.split("-")[1] for n, path in wheels.items() if n not in ours_too}
     return Contents(scripts, index, versions)
 

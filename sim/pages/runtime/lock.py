@@ -22,6 +22,7 @@ Lock = dict[str, object]  # pyodide-lock.json, as plain values
 IMPORTS = {
     "newtons-carts": ["sim"],
     "newtons-carts-class": ["sim.classroom"],
+    "newtons-carts-teacher": ["sim.pages"],
     "numpy": ["numpy"],
     "scipy": ["scipy"],
 }

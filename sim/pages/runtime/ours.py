@@ -24,6 +24,7 @@ CLASSROOM_ENTRY = "bridge/class_answer.py"
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 CLASSROOM = "newtons-carts-class"
+TEACHER = "newtons-carts-teacher"
 APART = ("sim.dynamics.batch", "sim.bridge.map_answer")
 """Left out of the picture of the memory: no scene needs them. Pages with maps carry packages too,
 and those load the wheel."""
@@ -84,11 +85,12 @@ def _layers(package: Path, layers: Iterable[str]) -> list[Path]:
 
 def _ours(package: Path, version: str, name: str, found: Iterable[Path]) -> Ours:
     kept = sorted(p for p in found if p.is_file() and "__pycache__" not in p.parts)
-    files = ((p.relative_to(package.parent).as_posix(), _text_bytes(p)) for p in kept)
+    files = ((p.relative_to(package.parent).as_posix(), text_bytes(p)) for p in kept)
     return Ours(tuple(files), version, name)
 
 
-def _text_bytes(path: Path) -> bytes:
+def text_bytes(path: Path) -> bytes:
+    """A source with the line ends that every checkout packs."""
     return path.read_bytes().replace(b"\r\n", b"\n")  # a checkout on Windows packs the same bytes
 
 

@@ -13,11 +13,12 @@ from . import pins
 from .cache import Cache
 from .contents import Contents, make_contents
 from .node import RuntimePackError
-from .ours import CLASSROOM, Ours, read_classroom, read_ours
+from .ours import CLASSROOM, TEACHER, Ours, read_classroom, read_ours
 from .payload import write_index
 from .ready import find_ready
 from .sources import MissingSourceError, core_files, in_ci, package_wheels
 from .stdlib import core_folder
+from .teacher import read_teacher
 
 Report = Callable[[str], None]
 
@@ -47,18 +48,19 @@ def pack(
 ) -> RuntimeFacts:
     """Write the runtime into `site_dir` and return what it is.
 
-    `packages`: those of "numpy" and "scipy" that pages of the site need, and CLASSROOM. `source`:
-    the folder of the package that runs in the page. Raises RuntimePackError. What can't be fetched
-    is an error in an automatic build; elsewhere the pages are told to say so, and show their baked
-    runs.
+    `packages`: those of "numpy" and "scipy" that pages of the site need, CLASSROOM, TEACHER.
+    `source`: the folder of the package that runs in the page. Raises RuntimePackError. What can't
+    be fetched is an error in an automatic build; elsewhere the pages are told to say so, and show
+    their baked runs.
     """
-    if unknown := packages - {*pins.PACKAGES, CLASSROOM}:
+    if unknown := packages - {*pins.PACKAGES, CLASSROOM, TEACHER}:
         raise RuntimePackError(f"no such package for the page: {', '.join(sorted(unknown))}")
     ours, classroom = read_ours(source, __version__), read_classroom(source, __version__)
-    contents, missing = find_ready(READY, packages, ours, classroom), ""
+    contents, missing = find_ready(READY, packages, ours, classroom, source), ""
     if contents is None:
-        extra = classroom if CLASSROOM in packages else None
-        contents, missing = _make(packages, Cache(cache), ours, extra, report)
+        extras = [classroom] if CLASSROOM in packages else []
+        extras += [read_teacher(source, __version__)] if TEACHER in packages else []
+        contents, missing = _make(packages, Cache(cache), ours, extras, report)
     folder = site_dir / RUNTIME
     _write(folder, contents, missing)
     sizes = {p.name: p.stat().st_size for p in sorted(folder.iterdir())}
@@ -66,7 +68,7 @@ def pack(
 
 
 def _make(
-    packages: frozenset[str], store: Cache, ours: Ours, classroom: Ours | None, report: Report
+    packages: frozenset[str], store: Cache, ours: Ours, extras: list[Ours], report: Report
 ) -> tuple[Contents | None, str]:
     """The runtime made from its sources, and in words what could not be had."""
     wanted = [n for n in pins.PACKAGES if n in packages or (n == "numpy" and "scipy" in packages)]
@@ -78,7 +80,7 @@ def _make(
             wheels = package_wheels(wanted, files[pins.LOCK], files[pins.LOADER], store, report)
         except MissingSourceError as error:
             wheels, missing = {}, _noted(error, report)
-        return make_contents(core, ours, wheels, store, report, classroom), missing
+        return make_contents(core, ours, wheels, store, report, extras), missing
     except MissingSourceError as error:
         return None, _noted(error, report)
 

@@ -16,15 +16,16 @@ from . import pins
 from .cache import Cache, key_of, sha256
 from .contents import Contents, make_contents
 from .node import RuntimePackError
-from .ours import CLASSROOM, Ours, read_classroom, read_ours
+from .ours import CLASSROOM, TEACHER, Ours, read_classroom, read_ours, text_bytes
 from .sources import core_files, package_wheels
 from .stdlib import core_folder
+from .teacher import own_files, read_teacher
 
 SETS: tuple[frozenset[str], ...] = (
-    frozenset(),
-    frozenset({"numpy"}),
-    frozenset({"numpy", "scipy"}),
-    frozenset({"numpy", "scipy", CLASSROOM}),
+    frozenset({TEACHER}),
+    frozenset({"numpy", TEACHER}),
+    frozenset({"numpy", "scipy", TEACHER}),
+    frozenset({"numpy", "scipy", CLASSROOM, TEACHER}),
 )
 """From small to large. A site takes the first that has all it needs."""
 
@@ -41,18 +42,19 @@ def write_ready(folder: Path, package: Path, version: str, cache: Path,
     folder.mkdir(parents=True, exist_ok=True)
     store = Cache(cache)
     ours, classroom = read_ours(package, version), read_classroom(package, version)
+    teacher = read_teacher(package, version)
     files = core_files(store, package.parent, report)
     core = core_folder(files, store)
     for number, names in enumerate(SETS):
         wanted = [name for name in pins.PACKAGES if name in names]
         wheels = package_wheels(wanted, files[pins.LOCK], files[pins.LOADER], store, report)
-        with_class = classroom if CLASSROOM in names else None
-        made = make_contents(core, ours, wheels, store, report, with_class)
+        extras = [extra for extra in (classroom, teacher) if extra.name in names]
+        made = make_contents(core, ours, wheels, store, report, extras)
         for name, path in made.scripts.items():
             shutil.copyfile(path, folder / name)
         entry = {
             "packages": sorted(names),
-            "sources": _sources(ours, classroom),
+            "sources": _sources(ours, classroom, package),
             "scripts": {n: sha256(path.read_bytes()) for n, path in sorted(made.scripts.items())},
             "index": made.index,
             "versions": made.versions,
@@ -62,13 +64,13 @@ def write_ready(folder: Path, package: Path, version: str, cache: Path,
 
 
 def find_ready(
-    folder: Path, packages: frozenset[str], ours: Ours, classroom: Ours
+    folder: Path, packages: frozenset[str], ours: Ours, classroom: Ours, package: Path
 ) -> Contents | None:
     """The smallest ready runtime with `packages`, or None. Raises DamagedError."""
     for path in sorted(folder.glob("*.json")):
         entry = _entry(path)
         if packages <= set(entry["packages"]):
-            if entry["sources"] != _sources(ours, classroom):
+            if entry["sources"] != _sources(ours, classroom, package):
                 return None
             scripts = {name: folder / name for name in entry["scripts"]}
             for name, digest in entry["scripts"].items():
@@ -87,5 +89,6 @@ def _entry(path: Path) -> dict[str, Any]:
     return entry
 
 
-def _sources(ours: Ours, classroom: Ours) -> str:
-    return key_of(ours.key, classroom.key)
+def _sources(ours: Ours, classroom: Ours, package: Path) -> str:
+    teacher = sorted(sha256(text_bytes(path)) for path in own_files(package))
+    return key_of(ours.key, classroom.key, *teacher)

@@ -1,0 +1,57 @@
+"""What teacher mode has beside `read_ours`: the generator's own code, and what that stands on.
+
+PyYAML, Jinja2, MarkupSafe, Markdown and pymdownx are taken from the Python that builds the site, as
+source: the page then reads YAML and makes HTML with the very code that the build used. What they
+have in compiled form (parsers in C) stays out; they run without it, and the generator never used
+it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib.util import find_spec
+from pathlib import Path
+
+from .node import RuntimePackError
+from .ours import TEACHER, Ours, text_bytes
+
+LAYERS = ("lesson", "pages/question", "pages/widget", "pages/map", "pages/language", "pages/teach")
+MODULES = (
+    *("__init__", "bake", "fence_scan", "findings", "lesson_text", "map_block", "scene_block"),
+    *("templates", "yaml_errors", "yaml_source"),
+)
+"""Of `sim/pages`."""
+BUILD_ONLY = ("pages/teach/publish.py", "pages/question/published.py", "pages/question/key_page.py")
+
+CARRIED = ("yaml", "jinja2", "markupsafe", "markdown", "pymdownx")
+TABLES = "_db.py"  # names of thousands of pictures, for extensions that no lesson uses
+
+
+def read_teacher(package: Path, version: str) -> Ours:
+    """Return the package for teacher mode; `package` is the folder of `sim`."""
+    own = sorted(own_files(package), key=lambda p: p.as_posix())
+    files = [(p.relative_to(package.parent).as_posix(), text_bytes(p)) for p in own]
+    return Ours((*files, *carried_files()), version, TEACHER)
+
+
+def own_files(package: Path) -> Iterator[Path]:
+    """The files of ours among them."""
+    yield from (package / "pages" / f"{name}.py" for name in MODULES)
+    for layer in LAYERS:
+        for path in (package / layer).rglob("*"):
+            unwanted = path.relative_to(package).as_posix() in BUILD_ONLY
+            if path.is_file() and "__pycache__" not in path.parts and not unwanted:
+                yield path
+
+
+def carried_files() -> Iterator[tuple[str, bytes]]:
+    """Path in the wheel and source of every module of the packages that it stands on."""
+    for name in CARRIED:
+        spec = find_spec(name)
+        places = spec.submodule_search_locations if spec else None
+        if not places:
+            raise RuntimePackError(f"{name} is not installed: pip install newtons-carts")
+        folder = Path(places[0])
+        for path in sorted(folder.rglob("*.py")):
+            if not path.name.endswith(TABLES) and "tests" not in path.parts:
+                yield f"{name}/{path.relative_to(folder).as_posix()}", text_bytes(path)

@@ -1,0 +1,91 @@
+"""One value of a block takes the place of another; everything else stays as it is."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from sim.pages.fence_scan import Block
+from sim.pages.teach.pieces import blocks
+from sim.pages.teach.spans import Value, values
+from sim.pages.yaml_source import KeyPath, YamlError, load
+
+CANNOT = "this cannot be written in this field; write it in the text of the block"
+
+
+class CannotWriteError(ValueError):
+    """A value that cannot be put in its place; the message is for the teacher."""
+
+
+def with_value(text: str, index: int, path: KeyPath, wanted: str) -> str:
+    """The lesson's text with `wanted` as the value at `path` of its block number `index`.
+
+    It is tried plain, then in quotes, until reading it again gives `wanted` there and the old
+    values everywhere else. Raises CannotWriteError.
+    """
+    before = _block(text, index)
+    old = next((v for v in values(text, before) if v.path == path), None) if before else None
+    plain = _read(before) if before else None
+    if before is None or old is None or plain is None:
+        raise CannotWriteError("this value is no longer there")
+    if old.value.rstrip("\n") == wanted.rstrip("\n"):
+        return text
+    for way in _ways(old, wanted, "\r\n" if "\r\n" in text else "\n"):
+        made = text[: old.start] + way + text[old.end :]
+        after = _block(made, index)
+        if after and len(blocks(made)) == len(blocks(text)):
+            again = _read(after)
+            if again is not None and _same(again, plain, path, wanted):
+                return made
+    raise CannotWriteError(CANNOT)
+
+
+def _block(text: str, index: int) -> Block | None:
+    found = blocks(text)
+    return found[index] if 0 <= index < len(found) else None
+
+
+def _read(block: Block) -> Any:
+    try:
+        return load(block.body).plain
+    except YamlError:
+        return None
+
+
+def _ways(old: Value, wanted: str, line_end: str) -> Iterator[str]:
+    """How `wanted` could be written, the way of the old value first."""
+    lines = wanted.split("\n")
+    quoted = {
+        '"': json.dumps(wanted, ensure_ascii=False),
+        "'": "'" + wanted.replace("'", "''") + "'",
+    }
+    if old.style in ("|", ">"):
+        # In a folded text (>) an empty line stands for the end of a line.
+        parted = [part for line in lines for part in (line, "")][:-1] if old.style == ">" else lines
+        for head in (old.style, old.style + "-"):
+            rows = [head, *(" " * old.indent + line if line else "" for line in parted)]
+            yield line_end.join(rows)
+    elif old.style in quoted and len(lines) == 1:
+        yield quoted[old.style]
+    if len(lines) == 1 and wanted == wanted.strip():
+        yield wanted
+    yield from quoted.values()
+
+
+def _same(new: Any, old: Any, path: KeyPath, wanted: str) -> bool:
+    """Whether `new` is `old` with `wanted` at `path`."""
+    if not path:
+        if isinstance(new, bool):
+            return wanted == str(new).lower()
+        return isinstance(new, (str, int)) and str(new).rstrip("\n") == wanted.rstrip("\n")
+    if type(new) is not type(old) or len(new) != len(old):
+        return False
+    if isinstance(old, list):
+        return all(
+            _same(new[k], old[k], path[1:], wanted) if k == path[0] else new[k] == old[k]
+            for k in range(len(old))
+        )
+    return list(new) == list(old) and all(
+        _same(new[k], old[k], path[1:], wanted) if k == path[0] else new[k] == old[k] for k in old
+    )

@@ -1,0 +1,216 @@
+"""A lesson as the build would make it: every block by the generator's own code, and every finding.
+
+What takes long (running a scene, writing out its element) is remembered by the block's own text, so
+that a change in one block costs one block.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from typing import Any, Literal
+
+from sim.pages.bake import bake
+from sim.pages.fence_scan import Block, after_front_matter, scan
+from sim.pages.findings import AuthorError, Finding
+from sim.pages.lesson_text import text_findings
+from sim.pages.question import PageItems, read_question_block, read_quiz_block
+from sim.pages.question.quiz import find_bank
+from sim.pages.scene_block import Lesson, SiteIds, load_block, read_scene_block
+from sim.scene import Problem
+
+State = Literal["shown", "wrong", "kept", "needs"]
+MOST_REMEMBERED = 200
+NUMERICS = ("numpy", "scipy")
+
+_MD_LINK = re.compile(r'(<a [^>]*href="(?![a-z]+:|#)[^":]*)\.md(["#])')
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """One block: `shown` as `html`; `wrong` (findings say why); `kept` as it is on the page,
+    because only the build can make it; or it `needs` packages that this Python does not have."""
+
+    state: State
+    html: str = ""
+
+    @property
+    def key(self) -> str:
+        """A name for exactly this HTML."""
+        return hashlib.sha256(self.html.encode()).hexdigest()[:16]
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """What the build knows beside the lesson: ids of other lessons, the generator's extensions."""
+
+    ids: Mapping[str, str] = field(default_factory=dict)
+    extensions: Sequence[str] = ()
+    configs: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Preview:
+    """`frame`: the text between the blocks as HTML, with `<carts-place data-block="0">` for the
+    first block, and so on. None where it cannot be made here."""
+
+    findings: tuple[Finding, ...]
+    blocks: tuple[Shown, ...]
+    frame: str | None
+
+
+@dataclass(slots=True)
+class Desk:
+    """Makes previews, and remembers what it made. `banks`: whether all banks of questions are here;
+    a page does not have them."""
+
+    banks: bool = False
+    made: dict[str, str | list[Problem]] = field(default_factory=dict)
+
+    def look(self, text: str, lesson: Lesson, site: Site) -> Preview:
+        """The lesson as it is now."""
+        ids, items = SiteIds(used=dict(site.ids)), PageItems()
+        found: list[Finding] = []
+        shown = []
+        lines = text.splitlines()
+        parts = tuple(scan(lines))
+        for block in parts:
+            try:
+                shown.append(self._block(block, lesson, ids, items, parts))
+            except AuthorError as error:
+                found += error.findings
+                shown.append(Shown("wrong"))
+            except ModuleNotFoundError as error:
+                if (error.name or "").split(".")[0] not in NUMERICS:
+                    raise
+                shown.append(Shown("needs"))
+        found += [*items.findings(), *text_findings(text, lesson)]
+        return Preview(tuple(sorted(found)), tuple(shown), _frame(lines, parts, site))
+
+    def _block(
+        self,
+        block: Block,
+        lesson: Lesson,
+        ids: SiteIds,
+        items: PageItems,
+        parts: tuple[Block, ...],
+    ) -> Shown:
+        if block.name == "question":
+            return self._question(block, lesson, ids, items)
+        if block.name == "quiz":
+            return self._quiz(block, lesson, ids, items)
+        if block.name == "map":
+            return self._map(block, lesson, ids, parts)
+        if meant_elsewhere(block):
+            load_block(block, lesson.file, first_line=1)
+            return Shown("kept")
+        # As in the build, a block that is none of ours is refused where scenes are read.
+        return self._scene(block, lesson, ids, items)
+
+    def _scene(self, block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> Shown:
+        from sim.pages.widget import render
+
+        read = read_scene_block(block, lesson, ids, first_line=1)
+
+        def make() -> str | list[Problem]:
+            run = bake(read.fence.plain)
+            if isinstance(run, list):
+                return run
+            return render(read.fence, run.header, run.numbers)
+
+        made = self._remembered(f"scene {block.body}\n{read.fence.plain}", make)
+        if isinstance(made, list):
+            raise AuthorError(map(read.places.finding, made))
+        items.scenes.append(read.fence)
+        return Shown("shown", made)
+
+    def _question(self, block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> Shown:
+        from sim.pages.question.render import render_question
+
+        read = read_question_block(block, lesson, ids, first_line=1)
+        items.questions.append(read)
+        number = len(items.questions)
+        made = self._remembered(
+            f"question {number} {block.body}", lambda: render_question(read.question, number=number)
+        )
+        return Shown("shown", str(made))
+
+    def _quiz(self, block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> Shown:
+        """Banks stay out of the page, with their keys: then the form stands as it was built."""
+        from sim.pages.question.render import render_quiz
+
+        source = load_block(block, lesson.file, first_line=1)
+        bank = source.plain.get("bank")
+        if isinstance(bank, str) and not self.banks and not find_bank(bank, lesson):
+            return Shown("kept")
+        read = read_quiz_block(block, lesson, ids, first_line=1)
+        items.quizzes.append(read)
+        return Shown("shown", render_quiz(read.form))
+
+    def _map(self, block: Block, lesson: Lesson, ids: SiteIds, parts: tuple[Block, ...]) -> Shown:
+        from sim.pages.map.bake import bake_map
+        from sim.pages.map.render import render_map
+        from sim.pages.map_block import read_map_block
+
+        read = read_map_block(block, lesson, ids, first_line=1, blocks=parts)
+
+        def make() -> str | list[Problem]:
+            run = bake_map(read.map, read.plain)
+            return run if isinstance(run, list) else render_map(read.map, read.plain, run)
+
+        made = self._remembered(f"map {block.body}\n{read.plain}", make)
+        if isinstance(made, list):
+            raise AuthorError(map(read.places.finding, made))
+        return Shown("shown", made)
+
+    def _remembered(
+        self, what: str, make: Callable[[], str | list[Problem]]
+    ) -> str | list[Problem]:
+        made = self.made.pop(what, None)
+        if made is None:
+            made = make()
+        self.made[what] = made  # the newest last
+        while len(self.made) > MOST_REMEMBERED:
+            del self.made[next(iter(self.made))]
+        return made
+
+
+def meant_elsewhere(block: Block) -> bool:
+    """Blocks that only the build can make: they compute for long, or read other files."""
+    return block.name in ("cost", "hard-cases", "evidence", "measured")
+
+
+def _frame(lines: Sequence[str], parts: Sequence[Block], site: Site) -> str | None:
+    """The Markdown between the blocks as HTML; None where an extension of the site is not here."""
+    from markdown import Markdown
+
+    kept: list[str] = []
+    done = after_front_matter(lines)
+    for k, block in enumerate(parts):
+        kept += [*lines[done : block.start], "", f"{block.indent}{_word(k)}", ""]
+        done = block.end
+    kept += lines[done:]
+    names = {name: _full(name) for name in site.extensions}
+    configs = {names.get(name, name): settings for name, settings in site.configs.items()}
+    try:
+        md = Markdown(extensions=[*names.values()], extension_configs=configs)
+    except (ImportError, KeyError, TypeError, AttributeError):
+        return None
+    made = md.convert("\n".join(kept))
+    for k in range(len(parts)):
+        place = f'<carts-place data-block="{k}"></carts-place>'
+        made = made.replace(f"<p>{_word(k)}</p>", place).replace(_word(k), place)
+    return _MD_LINK.sub(r"\1.html\2", made)
+
+
+def _full(name: str) -> str:
+    """Where an extension is that Markdown brings along: in a page its short names are not known."""
+    own = f"markdown.extensions.{name}"
+    return own if "." not in name and find_spec(own) else name
+
+
+def _word(k: int) -> str:
+    return f"cartsblock{k:05d}"
