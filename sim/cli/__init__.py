@@ -14,7 +14,7 @@ import click
 COMMANDS = {
     "build": ("sim.cli.build", "Build the site and print the file to double-click."),
     "class": ("sim.cli.class_results", "Say what a class answered and learned."),
-    "new": ("sim.cli.new", "Write a lesson to begin with."),
+    "new": ("sim.cli.new", "Make a site, a lesson or a bank to begin with."),
     "check": ("sim.cli.check", "Look for mistakes in lessons and scene files."),
     "export": ("sim.cli.export", "Write a bank of questions for a learning platform."),
     "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),

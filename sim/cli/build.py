@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from sim.cli import site_folder
 from sim.cli.check import report
 from sim.pages.check import USUAL_PLACES, check_paths
 
@@ -31,9 +32,7 @@ if TYPE_CHECKING:
 @click.pass_context
 def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
     """Build the site into the folder site/ and print the file to double-click."""
-    root = Path.cwd()
-    if not (root / "mkdocs.yml").is_file():
-        raise click.UsageError("There is no mkdocs.yml here. Go to the folder of your site first.")
+    root = site_folder.here().root
     started = time.monotonic()
     found = check_paths([root / place for place in USUAL_PLACES], root)
     if found:

@@ -1,91 +1,117 @@
-"""`carts new`: a lesson to begin with, which already builds."""
+"""`carts new`: a site, a lesson or a bank of questions to begin with, which already builds."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
 
-LESSON = """\
----
-title: {title}
-order: {order}
----
+from sim.cli import starter_files as starter
+from sim.pages.carried import lessons_folder
+from sim.pages.lesson_text import LAST, lesson_order
 
-# {title}
-
-Say in two or three sentences what the problem is. Nobody needs to know the answer yet.
-
-## 1 · Predict, then look {{: data-minutes=10 }}
-
-```scene
-id: {id}-first
-title: A meets B
-carts:
-  A: {{mass: 0.5 kg, position: 0.40 m, velocity: 0.60 m/s}}
-  B: {{mass: 1.0 kg, position: 1.20 m}}
-track: {{length: 2.4 m}}
-contact: {{restitution: 0.8, stiffness: 200 N/m}}
-until: 3 s
-predict:
-  ask: Which cart is faster afterwards?
-  choice:
-    - A
-    - B
-    - Both are equally fast.
-controls:
-  - {{set: A.velocity, from: 0.2 m/s, to: 1 m/s, step: 0.1 m/s}}
-  - {{set: B.mass, from: 0.5 kg, to: 4 kg, step: 0.5 kg}}
-```
-
-```question
-id: {id}-why
-type: long
-ask: What did you see, and why is it so? Name each force with its two objects.
-rubric:
-  2: What was seen, and a reason with forces that name two objects.
-  1: One of the two.
-  0: Neither.
-minutes: 3
-```
-
-## Before you go {{: data-minutes=2 }}
-
-```question
-id: {id}-sure
-type: confidence
-ask: How sure are you of your answer?
-```
-"""
+WORKSHEETS = "worksheets"
+BANKS = "banks"
+FIRST = "first-lesson"
 
 
 @click.command("new")
 @click.argument("name")
-@click.option("--title", help="The title of the lesson (default: made from NAME).")
-def command(name: str, title: str | None) -> None:
-    """Write a lesson to begin with into worksheets/NAME.md: a prediction, a scene, questions.
+@click.option("--title", help="The title (default: made from NAME).")
+@click.option("--site", "kind", flag_value="site", help="Make a site, whatever is here.")
+@click.option("--lesson", "kind", flag_value="lesson", help="Write a lesson into worksheets/.")
+@click.option("--bank", "kind", flag_value="bank", help="Write a bank of questions.")
+@click.option("--like", metavar="LESSON", help="Begin with a lesson of ours: newtons-third-law.")
+def command(name: str, title: str | None, kind: str | None, like: str | None) -> None:
+    """Make a site in the new folder NAME; in a site: write the lesson worksheets/NAME.md.
+
+    A site is mkdocs.yml, worksheets/ with a first lesson, and what GitHub needs to publish it.
 
     \b
-    carts new braking
+    carts new my-lessons                        a site; then: cd my-lessons
+    carts new two-trains                        in a site: a lesson
     carts new two-trains --title "Two trains meet"
+    carts new third-law --like newtons-third-law
+    carts new forces --bank                     in a site: worksheets/banks/forces.yml
     """
+    here = Path.cwd()
+    in_a_site = (here / "mkdocs.yml").is_file() or (here / WORKSHEETS).is_dir()
+    kind = kind or ("lesson" if in_a_site else "site")
+    if like and kind == "bank":
+        raise click.UsageError("--like is for lessons.")
+    if kind == "site":
+        _site(Path(name), title, like)
+        return
     if not re.fullmatch(r"[a-z][a-z0-9-]{1,40}", name):
         raise click.UsageError("NAME has small letters, digits and hyphens: carts new two-trains")
-    folder = Path.cwd() / "worksheets"
-    if not folder.is_dir():
-        raise click.UsageError("There is no folder worksheets here. Go to the folder of your site.")
-    path = folder / f"{name}.md"
-    if path.exists():
-        raise click.ClickException(f"worksheets/{name}.md is there already. Nothing was changed.")
-    order = 1 + max((_order(lesson) for lesson in folder.glob("*.md")), default=0)
-    title = title or name.replace("-", " ").capitalize()
-    quoted = f'"{title}"' if re.search(r"[:#'\[\]{}&*!|>%@`]", title) else title
-    text = LESSON.format(id=name, title=title, order=order)
-    path.write_text(text.replace(f"title: {title}", f"title: {quoted}", 1), encoding="utf-8")
-    click.echo(f"worksheets/{name}.md is written. Edit it, then: carts check, carts build")
+    if not (here / WORKSHEETS).is_dir():
+        raise click.UsageError(
+            "There is no folder worksheets here. Go to the folder of your site, or make one first:"
+            " carts new my-lessons"
+        )
+    title_ = title or starter.title_of(name)
+    if kind == "bank":
+        files = {f"{WORKSHEETS}/{BANKS}/{name}.yml": starter.bank_text(name, title_)}
+        what = "How a lesson uses it stands at its top."
+    else:
+        files = _lesson(here, name, title, like)
+        what = "Edit it, then: carts check, carts serve"
+    _write(here, files)
+    click.echo(f"{next(iter(files))} is written. {what}")
 
 
-def _order(lesson: Path) -> int:
-    found = re.search(r"^order: *(\d+)", lesson.read_text(encoding="utf-8"), re.MULTILINE)
-    return int(found[1]) if found else 0
+def _site(folder: Path, title: str | None, like: str | None) -> None:
+    folder = Path.cwd() / folder.expanduser()
+    name = folder.resolve().name
+    if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
+        raise click.ClickException(
+            f"“{name}” is there already and not empty. Nothing was changed. Choose another name."
+        )
+    title = title or starter.title_of(name)
+    files = starter.site_files(title, starter.site_id_of(name))
+    files |= _lesson(folder, like or FIRST, None, like)
+    _write(folder, files)
+    click.echo(f"The site “{title}” is written into the folder {folder}:")
+    for path in sorted(files):
+        click.echo(f"  {path}")
+    click.echo(f'Now: cd "{name}"' if " " in name else f"Now: cd {name}")
+    click.echo("Then: carts serve   (shows the pages while you write)")
+
+
+def _lesson(root: Path, name: str, title: str | None, like: str | None) -> dict[str, str]:
+    """The files of a new lesson, its own first."""
+    lessons = (root / WORKSHEETS).glob("*.md")
+    order = 1 + max((n for n, _ in map(lesson_order, lessons) if n < LAST), default=0)
+    path = f"{WORKSHEETS}/{name}.md"
+    if not like:
+        return {path: starter.lesson_text(name, title or starter.title_of(name), order)}
+    ours = lessons_folder()
+    source = ours / f"{like}.md"
+    if "/" in like or not source.is_file():
+        known = ", ".join(sorted(p.stem for p in ours.glob("*.md")))
+        raise click.UsageError(f"There is no lesson “{like}” of ours. There are: {known}")
+    text = source.read_text(encoding="utf-8")
+    banks = {
+        f"{WORKSHEETS}/{BANKS}/{bank}": (ours / BANKS / bank).read_text(encoding="utf-8")
+        for bank in starter.banks_of(text)
+        if not (root / WORKSHEETS / BANKS / bank).exists()
+    }
+    return {path: starter.copied(text, title, order), **banks}
+
+
+def _write(root: Path, files: Mapping[str, str]) -> None:
+    """Write all files, or none where one of them is there already."""
+    for path in files:
+        if (root / path).exists():
+            raise click.ClickException(f"{path} is there already. Nothing was changed.")
+    try:
+        for path, text in files.items():
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_text(text, encoding="utf-8", newline="\n")
+    except OSError as error:
+        raise click.ClickException(
+            f"Nothing can be written into {root}: {error.strerror}. Go to a folder that is yours,"
+            " for example in Documents."
+        ) from None

@@ -7,8 +7,8 @@ import zipfile
 from pathlib import Path
 
 import click
-import yaml
 
+from sim.cli import site_folder
 from sim.cli.build import build_site
 from sim.pages.classroom.scorm import scorm_files
 
@@ -29,17 +29,15 @@ def command(ctx: click.Context, scorm: bool, out: Path | None) -> None:
     Students unpack it and double-click index.html. With --scorm a learning platform shows it; the
     platform is told that the lessons were opened and for how long, and no answer.
     """
-    root = Path.cwd()
-    if not (root / "mkdocs.yml").is_file():
-        raise click.UsageError("There is no mkdocs.yml here. Go to the folder of your site first.")
+    here = site_folder.here()
+    root = here.root
     out = out or root / "build" / ("site.scorm.zip" if scorm else "site.zip")
     with tempfile.TemporaryDirectory() as folder:
         site = build_site(root, hosted=scorm, strict=True, site_dir=Path(folder) / "site")
         if site is None:
             click.echo("The site was not built, so there is no zip.", err=True)
             ctx.exit(1)
-        title, site_id = _names(root)
-        pack_site(site, out, scorm=(title, site_id) if scorm else None)
+        pack_site(site, out, scorm=(here.title, here.site_id) if scorm else None)
     click.echo(f"{out}: {out.stat().st_size / 1e6:.1f} MB")
 
 
@@ -58,18 +56,3 @@ def pack_site(site: Path, out: Path, *, scorm: tuple[str, str] | None) -> None:
             entry = zipfile.ZipInfo(name, DATE)
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
-
-
-class _Settings(yaml.SafeLoader):
-    """Reads mkdocs.yml and runs none of the tags in it."""
-
-
-_Settings.add_multi_constructor("", lambda *_: None)
-
-
-def _names(root: Path) -> tuple[str, str]:
-    """Title and identifier of the site."""
-    text = (root / "mkdocs.yml").read_text(encoding="utf-8")
-    settings = yaml.load(text, _Settings)  # a SafeLoader
-    site_id = ((settings.get("extra") or {}).get("carts") or {}).get("site_id", "site")
-    return str(settings.get("site_name", "Newton's Carts")), str(site_id)

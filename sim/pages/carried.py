@@ -22,12 +22,19 @@ CARRIED = _SIM / "carried"
 """There in an installed wheel only."""
 CHECKOUT = _SIM.parent
 NPM = "node_modules"
+LESSONS = "worksheets"
 
 
 def node_modules(root: Path) -> Path:
     """Where the packages from npm are for the site in `root`."""
     places = (CARRIED / NPM, root / NPM, CHECKOUT / NPM)
     return next((place for place in places if (place / "katex").is_dir()), root / NPM)
+
+
+def lessons_folder() -> Path:
+    """The lessons of this project, for other sites to begin with."""
+    carried = CARRIED / LESSONS
+    return carried if carried.is_dir() else CHECKOUT / LESSONS
 
 
 def npm_files(source: Path) -> Iterator[Path]:
@@ -52,6 +59,7 @@ def write_carried(folder: Path) -> None:
         target = folder / NPM / path.relative_to(source)
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(path, target)
+    shutil.copytree(CHECKOUT / LESSONS, folder / LESSONS)
     cache = runtime.default_cache(CHECKOUT)
     report = functools.partial(print, file=sys.stderr)
     runtime.write_ready(folder / "runtime", _SIM, sim.__version__, cache, report)

@@ -27,6 +27,7 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page as MkDocsPage
 from mkdocs.utils import CountHandler, get_relative_url
 
+from sim.pages import lessons_only
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import Finding
 from sim.pages.lesson_text import lesson_order
@@ -68,6 +69,10 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             site_id = str((config.extra.get("carts") or {}).get("site_id"))
             self.build = SiteBuild(root, audience, site_id, _report)
         self.folder = root / self.config.lessons
+        self.lessons_only = Path(config.docs_dir).resolve() == self.folder.resolve()
+        if self.lessons_only:
+            lessons_only.fill_in(config)
+        self.named = set(lessons_only.named_pages(config.nav))
         self.lessons = sorted(self.folder.glob("*.md"), key=lesson_order)
         if config.nav is not None:
             config.nav = with_lessons(config.nav, self.config.lessons, self.lessons)
@@ -82,6 +87,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
 
     def on_files(self, files: Files, *, config: MkDocsConfig) -> Files:
         """Lessons and their pictures join the site; what only developers use is left out."""
+        if self.lessons_only:
+            self._ready_pages(files, config)
         pictures = (p for p in sorted(self.folder.rglob("*")) if p.suffix.lower() in PICTURES)
         for path in (*self.lessons, *pictures):
             uri = f"{self.config.lessons}/{path.relative_to(self.folder).as_posix()}"
@@ -99,6 +106,16 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
                 script = search_from_disk(file.content_string)
                 files.append(File.generated(config, SEARCH_FROM_DISK, content=script))
         return files
+
+    def _ready_pages(self, files: Files, config: MkDocsConfig) -> None:
+        """Nothing of the lessons' folder stands at the root (banks hold keys): our pages do."""
+        for file in [f for f in files if Path(f.abs_src_path or "").is_relative_to(self.folder)]:
+            files.remove(file)
+        about = config.site_description or ""
+        for name in sorted(self.named | {lessons_only.HOME}):
+            text = lessons_only.ready_page(name, config.site_name, about, self.lessons)
+            if text is not None:
+                files.append(File.generated(config, name, content=text))
 
     def on_page_markdown(
         self, markdown: str, *, page: MkDocsPage, config: MkDocsConfig, files: Files

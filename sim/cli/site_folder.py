@@ -1,0 +1,85 @@
+"""The folder that a command works in: is it a site, whose, and made with which version?"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+import yaml
+
+from sim import __version__
+
+SETTINGS = "mkdocs.yml"
+
+
+@dataclass(frozen=True, slots=True)
+class SiteFolder:
+    """A folder with a mkdocs.yml: title, identifier, and the version that `carts new` wrote."""
+
+    root: Path
+    title: str
+    site_id: str
+    made_with: str
+
+
+def here() -> SiteFolder:
+    """The site of the current folder; a sentence and the end where there is none."""
+    root = Path.cwd()
+    if not (root / SETTINGS).is_file():
+        above = next((p for p in root.parents if (p / SETTINGS).is_file()), None)
+        help_ = (
+            f"Go to {above} first."
+            if above
+            else "Go to the folder of your site first, or make one: carts new my-lessons"
+        )
+        raise click.UsageError(f"There is no mkdocs.yml here. {help_}")
+    site = read(root)
+    if newer(site.made_with, __version__):
+        raise click.ClickException(
+            f"This site was made with newtons-carts {site.made_with}, and {__version__} is"
+            " installed. Take the newer one: pip install --upgrade newtons-carts"
+        )
+    return site
+
+
+def read(root: Path) -> SiteFolder:
+    """What mkdocs.yml says; a sentence with its line and the end where it is not readable."""
+    try:
+        text = (root / SETTINGS).read_text(encoding="utf-8")
+        settings = yaml.load(text, _Settings) or {}  # a SafeLoader
+        extra = (settings.get("extra") or {}).get("carts") or {}
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark
+        place = f":{mark.line + 1}:{mark.column + 1}" if mark else ""
+        text = f"{SETTINGS}{place}: error: this is not YAML: {error.problem}"
+        hint = "two spaces in front of what belongs to the line above; a space behind each colon"
+        raise click.ClickException(f"{text}\n  hint: {hint}") from None
+    except (UnicodeDecodeError, AttributeError):
+        text = f"{SETTINGS}: error: this is no list of settings in UTF-8"
+        raise click.ClickException(f"{text}\n  hint: for example site_name: My lessons") from None
+    return SiteFolder(
+        root,
+        str(settings.get("site_name", "Newton's Carts")),
+        str(extra.get("site_id", "site")),
+        str(extra.get("made_with", "")),
+    )
+
+
+def newer(one: str, other: str) -> bool:
+    """Whether version `one` is newer than `other`; what is no version is never newer."""
+    first, second = ([int(n) for n in re.findall(r"\d+", v)[:3]] for v in (one, other))
+    return first > second
+
+
+class _Settings(yaml.SafeLoader):
+    """Reads mkdocs.yml and runs none of the tags in it."""
+
+
+def _nothing(*_: Any) -> None:
+    """What a tag stands for here."""
+
+
+_Settings.add_multi_constructor("", _nothing)

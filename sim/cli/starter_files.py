@@ -1,0 +1,84 @@
+"""The files that `carts new` writes, from the folder starter/, and the lessons to begin with."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from pathlib import Path
+
+from sim import __version__
+
+STARTER = Path(__file__).parent / "starter"
+
+SITE = {
+    "mkdocs.yml": "mkdocs.yml",
+    "README.md": "README.md",
+    "gitignore": ".gitignore",
+    "lessons.yml": ".github/workflows/lessons.yml",
+}
+"""Name in the starter -> name in a new site. Its lessons come on top."""
+
+
+def site_files(title: str, site_id: str) -> dict[str, str]:
+    """The texts of a new site by path, without lessons."""
+    series = ".".join(__version__.split(".")[:2])
+    words = {"SITE_ID": site_id, "VERSION": __version__, "SERIES": series}
+    return {
+        path: _filled(name, title if name == "README.md" else quoted(title), words)
+        for name, path in SITE.items()
+    }
+
+
+def lesson_text(name: str, title: str, order: int) -> str:
+    """A lesson to begin with."""
+    text = _filled("lesson.md", title, {"NAME": name, "ORDER": str(order)})
+    return text.replace(f"title: {title}", f"title: {quoted(title)}", 1)
+
+
+def bank_text(name: str, title: str) -> str:
+    """A bank of questions to begin with."""
+    return _filled("bank.yml", quoted(title), {"NAME": name})
+
+
+def copied(text: str, title: str | None, order: int) -> str:
+    """One of this project's lessons as a lesson of another site: its place, perhaps its title."""
+    text = re.sub(r"^order: .*$", f"order: {order}", text, count=1, flags=re.MULTILINE)
+    if title:
+        text = re.sub(
+            r"^title: .*$", lambda _: f"title: {quoted(title)}", text, count=1, flags=re.M
+        )
+        text = re.sub(r"^# .*$", lambda _: f"# {title}", text, count=1, flags=re.MULTILINE)
+    return text
+
+
+def banks_of(text: str) -> list[str]:
+    """The names of the banks that a lesson draws from."""
+    return sorted(set(re.findall(r"^bank: *([\w.-]+)$", text, re.MULTILINE)))
+
+
+def title_of(name: str) -> str:
+    """A title made from a name: two-trains becomes Two trains."""
+    words = re.sub(r"[-_]+", " ", name).strip()
+    return words[:1].upper() + words[1:]
+
+
+def site_id_of(name: str) -> str:
+    """An identifier for storage made from the name of a folder, 3 to 40 letters."""
+    plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
+    slug = re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:40].strip("-")
+    return slug if len(slug) >= 3 else "my-lessons"
+
+
+def quoted(text: str) -> str:
+    """The text as YAML reads it back."""
+    plain = re.fullmatch(r"[^\W\d_][\w ().!?-]*[\w).!?]", text)
+    if plain and text.lower() not in ("yes", "no", "on", "off", "true", "false", "null"):
+        return text
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def _filled(name: str, title: str, words: dict[str, str]) -> str:
+    text = (STARTER / name).read_text(encoding="utf-8")
+    for word, value in {"TITLE": title, **words}.items():
+        text = text.replace(f"@@{word}@@", value)
+    return text

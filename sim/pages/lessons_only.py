@@ -1,0 +1,133 @@
+"""A site of nothing but mkdocs.yml and worksheets/: what its author did not write comes from here.
+
+Such a site says `docs_dir: worksheets`. It gets the theme's usual look and the usual Markdown, so
+that a later version can better them; a home page that lists the lessons; and the page "Class
+results" where its navigation names one. What stands in mkdocs.yml wins.
+"""
+
+from __future__ import annotations
+
+import logging
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+HOME = "index.md"
+CLASS_RESULTS = "class-results.md"
+
+FEATURES = ["navigation.tabs", "navigation.top", "navigation.footer", "toc.follow"]
+PALETTE = [
+    {
+        "media": f"(prefers-color-scheme: {scheme})",
+        "scheme": name,
+        "primary": "custom",
+        "accent": "custom",
+        "toggle": {"icon": f"material/weather-{icon}", "name": other},
+    }
+    for scheme, name, icon, other in (
+        ("light", "default", "night", "Dark"),
+        ("dark", "slate", "sunny", "Light"),
+    )
+]
+EXTENSIONS: Mapping[str, Mapping[str, Any]] = {
+    "admonition": {},
+    "attr_list": {},
+    "def_list": {},
+    "footnotes": {},
+    "md_in_html": {},
+    "pymdownx.arithmatex": {"generic": True},
+    "pymdownx.details": {},
+    "pymdownx.superfences": {},
+    "sane_lists": {},
+    "tables": {"use_align_attribute": True},
+    "toc": {"permalink": True},
+}
+"""As in this project's own mkdocs.yml; a test holds the two together."""
+
+_CLASS_PAGE = """\
+---
+title: Class results
+description: Drop the answer files of a class here. Nothing leaves this computer.
+hide: [toc]
+---
+
+# Class results
+
+Drop the answer files of your students here: single files, several at once, or a zip. With the
+answers of a test also its **key file** (`carts key` writes it). Nothing leaves this computer.
+
+<div><carts-class id="class-results">
+<p>This part needs JavaScript. On the command line <code>carts class</code> does the same.</p>
+</carts-class></div>
+"""
+
+
+def fill_in(config: Any) -> None:
+    """Give the settings of the generator (MkDocs' object) what mkdocs.yml does not say."""
+    theme = config.theme
+    theme["font"] = False  # ours come with the site; others would be fetched
+    theme["features"] = theme.get("features") or FEATURES
+    theme["palette"] = theme.get("palette") or PALETTE
+    for name, settings in EXTENSIONS.items():
+        if name not in config.markdown_extensions:
+            config.markdown_extensions.append(name)
+        config.mdx_configs[name] = {**settings, **(config.mdx_configs.get(name) or {})}
+    config.extra.setdefault("generator", False)
+    for part in (config.validation.links, config.validation.nav):
+        part.absolute_links = logging.WARNING
+    config.validation.links.unrecognized_links = logging.WARNING
+    config.validation.links.anchors = logging.WARNING
+
+
+def ready_page(name: str, title: str, about: str, lessons: Iterable[Path]) -> str | None:
+    """The Markdown of a page that such a site need not write, or None if there is none."""
+    if name == CLASS_RESULTS:
+        return _CLASS_PAGE
+    if name == HOME:
+        return "\n".join(_home(title, about, lessons))
+    return None
+
+
+def named_pages(nav: Any) -> Iterator[str]:
+    """Every file that a navigation names."""
+    if isinstance(nav, str):
+        yield nav
+    elif isinstance(nav, list):
+        for item in nav:
+            yield from named_pages(item)
+    elif isinstance(nav, dict):
+        for item in nav.values():
+            yield from named_pages(item)
+
+
+def _home(title: str, about: str, lessons: Iterable[Path]) -> Iterator[str]:
+    yield from ("---", "hide: [navigation, toc]", "---", "", f"# {_plain(title)}", "")
+    yield from ([_plain(about), ""] if about else [])
+    for path in lessons:
+        head = _head(path.read_text(encoding="utf-8", errors="replace"))
+        name = _plain(str(head.get("title") or path.stem))
+        yield f"## [{name}](worksheets/{path.name})"
+        yield ""
+        words = [_plain(str(head["description"]))] if head.get("description") else []
+        words += [f"{head['minutes']} minutes."] if isinstance(head.get("minutes"), int) else []
+        yield from ([" ".join(words), ""] if words else [])
+
+
+def _head(text: str) -> dict[str, Any]:
+    """The front matter of a lesson, and its first heading where that says no title."""
+    found = re.match(r"\A---\s*\n(.*?\n)---\s*\n", text, re.DOTALL)
+    try:
+        head = yaml.safe_load(found[1]) if found else {}
+    except yaml.YAMLError:
+        head = {}
+    heading = re.search(r"^# +([^{\n]+)", text, re.MULTILINE)
+    first = {"title": heading[1].strip()} if heading else {}
+    return first | (head if isinstance(head, dict) else {})
+
+
+def _plain(text: str) -> str:
+    """Text that Markdown shows as it is."""
+    return re.sub(r"([\\`*_\[\]<>&#$|])", r"\\\1", " ".join(text.split()))

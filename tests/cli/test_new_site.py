@@ -1,0 +1,132 @@
+"""A new site: where it goes, what it is called, and what is never overwritten."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.cli.starter_files import quoted, site_id_of
+from sim.pages import lessons_only
+from sim.pages.check import USUAL_PLACES, check_paths
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(autouse=True)
+def empty(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def new(*arguments: str) -> str:
+    result = CliRunner().invoke(main, ["new", *arguments])
+    assert result.exit_code == 0, result.output
+    return result.output
+
+
+def refused(*arguments: str) -> str:
+    result = CliRunner().invoke(main, ["new", *arguments])
+    assert result.exit_code in (1, 2), result.output
+    return result.output
+
+
+@pytest.mark.parametrize(
+    ("name", "site_id"),
+    [
+        ("my-lessons", "my-lessons"),
+        ("Physik Übungen 100%", "physik-ubungen-100"),
+        ("力学", "my-lessons"),
+        ("a" * 200, "a" * 40),
+        ("#1", "my-lessons"),
+    ],
+)
+def test_in_an_empty_place_a_site_is_made_that_has_no_mistakes(name: str, site_id: str) -> None:
+    output = new(name)
+    root = Path(name).resolve()
+    assert str(root) in output
+    settings = yaml.safe_load((root / "mkdocs.yml").read_text(encoding="utf-8"))
+    assert settings["extra"]["carts"]["site_id"] == site_id
+    assert check_paths([root / place for place in USUAL_PLACES], root) == []
+
+
+def test_its_own_part_is_the_settings_and_the_worksheets(empty: Path) -> None:
+    new("mine")
+    made = {path.relative_to("mine").as_posix() for path in Path("mine").rglob("*.*")}
+    assert made - {".github", ".github/workflows/lessons.yml", ".gitignore", "README.md"} == {
+        "mkdocs.yml",
+        "worksheets/first-lesson.md",
+    }
+
+
+def test_in_a_site_the_same_word_makes_a_lesson(
+    empty: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    new("mine")
+    monkeypatch.chdir(empty / "mine")
+    assert "worksheets/second.md is written" in new("second")
+    assert "order: 2" in Path("worksheets/second.md").read_text(encoding="utf-8")
+    assert "worksheets/banks/forces.yml is written" in new("forces", "--bank")
+    bank = Path("worksheets/banks/forces.yml").read_text(encoding="utf-8")
+    block = "\n".join(line.removeprefix("#   ") for line in bank.splitlines()[2:11])
+    lesson = Path("worksheets/second.md")
+    lesson.write_text(f"{lesson.read_text(encoding='utf-8')}\n{block}\n", encoding="utf-8")
+    assert "```quiz" in block
+    assert check_paths([Path("worksheets").resolve()], Path.cwd()) == []
+
+
+def test_what_is_there_is_never_overwritten(empty: Path) -> None:
+    Path("full").mkdir()
+    Path("full/mine.txt").write_text("mine", encoding="utf-8")
+    assert "not empty. Nothing was changed" in refused("full")
+    assert [path.name for path in Path("full").iterdir()] == ["mine.txt"]
+
+
+def test_a_folder_that_is_not_to_be_written_into_is_named(
+    empty: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "mkdir", no)
+    output = refused("mine")
+    assert f"Nothing can be written into {empty / 'mine'}: Permission denied" in output
+    assert "Go to a folder that is yours" in output
+
+
+def test_a_lesson_of_ours_that_is_none_is_answered_with_those_there_are() -> None:
+    assert "newtons-third-law" in refused("mine", "--like", "newtons-fourth-law")
+    assert "There are: " in refused("mine", "--like", "../banks/x")
+    assert not Path("mine").exists()
+
+
+@pytest.mark.parametrize("text", ["A lesson", "No", "a: b", 'say "so"', "C:\\carts", "#1", "1.5"])
+def test_a_title_is_read_back_as_it_was_typed(text: str) -> None:
+    assert yaml.safe_load(f"title: {quoted(text)} # x") == {"title": text}
+
+
+@pytest.mark.parametrize("name", ["", "a", "ä", "x" * 99, "-- --", "A b C"])
+def test_an_identifier_always_has_the_form_that_the_build_asks_for(name: str) -> None:
+    from sim.pages.site_build import _SITE_ID
+
+    assert _SITE_ID.fullmatch(site_id_of(name))
+
+
+class _AnyTag(yaml.SafeLoader):
+    pass
+
+
+_AnyTag.add_multi_constructor("", lambda *_: None)
+
+
+def test_a_site_of_lessons_alone_gets_the_markdown_and_the_look_of_this_one() -> None:
+    ours = yaml.load((ROOT / "mkdocs.yml").read_text(encoding="utf-8"), _AnyTag)
+    extensions = {}
+    for item in ours["markdown_extensions"]:
+        extensions |= item if isinstance(item, dict) else {item: {}}
+    assert extensions == dict(lessons_only.EXTENSIONS)
+    assert ours["theme"]["palette"] == lessons_only.PALETTE
+    assert set(lessons_only.FEATURES) <= set(ours["theme"]["features"])

