@@ -224,7 +224,9 @@ class Cluster:
         series = self.series.over[k]
         over, rate = self.over(k, t)
         best = max(series[0], over)
-        if series[1] > 0.0 > rate and (turn := first_fall(slope(series), t)) is not None:
+        # A step that the end of the run leaves no time has no series beyond its start.
+        rising = len(series) > 1 and series[1] > 0.0
+        if rising and 0.0 > rate and (turn := first_fall(slope(series), t)) is not None:
             best = max(best, value(series, turn))
         return best
 

@@ -150,3 +150,13 @@ def test_a_run_that_stops_at_its_start_draws_the_forces_that_act_there():
     assert finished.t == 0.0
     columns = trajectory(finished).columns
     assert list(columns["F", "C-D"]) == pytest.approx([1e-6 / 0.002], rel=1e-9)
+
+
+@pytest.mark.parametrize("scene", ["hertz-pair", "hertz-cradle"])
+def test_a_soft_hertz_contact_may_still_be_pressed_at_the_end_of_the_run(scene: str):
+    """The last step had no time left, and so no series."""
+    plain = registry.plain(scene)
+    plain["contact"] = {**plain["contact"], "stiffness": "0.05"}
+    finished = run(read_scene(plain))
+    assert finished.t == read_scene(plain).until
+    assert finished.ledger.imbalance() < 1e-9
