@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
 
 from markupsafe import Markup, escape
 
+# A form with fewer words of its own, “{first} and {last}”, is only a part of another: alone it
+# would be found in what an author wrote.
+ENOUGH = 2
 _PLACE = re.compile(r"\{(\w+)\}")
 _words: ContextVar[Mapping[str, str]] = ContextVar("carts-words", default=MappingProxyType({}))
 
@@ -40,26 +44,50 @@ def heard(english: str) -> str:
     words = _words.get()
     if english in words:
         return words[english]
-    for form, key in _forms(tuple(words)):
-        found = form.fullmatch(english)
+    return _told_as(english, [form for form in _forms(tuple(words)) if form.words >= ENOUGH])
+
+
+def _told_as(english: str, forms: Sequence[_Form]) -> str:
+    words = _words.get()
+    if english in words:
+        return words[english]
+    for form in forms:
+        found = form.pattern.fullmatch(english)
         if found:
-            parts = {name: heard(part) for name, part in found.groupdict().items()}
-            return tr(key, **parts)
+            parts = found.groupdict().items()
+            told = {name: _told_as(part, _forms(tuple(words))) for name, part in parts}
+            return tr(form.key, **told)
     return english
 
 
+@dataclass(frozen=True, slots=True)
+class _Form:
+    key: str
+    pattern: re.Pattern[str]
+    words: int  # of its own
+
+
 @cache
-def _forms(keys: tuple[str, ...]) -> list[tuple[re.Pattern[str], str]]:
-    """What a sentence of each form looks like, those with most text first."""
+def _forms(keys: tuple[str, ...]) -> tuple[_Form, ...]:
+    """Keys with places, those with most text of their own first."""
     with_places = [key for key in keys if _PLACE.search(key)]
     with_places.sort(key=lambda key: -len(_PLACE.sub("", key)))
-    return [(form_of(key), key) for key in with_places]
+    return tuple(
+        _Form(key, form_of(key), len(_PLACE.sub("", key).split())) for key in with_places
+    )
 
 
 def form_of(key: str) -> re.Pattern[str]:
     """What a sentence looks like that fills the places of `key`."""
-    pieces = _PLACE.split(key)
-    parts = [f"(?P<{p}>.+?)" if k % 2 else re.escape(p) for k, p in enumerate(pieces)]
+    parts, named = [], set()
+    for k, piece in enumerate(_PLACE.split(key)):
+        if k % 2 == 0:
+            parts.append(re.escape(piece))
+        elif piece in named:
+            parts.append(f"(?P={piece})")  # the same again
+        else:
+            named.add(piece)
+            parts.append(f"(?P<{piece}>.+?)")
     return re.compile("".join(parts), re.DOTALL)
 
 

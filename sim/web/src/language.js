@@ -12,48 +12,58 @@ const catalogue = /** @type {any} */ (globalThis).cartsWords ?? {};
  * @param {string} sentence @param {Record<string, string | number>} values @returns {string}
  */
 export function tr(sentence, values = {}) {
-  return filled(catalogue[sentence] ?? sentence, values);
+  const said = catalogue[sentence] ?? sentence;
+  return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
-/** @param {string} sentence @param {Record<string, string | number>} values */
-function filled(sentence, values) {
-  return sentence.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-}
+/** @typedef {{key: string, pattern: RegExp, words: number}} Form words: of its own */
 
-/** @type {[RegExp, string][] | null} of sentences that come from Python, those with most text first */
-let patterns = null;
+/** @type {Form[] | null} sentences that come from Python, those with most text of their own first */
+let forms = null;
+/** One with fewer words, “{first} and {last}”, is only a part: alone it fits what authors write. */
+const ENOUGH = 2;
 
 /**
  * A sentence that Python made, in English: told in the reader's language where the catalogue has a
- * sentence of its form. What stands at its {names} is told the same way.
+ * sentence of its form. What stands at its {names} is told the same way. Twin of
+ * `sim/pages/language/say.py`.
  * @param {string} english @returns {string}
  */
 export function heard(english) {
+  forms ??= Object.keys(catalogue)
+    .filter((key) => PLACE.test(key))
+    .sort((a, b) => own(b).length - own(a).length)
+    .map((key) => ({ key, pattern: pattern(key), words: own(key).trim().split(/\s+/).length }));
+  const whole = forms.filter(({ words }) => words >= ENOUGH);
+  return toldAs(english, whole, forms);
+}
+
+/** @param {string} english @param {Form[]} some @param {Form[]} all that its parts may have @returns {string} */
+function toldAs(english, some, all) {
   if (catalogue[english]) return catalogue[english];
-  patterns ??= Object.keys(catalogue)
-    .filter((key) => key.includes("{"))
-    .sort((a, b) => plain(b).length - plain(a).length)
-    .map((key) => [pattern(key), key]);
-  for (const [form, key] of patterns) {
+  for (const { key, pattern: form } of some) {
     const found = form.exec(english);
     if (!found) continue;
     const parts = Object.entries(found.groups ?? {});
-    return filled(
-      catalogue[key] ?? key,
-      Object.fromEntries(parts.map(([name, part]) => [name, heard(part)])),
-    );
+    const told = parts.map(([name, part]) => [name, toldAs(part, all, all)]);
+    return tr(key, Object.fromEntries(told));
   }
   return english;
 }
 
+const PLACE = /\{\w+\}/;
+
 /** @param {string} key */
-const plain = (key) => key.replace(/\{\w+\}/g, "");
+const own = (key) => key.replace(/\{\w+\}/g, "");
 
 /** @param {string} key @returns {RegExp} what a sentence of this form looks like */
 function pattern(key) {
-  const parts = key.split(/\{(\w+)\}/);
-  const escaped = parts.map((part, k) =>
-    k % 2 ? `(?<${part}>.+?)` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"),
-  );
-  return new RegExp(`^${escaped.join("")}$`, "su");
+  const named = new Set();
+  const parts = key.split(/\{(\w+)\}/).map((part, k) => {
+    if (k % 2 === 0) return part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+    if (named.has(part)) return `\\k<${part}>`; // the same again
+    named.add(part);
+    return `(?<${part}>.+?)`;
+  });
+  return new RegExp(`^${parts.join("")}$`, "su");
 }

@@ -124,9 +124,8 @@ function importRow(book, told) {
     const changed = await book.take(found.student, found.entries).catch(() => -1);
     if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
     const where = elsewhere(found, book);
-    const taken = tr("Taken from the file: {count}. Nothing that was here is lost.", {
-      count: counted(changed),
-    });
+    const count = counted(changed);
+    const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
     say(told, `${taken} ${where}`.trim());
     // A scene takes its prediction up only when the page is read.
     const predicted = found.entries.some(([, entry]) => entry.locked);
