@@ -15,15 +15,17 @@ ROOT = Path(__file__).parents[1]
 SIM = ROOT / "sim"
 
 # A layer may import those to its right and itself: cli, pages, bridge -> classroom -> lesson and
-# cli, pages, bridge -> dynamics -> scene. `pages` computes only in bake.py, and inside functions.
+# cli, pages, bridge -> measured -> dynamics -> scene. `pages` computes only in bake.py, and inside
+# functions.
 MAY_IMPORT = {
     "scene": {"scene"},
     "dynamics": {"dynamics", "scene"},
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
-    "bridge": {"bridge", "classroom", "lesson", "dynamics", "scene"},
-    "pages": {"pages", "bridge", "classroom", "lesson", "dynamics", "scene"},
-    "cli": {"cli", "pages", "bridge", "classroom", "lesson", "dynamics", "scene"},
+    "measured": {"measured", "dynamics", "scene"},
+    "bridge": {"bridge", "classroom", "measured", "lesson", "dynamics", "scene"},
+    "pages": {"pages", "bridge", "classroom", "measured", "lesson", "dynamics", "scene"},
+    "cli": {"cli", "pages", "bridge", "classroom", "measured", "lesson", "dynamics", "scene"},
 }
 STANDARD_LIBRARY_ONLY = ("scene", "lesson", "bridge")
 ONLY_IN = {"js": "bridge/pyodide_entry.py", "pyodide": "bridge/pyodide_entry.py"}
@@ -72,8 +74,9 @@ def test_the_browsers_own_modules_are_imported_in_one_file_only() -> None:
             assert only in (None, inside) or in_the_page, f"{inside} imports {name}"
 
 
-def test_numerics_import_numpy_and_scipy_only_when_used() -> None:
-    for path in modules("dynamics"):
+@pytest.mark.parametrize("layer", ["dynamics", "measured"])
+def test_numerics_import_numpy_and_scipy_only_when_used(layer: str) -> None:
+    for path in modules(layer):
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
             names = (
                 [a.name for a in getattr(node, "names", [])] if isinstance(node, ast.Import) else []
@@ -104,6 +107,7 @@ HEAVY = {"numpy", "scipy", "yaml", "mkdocs", "markdown", "jinja2", "click", "pla
         ("sim", set()),
         ("sim.scene", set()),
         ("sim.dynamics", set()),
+        ("sim.measured.report", set()),
         ("sim.bridge.protocol", set()),
         ("sim.cli", {"click"}),
         ("sim.pages.yaml_source", {"yaml"}),

@@ -16,6 +16,7 @@ COMMANDS = {
     "class": ("sim.cli.class_results", "Say what a class answered and learned."),
     "new": ("sim.cli.new", "Make a site, a lesson or a bank to begin with."),
     "check": ("sim.cli.check", "Look for mistakes in lessons and scene files."),
+    "fit": ("sim.cli.fit", "Fit the model to the motion of two real carts."),
     "export": ("sim.cli.export", "Write a bank of questions for a learning platform."),
     "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),

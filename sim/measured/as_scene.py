@@ -1,0 +1,111 @@
+"""The fitted collision as a scene: what `carts run` runs and a lesson shows.
+
+The scene's clock starts at the first reading. Only the ratio of the masses is known, so without a
+weighed cart A has 1 kg: the motion is the same for any mass. The lengths of the carts are such that
+they touch when the marks are as far apart as they were at the touch; marks that are closer than
+0.10 m stand at other places of the carts, and B is then drawn with its mark further right.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from sim.measured.fit import Fit
+from sim.measured.motion import Motion
+
+GRAVITY = 9.81
+SHORTEST, USUAL = 0.10, 0.20
+"""m. Carts shorter than the first would have no room for bumpers."""
+
+
+def scene_lines(
+    fit: Fit,
+    names: tuple[str, str],
+    times: tuple[float, float],
+    mass: tuple[str, float] | None = None,
+    title: str = "Our own carts",
+) -> list[str]:
+    """The scene as lines of YAML; `times`: first and last reading in s."""
+    p = fit.parameters
+    begin, end = times
+    (x1, x2), (v1, v2) = Motion(p, fit.asked.law).state(begin)
+    length = p.distance if p.distance >= SHORTEST else USUAL
+    x2 += length - p.distance
+    labels = _labels(names)
+    mass_a = _mass_of_a(fit, names, mass)
+    mass_b = mass_a * p.ratio
+    k = mass_b / (1.0 + p.ratio) * p.w0**2
+    bumper = min(0.5 * length, max(0.04, 0.6 * _greatest(fit)))
+    lines = [
+        f"title: {title}",
+        "carts:",
+        *(
+            f"  {label}: {{mass: {_si(m)} kg, position: {_si(x)} m, velocity: {_si(v)} m/s, "
+            f"length: {_si(length)} m, bumper_length: {_si(bumper)} m}}"
+            for label, m, x, v in zip(labels, (mass_a, mass_b), (x1, x2), (v1, v2), strict=True)
+        ),
+        f"contact: {{restitution: {_si(min(p.e, 1.0))}, stiffness: {_si(k)} N/m, "
+        f"law: {fit.asked.law}}}",
+    ]
+    effects = []
+    for label, g in zip(labels, p.friction, strict=True):
+        if g > 0.0:
+            effects.append(f"  - friction: {{coefficient: {_si(g / GRAVITY)}, carts: [{label}]}}")
+    if p.tilt:
+        angle = math.degrees(math.asin(max(-1.0, min(1.0, p.tilt / GRAVITY))))
+        effects.append(f"  - incline: {{angle: {_si(angle)} deg}}")
+    lines += ["effects:", *effects] if effects else []
+    lines.append(f"until: {_si(max(end - begin, 0.1))} s")
+    return lines
+
+
+def fence(lines: Sequence[str], identity: str) -> str:
+    """The scene as a block of a lesson."""
+    body = "\n".join(lines)
+    return f"```scene\nid: {identity}\n{body}\nshow: [x, v, F]\n```\n"
+
+
+def scene_text(lines: Sequence[str], remarks: Sequence[str] = ()) -> str:
+    """The scene as a file, with remarks on top."""
+    return "".join(f"# {remark}\n" for remark in remarks) + "\n".join(lines) + "\n"
+
+
+def remarks(fit: Fit, mass: tuple[str, float] | None) -> list[str]:
+    """What was assumed, for the reader of the scene."""
+    said = []
+    if mass is None:
+        said.append("A motion does not show masses: A is set to 1 kg, k follows from it.")
+    if not math.isfinite(fit.sd("ln_w0")) or fit.sd("ln_w0") > 0.5:
+        said.append("The readings do not tell how long the contact lasts: k is a mere guess.")
+    if fit.parameters.e > 1.0:
+        said.append(f"e was fitted as {fit.parameters.e:.3f}; a bumper gives at most 1.")
+    return said
+
+
+def _labels(names: tuple[str, str]) -> tuple[str, str]:
+    """Names that a scene takes: the carts' own where they are short words, else A and B."""
+    good = all(
+        name[:1].isascii() and name[:1].isalpha() and len(name) <= 16
+        and all(c.isascii() and (c.isalnum() or c in "_-") for c in name)
+        and name.lower() not in ("left", "right", "no", "on", "off", "yes", "y", "n", "true",
+                                 "false", "null")
+        for name in names
+    )  # fmt: skip
+    return names if good and names[0] != names[1] else ("A", "B")
+
+
+def _mass_of_a(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None) -> float:
+    if mass is None:
+        return 1.0
+    return mass[1] if mass[0] == names[0] else mass[1] / fit.parameters.ratio
+
+
+def _greatest(fit: Fit) -> float:
+    """m. The greatest overlap."""
+    return fit.parameters.approach / fit.parameters.w0
+
+
+def _si(value: float) -> str:
+    """Ten digits: more than any reading has, so that the run is the fitted one."""
+    return f"{float(f'{value:.9e}')!r}"

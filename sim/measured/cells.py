@@ -1,0 +1,184 @@
+"""A text of readings as rows of cells, and a cell as a number.
+
+Programs disagree about everything: what stands between cells (tab, semicolon, comma, spaces), the
+decimal sign, the minus sign, the end of a line, the first bytes of the file. All of it is found
+out from the text; what could be read in two ways is refused with the line.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from sim.measured.refusal import Fault, ReadingError, refuse, shown
+
+MOST_BYTES = 4_000_000
+"""Bytes of one file: an hour of a sensor at 20 readings per second, ten times over."""
+
+MOST_LINES = 20_000
+MOST_COLUMNS = 60
+LONGEST_LINE = 10_000
+LARGEST = 1e9
+"""Nothing that a class measures is larger, in any of the units taken here."""
+
+_MINUS = str.maketrans({"\u2212": "-", "\u2010": "-", "\u2011": "-", "\u2013": "-", "\uff0d": "-"})
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", re.ASCII)
+_DECIMAL_COMMA = re.compile(r"\d*,\d", re.ASCII)
+_SPACES = re.compile(r"[ \u00a0\u202f]+")
+_NAMES = {"\t": "tab", ";": "semicolon", ",": "comma", "|": "bar", " ": "space"}
+_EMPTY = ("", "nan", "-nan", "null", "none", "-")
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """The cells of one line; `line` counts from 1, empty cells at the end are gone."""
+
+    line: int
+    cells: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """All lines that hold something, with the separator that was found."""
+
+    rows: tuple[Row, ...]
+    separator: str
+
+    @property
+    def separator_name(self) -> str:
+        """In words."""
+        return _NAMES[self.separator]
+
+
+def decoded(content: bytes) -> str:
+    """The bytes as text: UTF-8 with or without its mark, UTF-16 with it."""
+    if len(content) > MOST_BYTES:
+        raise refuse(1, "this file is too large to be readings of two carts", "at most 4 MB")
+    coding = "utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
+    try:
+        return content.decode(coding)
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise refuse(line, "this is no text, or not in UTF-8", "save it as text (UTF-8)") from None
+
+
+def rows_of(text: str) -> Rows:
+    """The text as rows of cells."""
+    text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    lines = text.split("\n")
+    if len(lines) > MOST_LINES:
+        raise refuse(
+            MOST_LINES + 1, f"more than {MOST_LINES:,} lines", "keep the seconds around the contact"
+        )
+    for number, line in enumerate(lines, 1):
+        if "\0" in line:
+            raise refuse(number, "this is no text", "export the readings as text")
+        if len(line) > LONGEST_LINE:
+            raise refuse(number, f"this line has {len(line):,} characters", "is this the file?")
+    filled = [(k, line) for k, line in enumerate(lines, 1) if line.strip(" \t;,|\u00a0")]
+    if not filled:
+        raise refuse(1, "there is nothing in it", "choose the file with the readings")
+    separator = _separator([line for _, line in filled])
+    rows = tuple(_row(k, line, separator) for k, line in filled)
+    for row in rows:
+        if len(row.cells) > MOST_COLUMNS:
+            count = f"{len(row.cells):,} columns: at most {MOST_COLUMNS} are read"
+            raise refuse(row.line, count, "export only t and x of the two carts")
+    return Rows(rows, separator)
+
+
+def _separator(lines: Sequence[str]) -> str:
+    """What stands between cells, judged by the lines with digits in them."""
+    judged = [line.strip(" ") for line in lines if any(c.isdigit() for c in line)][:200]
+    judged = [line for line in judged if not line.lstrip().startswith("#")] or list(lines[:200])
+    for sign in ("\t", ";", "|"):
+        if 2 * sum(sign in line for line in judged) > len(judged):
+            return sign
+    with_comma = [line for line in judged if "," in line]
+    if 2 * len(with_comma) > len(judged):
+        # "0,1 0,2": spaces between numbers with decimal commas. "0.1, 0.2": commas.
+        spaced = [len(_SPACES.split(line)) >= 2 and ", " not in line for line in with_comma]
+        quoted = any('"' in line for line in with_comma)
+        return " " if 2 * sum(spaced) > len(spaced) and not quoted else ","
+    return " "
+
+
+def _row(number: int, line: str, separator: str) -> Row:
+    if separator == " ":
+        cells = [cell for cell in re.split(r"[ \t\u00a0\u202f]+", line.strip()) if cell]
+    elif '"' in line:
+        try:
+            cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
+        except csv.Error:
+            raise refuse(number, "a quotation mark is never closed", "remove it") from None
+    else:
+        cells = line.split(separator)
+    kept = [cell.strip() for cell in cells]
+    while kept and not kept[-1]:
+        kept.pop()
+    return Row(number, tuple(kept))
+
+
+def is_empty(cell: str) -> bool:
+    """Whether a cell says that there is no reading."""
+    return cell.lower() in _EMPTY
+
+
+def is_number(cell: str) -> bool:
+    """Whether a cell is a number in any of the ways they are written."""
+    return _NUMBER.fullmatch(_plain(cell)) is not None
+
+
+def number_of(cell: str) -> float:
+    """The number in a cell for which `is_number` holds; beyond LARGEST it is not finite."""
+    value = float(_plain(cell).replace(",", "."))
+    return value if abs(value) <= LARGEST else math.inf
+
+
+def _plain(cell: str) -> str:
+    return cell.strip().translate(_MINUS)
+
+
+def check_decimals(rows: Sequence[Row]) -> None:
+    """Refuses a text in which some numbers have a decimal point and others a decimal comma."""
+    seen: dict[str, int] = {}
+    for line, cell in _numbers(rows):
+        sign = "," if "," in cell else "." if "." in cell else ""
+        other = seen.get("." if sign == "," else ",") if sign else None
+        if other is not None:
+            reason = f"“{shown(cell)}” has another decimal sign than line {other}"
+            raise refuse(line, reason, "use the point or the comma in the whole file")
+        if sign:
+            seen.setdefault(sign, line)
+
+
+def _numbers(rows: Sequence[Row]) -> Iterator[tuple[int, str]]:
+    return ((row.line, cell) for row in rows for cell in row.cells if is_number(cell))
+
+
+def two_readings(row: Row, columns: int) -> Fault | None:
+    """The fault of a line in which the comma stands between cells and inside of numbers."""
+    if columns and len(row.cells) >= 2 * columns - 1 and len(row.cells) > columns:
+        reason = f"{len(row.cells)} numbers under {columns} names: is the comma a decimal sign?"
+        return Fault(row.line, reason, "export with tabs or semicolons between the columns")
+    return None
+
+
+__all__ = [
+    "MOST_BYTES",
+    "MOST_COLUMNS",
+    "MOST_LINES",
+    "ReadingError",
+    "Row",
+    "Rows",
+    "check_decimals",
+    "decoded",
+    "is_empty",
+    "is_number",
+    "number_of",
+    "rows_of",
+    "two_readings",
+]

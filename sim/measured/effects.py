@@ -1,0 +1,80 @@
+"""Which effects do these readings call for? The residuals say.
+
+The model is fitted without anything, with friction and with a tilt. An effect is called for when
+the sum of squares falls by more than chance would make it fall (F-test, 1 of 1000). Residuals that
+follow each other (neighbours alike) tell that something is still missing; then the intervals,
+which take the residuals for chance, are too narrow.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass, replace
+
+from sim.measured.fit import Asked, Effect, Fit, fit
+from sim.measured.motion import Parameters
+from sim.measured.refusal import FitError
+from sim.measured.tracks import Measured
+
+CHANCE = 1e-3
+ALIKE = 0.35
+"""Correlation of neighbouring residuals above which they are no chance."""
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """One effect beside the model without any. `chance`: that luck alone does as well."""
+
+    effect: Effect
+    noise: float  # m, standard deviation of the residuals
+    chance: float | None  # None: for "none"
+    alike: float
+    fit: Fit
+
+
+def compare(measured: Measured, plain: Fit) -> list[Compared]:
+    """The plain fit, and the same with each effect that can be fitted."""
+    from scipy.special import fdtrc
+
+    rows = [Compared("none", plain.noise, None, neighbours(plain), plain)]
+    effects: tuple[Effect, ...] = ("friction", "tilt")
+    for effect in effects:
+        asked = Asked(law=plain.asked.law, effect=effect, distance=plain.asked.distance)
+        try:
+            start = plain.parameters if effect == "tilt" else _braking(plain)
+            with_it = fit(measured, asked, start)
+        except FitError:
+            continue
+        more = plain.freedom - with_it.freedom
+        gained = (plain.squares - with_it.squares) / max(more, 1)
+        variance = with_it.squares / with_it.freedom
+        chance = 1.0
+        if gained > 0.0 and variance > 0.0 and more > 0:
+            chance = float(fdtrc(more, with_it.freedom, gained / variance))
+        elif with_it.squares < plain.squares:
+            chance = 0.0
+        rows.append(Compared(effect, with_it.noise, chance, neighbours(with_it), with_it))
+    return rows
+
+
+def _braking(plain: Fit) -> Parameters:
+    """A start with a little friction, so that it is not on the edge."""
+    p = plain.parameters
+    return replace(p, friction=(0.01, 0.01))
+
+
+def called_for(rows: list[Compared]) -> Effect:
+    """The effect that the residuals call for: the one that leaves least, if it is no chance."""
+    real = [row for row in rows if row.chance is not None and row.chance < CHANCE]
+    return min(real, key=lambda row: row.noise).effect if real else "none"
+
+
+def neighbours(fit: Fit) -> float:
+    """Correlation of neighbouring residuals, both carts taken together."""
+    above = below = 0.0
+    for track in fit.residuals:
+        mean = sum(track) / len(track)
+        left = [value - mean for value in track]
+        above += sum(a * b for a, b in itertools.pairwise(left))
+        below += sum(a * a for a in left)
+    return above / below if below > 0.0 else 0.0

@@ -1,0 +1,285 @@
+"""Least squares of the model on readings of two carts, with intervals.
+
+Fitted are touch, x, distance, v of both, ln(mass ratio), e, ln(w0), and on request a constant
+deceleration for each cart or a tilt. Logarithms keep ratio and w0 positive and make their intervals
+honest. Every reading counts alike; the noise is estimated from the residuals, so
+
+    covariance = s² (JᵀJ)⁻¹ ,   s² = sum of squares / (readings − unknowns) ,   Student's t.
+
+A singular value of J near zero means that the readings do not tell one unknown: its variance
+becomes infinite, and sim.measured.known refuses to print it. numpy and scipy are imported inside.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Literal
+
+from sim.measured.contact import Law
+from sim.measured.curves import places
+from sim.measured.guess import CALM, E_HIGH, E_LOW, EACH_SIDE, RATIO_HIGH, guesses
+from sim.measured.motion import Motion, Parameters
+from sim.measured.refusal import FitError
+from sim.measured.tracks import Measured
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+Effect = Literal["none", "friction", "tilt"]
+EFFECTS: tuple[Effect, ...] = ("none", "friction", "tilt")
+SHARE = 0.95
+CLOSE = 1e-8
+"""Relative. A descent ends when its steps, or what they gain, are smaller."""
+
+UNTOLD_CHANGE = 1.0
+"""An unknown that may change by so much (in ln w0: 2.7-fold) without a trace is not told."""
+
+NEARLY_ZERO = 1e-5
+"""Singular value of the Jacobian with columns of size one: below is rounding of its differences."""
+
+ALONG = 1e-2
+STILL = 4.0
+"""A cart whose speed before the touch is below so many standard deviations stood still."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """How to fit. `distance`: m, from mark to mark when the bumpers just touch, if it is known."""
+
+    law: Law = "bumper"
+    effect: Effect = "none"
+    distance: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """The best parameters; `covariance` belongs to `unknowns`, whose values are `values`."""
+
+    asked: Asked
+    parameters: Parameters
+    duration: float  # s
+    unknowns: tuple[str, ...]
+    values: tuple[float, ...]
+    covariance: tuple[tuple[float, ...], ...]
+    residuals: tuple[tuple[float, ...], tuple[float, ...]]  # m, measured minus model
+    noise: float  # m, standard deviation of a reading
+    freedom: int
+    squares: float  # m²
+
+    def sd(self, unknown: str) -> float:
+        """Standard deviation of one unknown; inf where the readings do not tell it."""
+        k = self.unknowns.index(unknown)
+        return math.sqrt(self.covariance[k][k])
+
+    def spread(self, slopes: dict[str, float]) -> float:
+        """Standard deviation of a quantity with these derivatives by the unknowns."""
+        rows = [(self.unknowns.index(name), slope) for name, slope in slopes.items()]
+        total = sum(a * b * self.covariance[i][k] for i, a in rows for k, b in rows)
+        return math.sqrt(max(total, 0.0))
+
+    @property
+    def factor(self) -> float:
+        """Half an interval in standard deviations."""
+        from scipy.special import stdtrit
+
+        return float(stdtrit(self.freedom, 0.5 * (1.0 + SHARE)))
+
+
+def fit(measured: Measured, asked: Asked = Asked(), start: Parameters | None = None) -> Fit:
+    """The best fit; raises FitError. `start`: a first guess, in the place of our own."""
+    import numpy as np
+
+    t = tuple(np.array(track.t) for track in measured.tracks)
+    x = tuple(np.array(track.value) for track in measured.tracks)
+    times, values = (t[0], t[1]), (x[0], x[1])
+
+    def score(parameters: Parameters) -> float:
+        return float(np.sum(_residuals(parameters, asked.law, times, values) ** 2))
+
+    tried = [start] if start else guesses(times, values, asked.law, asked.distance, score)
+    if asked.effect == "friction":
+        tried = [_with_rest(one, times, values) for one in tried]
+    solved = [_solve(one, asked, times, values) for one in tried]
+    best = min(solved, key=lambda one: one[0])
+    return _made(best[1], best[2], asked, times, values)
+
+
+def _with_rest(p: Parameters, t: Any, x: Any) -> Parameters:
+    """Notes which carts stand still before the touch: friction does not push them."""
+    import numpy as np
+
+    rests = []
+    for k in range(2):
+        before = t[k] < p.touch
+        if int(np.sum(before)) < EACH_SIDE:
+            rests.append(False)
+            continue
+        times, places_ = t[k][before], x[k][before]
+        tau = times - times.mean()
+        slope = float(tau @ places_ / (tau @ tau))
+        left = places_ - places_.mean() - slope * tau
+        sd = math.sqrt(float(left @ left) / max(1, len(left) - 2) / float(tau @ tau))
+        rests.append(abs(slope) < max(STILL * sd, 0.01 * p.approach))
+    v = (0.0 if rests[0] else p.v[0], 0.0 if rests[1] else p.v[1])
+    return replace(p, rests=(rests[0], rests[1]), v=v)
+
+
+def _names(p: Parameters, asked: Asked) -> tuple[str, ...]:
+    """The unknowns of this fit."""
+    names = ["touch", "x", "ln_ratio", "e", "ln_w0"]
+    names += ["distance"] if asked.distance is None else []
+    names += [f"v{k + 1}" for k in range(2) if not p.rests[k]]
+    names += {"none": [], "friction": ["friction1", "friction2"], "tilt": ["tilt"]}[asked.effect]
+    return tuple(names)
+
+
+_READ: dict[str, Callable[[Parameters], float]] = {
+    "touch": lambda p: p.touch,
+    "x": lambda p: p.x,
+    "distance": lambda p: p.distance,
+    "v1": lambda p: p.v[0],
+    "v2": lambda p: p.v[1],
+    "ln_ratio": lambda p: math.log(p.ratio),
+    "e": lambda p: p.e,
+    "ln_w0": lambda p: math.log(p.w0),
+    "friction1": lambda p: p.friction[0],
+    "friction2": lambda p: p.friction[1],
+    "tilt": lambda p: p.tilt,
+}
+
+
+def _with(p: Parameters, names: Sequence[str], values: Sequence[float]) -> Parameters:
+    """The parameters with the unknowns set."""
+    got = dict(zip(names, map(float, values), strict=True))
+    return Parameters(
+        touch=got["touch"],
+        x=got["x"],
+        distance=got.get("distance", p.distance),
+        v=(got.get("v1", p.v[0]), got.get("v2", p.v[1])),
+        ratio=math.exp(got["ln_ratio"]),
+        e=got["e"],
+        w0=math.exp(got["ln_w0"]),
+        friction=(got.get("friction1", 0.0), got.get("friction2", 0.0)),
+        tilt=got.get("tilt", 0.0),
+        rests=p.rests,
+    )
+
+
+def _residuals(p: Parameters, law: Law, t: Any, x: Any) -> Floats:
+    """m. Measured minus model, cart after cart."""
+    import numpy as np
+
+    motion = Motion(p, law)
+    return np.concatenate([x[k] - places(motion, k, t[k]) for k in range(2)])
+
+
+def _solve(start: Parameters, asked: Asked, t: Any, x: Any) -> tuple[float, Parameters, Any]:
+    """Sum of squares, parameters and Jacobian (by the unknowns) of one descent."""
+    import numpy as np
+    from scipy.optimize import least_squares
+
+    names = _names(start, asked)
+    low, high = _bounds(names, t, x)
+    begin = np.clip([_READ[name](start) for name in names], low + 1e-9 * (high - low),
+                    high - 1e-9 * (high - low))  # fmt: skip
+
+    def residuals(values: Floats) -> Floats:
+        # listed: a numpy number in the closed form costs three times a float
+        return _residuals(_with(start, names, values.tolist()), asked.law, t, x)
+
+    found = least_squares(
+        residuals, begin, bounds=(low, high), x_scale="jac", method="trf",
+        xtol=CLOSE, ftol=CLOSE, gtol=1e-12, max_nfev=80,
+    )  # fmt: skip
+    return 2.0 * float(found.cost), _with(start, names, found.x.tolist()), found.jac
+
+
+def _bounds(names: Sequence[str], t: Any, x: Any) -> tuple[Floats, Floats]:
+    """Wide enough that only nonsense lies outside."""
+    import numpy as np
+
+    begin, end = min(t[0][0], t[1][0]), max(t[0][-1], t[1][-1])
+    length = end - begin
+    frame = float(np.median(np.diff(t[0])))
+    reach = max(float(np.ptp(np.concatenate(x))), 1e-9)
+    fastest = 50.0 * reach / length
+    middle = float(np.mean(np.concatenate(x)))
+    limits = {
+        "touch": (begin, end),
+        "x": (middle - 10.0 * reach, middle + 10.0 * reach),
+        "distance": (-10.0 * reach, 10.0 * reach),
+        "v1": (-fastest, fastest),
+        "v2": (-fastest, fastest),
+        "ln_ratio": (-math.log(RATIO_HIGH), math.log(RATIO_HIGH)),
+        "e": (E_LOW, E_HIGH),
+        "ln_w0": (math.log(1.0 / length), math.log(60.0 / frame)),
+        "friction1": (0.0, fastest / length),
+        "friction2": (0.0, fastest / length),
+        "tilt": (-fastest / length, fastest / length),
+    }
+    pairs = np.array([limits[name] for name in names])
+    return pairs[:, 0], pairs[:, 1]
+
+
+def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
+    import numpy as np
+
+    names = _names(p, asked)
+    residuals = _residuals(p, asked.law, t, x)
+    freedom = len(residuals) - len(names)
+    if freedom < 3:
+        raise FitError("there are hardly more readings than unknowns", "mark more frames")
+    motion = Motion(p, asked.law)
+    sides = [(int(np.sum(times < p.touch)), int(np.sum(times > p.touch + motion.duration)))
+             for times in t]  # fmt: skip
+    for cart, (before, after) in enumerate(sides, 1):
+        if before < EACH_SIDE or after < EACH_SIDE:
+            when, count = ("before", before) if before < EACH_SIDE else ("after", after)
+            reason = f"only {count} readings of cart {cart} lie {when} the contact"
+            raise FitError(reason, f"at least {EACH_SIDE} are needed; {CALM}")
+    squares = float(residuals @ residuals)
+    noise = math.sqrt(squares / freedom)
+    covariance = _covariance(jacobian, noise)
+    first = len(t[0])
+    return Fit(
+        asked=asked,
+        parameters=p,
+        duration=motion.duration,
+        unknowns=names,
+        values=tuple(_READ[name](p) for name in names),
+        covariance=covariance,
+        residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
+        noise=noise,
+        freedom=freedom,
+        squares=squares,
+    )
+
+
+def _covariance(jacobian: Floats, noise: float) -> tuple[tuple[float, ...], ...]:
+    """Of the unknowns; the variance of what the readings do not tell is infinite.
+
+    An unknown that hardly moves any reading is not told. Of the others, columns are scaled to one
+    size, and a direction in which no reading moves leaves all unknowns untold that lie along it.
+    """
+    import numpy as np
+
+    count = jacobian.shape[1]
+    norms = np.linalg.norm(jacobian, axis=0)
+    deaf = norms * UNTOLD_CHANGE < 1e-3 * noise
+    told = np.flatnonzero(~deaf & (norms > 0.0))
+    _, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
+    seen = singular > NEARLY_ZERO
+    inverse = axes[seen].T / singular[seen]
+    part = noise**2 * (inverse @ inverse.T) / np.outer(norms[told], norms[told])
+    blind = np.any(np.abs(axes[~seen]) > ALONG, axis=0)
+    part[np.diag_indices(len(told))] += np.where(blind, np.inf, 0.0)
+    whole = np.zeros((count, count))
+    whole[np.ix_(told, told)] = part
+    for k in set(range(count)) - set(told.tolist()):
+        whole[k, k] = math.inf
+    return tuple(tuple(map(float, row)) for row in whole)

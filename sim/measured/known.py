@@ -1,0 +1,145 @@
+"""What the readings tell, with intervals, and what they cannot tell.
+
+A motion shows e, the ratio of the masses, when the touch is, and sqrt(k/mu) if frames lie inside
+the contact. It never shows a mass in kg or k in N/m: with all masses and k doubled the same film
+comes out. With one mass from a balance both masses and k follow.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from sim.measured.fit import Fit
+
+WIDEST = 0.5
+"""Standard deviation of ln w0, or of any logarithm, above which no number is printed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """A quantity with its 95 % interval, in `unit`."""
+
+    key: str
+    name: str
+    value: float
+    low: float
+    high: float
+    sd: float
+    unit: str
+
+    @property
+    def half(self) -> float:
+        """Half of the interval: what stands behind ±."""
+        return 0.5 * (self.high - self.low)
+
+
+@dataclass(frozen=True, slots=True)
+class Untold:
+    """A quantity that is not printed, and why."""
+
+    key: str
+    name: str
+    reason: str
+
+
+def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
+         ) -> tuple[list[Known], list[Untold]]:  # fmt: skip
+    """Everything that this fit says, and what it does not. `mass`: of one cart, in kg."""
+    p = fit.parameters
+    found: list[Known] = []
+    untold: list[Untold] = []
+    found.append(_plain(fit, "e", "bounciness e", p.e, {"e": 1.0}, ""))
+    ratio = f"mass of {names[1]} ÷ mass of {names[0]}"
+    _add(found, untold, _log(fit, "mass_ratio", ratio, p.ratio, {"ln_ratio": 1.0}, ""))
+    for k, name in enumerate(names):
+        key = f"v_{'ab'[k]}"
+        slopes = {f"v{k + 1}": 1.0} if not p.rests[k] else {}
+        found.append(_plain(fit, key, f"velocity of {name} at the touch", p.v[k], slopes, "m/s"))
+    found.append(_plain(fit, "touch", "first touch at t", p.touch, {"touch": 1.0}, "s"))
+    stiff = {"ln_w0": 1.0}
+    duration = {"ln_w0": -1.0, "e": _duration_by_e(fit)}
+    _add(found, untold, _log(fit, "duration", "the contact lasts", fit.duration, duration, "s"))
+    _add(found, untold, _log(fit, "w0", "√(k/μ)", p.w0, stiff, "1/s"))
+    for k, name in enumerate(names) if fit.asked.effect == "friction" else ():
+        slopes = {f"friction{k + 1}": 1.0}
+        what = f"deceleration of {name} by friction"
+        found.append(_plain(fit, f"friction_{'ab'[k]}", what, p.friction[k], slopes, "m/s²"))
+    if fit.asked.effect == "tilt":
+        slopes = {"tilt": 1.0}
+        found.append(_plain(fit, "tilt", "acceleration by the tilt", p.tilt, slopes, "m/s²"))
+    _masses(fit, names, mass, found, untold)
+    return found, untold
+
+
+def _masses(
+    fit: Fit,
+    names: tuple[str, str],
+    mass: tuple[str, float] | None,
+    found: list[Known],
+    untold: list[Untold],
+) -> None:
+    """The other mass and k if one mass is given, else why they are not there."""
+    if mass is None:
+        reason = (
+            "a motion does not show it: with both masses and k twice as large, the same film comes "
+            "out. Weigh one cart and give its mass"
+        )
+        untold.append(Untold("mass", "mass of each cart in kg", reason))
+        untold.append(Untold("k", "stiffness k in N/m", reason))
+        return
+    weighed, kg = mass
+    q, other = fit.parameters.ratio, 1 - names.index(weighed)
+    sign = 1.0 if other == 1 else -1.0
+    found_mass = _log(
+        fit, "mass", f"mass of {names[other]}", kg * q**sign, {"ln_ratio": sign}, "kg"
+    )
+    _add(found, untold, found_mass)
+    mass_a = kg if other == 1 else kg / q
+    mu = mass_a * q / (1.0 + q)
+    slope = 1.0 / (1.0 + q) if other == 1 else -q / (1.0 + q)
+    k = _log(fit, "k", "stiffness k", mu * fit.parameters.w0**2,
+             {"ln_w0": 2.0, "ln_ratio": slope}, "N/m")  # fmt: skip
+    _add(found, untold, k)
+
+
+def _add(found: list[Known], untold: list[Untold], one: Known | Untold) -> None:
+    if isinstance(one, Known):
+        found.append(one)
+    else:
+        untold.append(one)
+
+
+def _plain(
+    fit: Fit, key: str, name: str, value: float, slopes: dict[str, float], unit: str
+) -> Known:
+    sd = fit.spread(slopes)
+    return Known(key, name, value, value - fit.factor * sd, value + fit.factor * sd, sd, unit)
+
+
+def _log(
+    fit: Fit, key: str, name: str, value: float, slopes: dict[str, float], unit: str
+) -> Known | Untold:
+    """The same for what is fitted by its logarithm; refused where the interval says nothing."""
+    sd = fit.spread(slopes)
+    if not sd <= WIDEST:
+        if "ln_w0" in slopes:
+            reason = (
+                "too few frames lie inside the contact. Film with more frames per second, use a "
+                "softer bumper, or give the distance of the marks when the bumpers just touch"
+            )
+        else:
+            reason = "the readings leave it open: the velocities change too little"
+        return Untold(key, name, reason)
+    half = fit.factor * sd
+    return Known(key, name, value, value * math.exp(-half), value * math.exp(half), value * sd,
+                 unit)  # fmt: skip
+
+
+def _duration_by_e(fit: Fit) -> float:
+    """d ln(duration)/de of both laws."""
+    e = fit.parameters.e
+    if fit.asked.law == "bumper":
+        return 1.0 / (1.0 + e)
+    fade = math.log(max(e, 1e-6))
+    return fade / (max(e, 1e-6) * (math.pi**2 + fade**2))

@@ -1,0 +1,115 @@
+"""Readings to a report: what was read, what it tells, what it does not. Plain values."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
+from sim.measured.effects import Compared, called_for
+from sim.measured.fit import Fit
+from sim.measured.known import Known, told
+from sim.measured.made import tracker_text
+from sim.measured.motion import Motion
+from sim.measured.third_law import Pair
+from sim.measured.tracks import Measured
+from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_pair
+
+FORMAT = 1
+FENCE_ID = "our-own-carts"
+
+
+def motion_report(
+    measured: Measured,
+    fit: Fit,
+    compared: Sequence[Compared] = (),
+    masses: Mapping[str, float] | None = None,
+) -> dict[str, Any]:
+    """Everything that a fit says. `masses`: by name, in kg, of the carts that were weighed."""
+    masses = masses or {}
+    names = measured.names
+    mass = next(iter(masses.items()), None)
+    known, untold = told(fit, names, mass)
+    ratio = next((one for one in known if one.key == "mass_ratio"), None)
+    said = [*of_effects(compared), *of_fit(fit, names, compared)]
+    if balance := of_balance(ratio, masses, names):
+        said.insert(0, balance)
+    first, last = span(measured)
+    lines = scene_lines(fit, names, (first, last), mass)
+    return {
+        "format": FORMAT,
+        "kind": "motion",
+        "names": list(names),
+        "read": list(measured.notes),
+        "readings": [len(track.t) for track in measured.tracks],
+        "law": fit.asked.law,
+        "law_words": LAWS[fit.asked.law],
+        "effect": fit.asked.effect,
+        "known": [_row(one) for one in known],
+        "untold": [{"key": o.key, "name": o.name, "reason": o.reason} for o in untold],
+        "noise": fit.noise,
+        "compared": [
+            {
+                "effect": row.effect,
+                "noise": row.noise,
+                "chance": row.chance,
+                "neighbours": row.alike,
+            }
+            for row in compared
+        ],
+        "calls_for": called_for(list(compared)) if compared else None,
+        "sentences": said,
+        "scene": scene_text(lines, remarks(fit, mass)),
+        "fence": fence(lines, FENCE_ID),
+    }
+
+
+def _row(one: Known) -> dict[str, Any]:
+    return {
+        "key": one.key,
+        "name": one.name,
+        "value": one.value,
+        "low": _finite(one.low),
+        "high": _finite(one.high),
+        "sd": _finite(one.sd),
+        "unit": one.unit,
+        "text": of_known(one),
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def span(measured: Measured) -> tuple[float, float]:
+    """s. First and last reading of either."""
+    return min(t.t[0] for t in measured.tracks), max(t.t[-1] for t in measured.tracks)
+
+
+def forces_report(measured: Measured, pair: Pair) -> dict[str, Any]:
+    """What two force sensors say."""
+    return {
+        "format": FORMAT,
+        "kind": "forces",
+        "names": list(measured.names),
+        "read": list(measured.notes),
+        "readings": [len(track.t) for track in measured.tracks],
+        "ratio": pair.ratio,
+        "ratio_half": pair.ratio_half,
+        "impulses": list(pair.impulses),
+        "impulse_sd": list(pair.impulse_sd),
+        "peaks": list(pair.peaks),
+        "zeros": list(pair.zeros),
+        "noise": list(pair.noise),
+        "lag": pair.lag,
+        "sentences": of_pair(pair, measured.names),
+    }
+
+
+def model_as_tracker(measured: Measured, fit: Fit) -> str:
+    """The fitted motion at the times of the readings, as Tracker exports it."""
+    times = sorted({t for track in measured.tracks for t in track.t})
+    motion = Motion(fit.parameters, fit.asked.law)
+    states = [motion.state(t)[0] for t in times]
+    return tracker_text(measured.names, times, [[row[k] for row in states] for k in range(2)])

@@ -1,0 +1,185 @@
+"""Rows of cells as a table: heads of columns, names of tracks, numbers with their lines.
+
+Tracker writes, for one track and for several:
+
+    mass_A                    #multi:
+    t <tab> x <tab> y         <tab> mass_A <tab> <tab> mass_B
+    0,0 ...                   t <tab> x <tab> y <tab> x <tab> y
+
+The heads are the last row before the numbers, names of tracks the row above; a row that holds
+nothing but units may stand between. Without heads the columns are t, x of A, x of B.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sim.measured import cells
+from sim.measured.cells import Row, Rows
+from sim.measured.refusal import Fault, ReadingError, refuse, shown
+from sim.measured.units import head, kind_of_unit
+
+MOST_FAULTS = 5
+"""Mistakes that are told of one file."""
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One column. `unit` is empty where the head names none; None is an empty cell."""
+
+    name: str
+    unit: str
+    track: str
+    values: tuple[float | None, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Columns of one length; `lines[k]` is the line of the file that row k stands on."""
+
+    columns: tuple[Column, ...]
+    lines: tuple[int, ...]
+    heads_line: int
+    separator: str
+    decimal: str
+
+
+def read_table(text: str) -> Table:
+    """The table in a text; raises ReadingError."""
+    found = cells.rows_of(text)
+    rows = [row for row in found.rows if not _is_remark(row)]
+    multi = any(_is_multi(row) for row in found.rows)
+    first = next((k for k, row in enumerate(rows) if _is_data(row)), None)
+    if first is None:
+        line = rows[0].line if rows else found.rows[0].line
+        raise refuse(line, "there is no row of numbers", "t and x in columns, a row for each frame")
+    heads, units, tracks, heads_line = _heads(rows[:first], multi)
+    data = rows[first:]
+    if found.separator == "," and (fault := cells.two_readings(data[0], len(heads))):
+        raise ReadingError([fault])
+    cells.check_decimals(data)
+    width = len(heads) or max(len(row.cells) for row in data)
+    numbers = _numbers(data, width, [bool(name) for name in heads] or [True] * width)
+    if not heads:
+        heads, units, tracks = _no_heads(width, data[0].line)
+        heads_line = data[0].line
+    columns = tuple(
+        Column(name, unit, track, tuple(row[k] for row in numbers))
+        for k, (name, unit, track) in enumerate(zip(heads, units, tracks, strict=True))
+        if name
+    )
+    return Table(
+        columns, tuple(row.line for row in data), heads_line, found.separator_name, _decimal(found)
+    )
+
+
+def _is_remark(row: Row) -> bool:
+    return bool(row.cells) and row.cells[0].startswith(("#", "%", "//"))
+
+
+def _is_multi(row: Row) -> bool:
+    return bool(row.cells) and row.cells[0].lower().startswith("#multi")
+
+
+def _is_data(row: Row) -> bool:
+    """Numbers, and empty cells between them; at least the first that is not empty is a number."""
+    filled = [cell for cell in row.cells if not cells.is_empty(cell)]
+    return bool(filled) and all(map(cells.is_number, filled))
+
+
+def _heads(above: Sequence[Row], multi: bool) -> tuple[list[str], list[str], list[str], int]:
+    """Names, units and tracks of the columns, and their line."""
+    if not above:
+        return [], [], [], 1
+    rows = list(above)
+    own_units: tuple[str, ...] = ()
+    stripped = [cell.strip("()[] ") for cell in rows[-1].cells]
+    if len(rows) > 1 and stripped and all(not s or kind_of_unit(s) for s in stripped):
+        own_units = tuple(stripped)
+        rows.pop()
+    heads_row = rows.pop()
+    if len(heads_row.cells) < 2:
+        return [], [], [], heads_row.line
+    pairs = [head(cell) for cell in heads_row.cells]
+    names = [name for name, _ in pairs]
+    units = [
+        unit or (own_units[k] if k < len(own_units) else "") for k, (_, unit) in enumerate(pairs)
+    ]
+    named = rows[-1].cells if rows else ()
+    return names, units, _tracks(named, len(names), multi), heads_row.line
+
+
+def _tracks(named: Sequence[str], count: int, multi: bool) -> list[str]:
+    """The track that each column belongs to: a name holds until the next one."""
+    filled = [cell for cell in named if cell]
+    if not filled:
+        return [""] * count
+    if len(filled) == 1 and not multi:  # one track, wherever its name stands
+        return [filled[0].replace("_", " ")] * count
+    tracks, current = [], ""
+    for k in range(count):
+        current = (named[k] if k < len(named) else "") or current
+        tracks.append(current.replace("_", " "))
+    return tracks
+
+
+def _no_heads(width: int, line: int) -> tuple[list[str], list[str], list[str]]:
+    if width != 3:
+        raise refuse(
+            line,
+            f"there are {width} columns and no line that names them",
+            "write a first line such as: t, x_A, x_B",
+        )
+    return ["t", "x_A", "x_B"], ["", "", ""], ["", "", ""]
+
+
+def _numbers(
+    data: Sequence[Row], width: int, wanted: Sequence[bool]
+) -> list[tuple[float | None, ...]]:
+    """All rows as numbers; raises with the first lines that are none."""
+    faults: list[Fault] = []
+    numbers = []
+    for row in data:
+        if len(faults) == MOST_FAULTS:
+            break
+        if len(row.cells) > width:
+            reason = f"{len(row.cells)} cells under {width} heads"
+            faults.append(Fault(row.line, reason, "every column needs a name of its own"))
+            continue
+        values: list[float | None] = []
+        for k in range(width):
+            cell = row.cells[k] if k < len(row.cells) else ""
+            value, fault = _number(row.line, cell)
+            if fault and wanted[k]:
+                faults.append(fault)
+                break
+            values.append(value)
+        numbers.append(tuple(values))
+    if faults:
+        raise ReadingError(faults)
+    return numbers
+
+
+def _number(line: int, cell: str) -> tuple[float | None, Fault | None]:
+    if cells.is_empty(cell):
+        return None, None
+    if not cells.is_number(cell):
+        start = cell.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZµμ°/² ")
+        if start != cell and cells.is_number(start):
+            hint = "write the unit once, in the head of the column: x (cm)"
+            return None, Fault(line, f"a unit stands in a cell: “{shown(cell)}”", hint)
+        return None, Fault(line, f"“{shown(cell)}” is not a number", "write numbers such as 0.512")
+    value = cells.number_of(cell)
+    if not math.isfinite(value):
+        return None, Fault(line, f"{shown(cell)} is too large", "is this number a reading?")
+    return value, None
+
+
+def _decimal(found: Rows) -> str:
+    for row in found.rows:
+        for cell in row.cells:
+            if cells.is_number(cell) and ("," in cell or "." in cell):
+                return "comma" if "," in cell else "point"
+    return "point"

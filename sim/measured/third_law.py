@@ -1,0 +1,152 @@
+"""Two force sensors against each other: the third law measured, not assumed.
+
+Each sensor sits on a cart and reads the force on that cart by the other one. From the readings:
+the zero of each sensor, the sum of both at every instant, the impulse of each, and the ratio of
+both as the slope of F_B against −F_A (both have noise: the line with the smallest distances at a
+right angle). Standard library only.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from statistics import median
+
+from sim.measured.refusal import FitError
+from sim.measured.tracks import Measured, Track
+
+QUIET = 0.1
+"""Share of the greatest force below which a sensor counts as not pushed."""
+
+STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
+Z = 1.96  # half a 95 % interval in standard deviations, for many readings
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """What two sensors say. Forces in N, impulses in N s, A first."""
+
+    t: tuple[float, ...]
+    forces: tuple[tuple[float, ...], tuple[float, ...]]  # zeros taken off, opposite signs
+    zeros: tuple[float, float]
+    turned: bool  # both sensors count a push as positive: the sign of B is turned
+    noise: tuple[float, float]  # standard deviation where nothing pushes
+    peaks: tuple[float, float]
+    impulses: tuple[float, float]
+    impulse_sd: tuple[float, float]
+    ratio: float  # |F_B| : |F_A|
+    ratio_half: float  # half of its 95 % interval
+    worst: tuple[float, float]  # t and sum where the sum is farthest from zero
+    lag: float  # s, how much later B's readings are
+
+
+def third_law(measured: Measured) -> Pair:
+    """Both sensors compared; raises FitError if they saw no push."""
+    first, second = measured.tracks
+    t = tuple(time for time in first.t if second.t[0] <= time <= second.t[-1])
+    if len(t) < 8:
+        raise FitError("the two sensors did not read at the same time", "one log with both")
+    raw = tuple(_at(first, t)), tuple(_at(second, t))
+    zeros = _zero(raw[0]), _zero(raw[1])
+    a, b = ([value - zero for value in values] for values, zero in zip(raw, zeros, strict=True))
+    peaks = max(map(abs, a)), max(map(abs, b))
+    noise = _noise(a, peaks[0]), _noise(b, peaks[1])
+    for peak, sd, name in zip(peaks, noise, measured.names, strict=True):
+        if peak <= 5.0 * sd:
+            reason = f"the sensor of {name} shows no push that is larger than its noise"
+            raise FitError(reason, "keep some tenths of a second before and after the contact")
+    product = sum(x * y for x, y in zip(a, b, strict=True))
+    turned = product > 0.0
+    if turned:
+        b = [-value for value in b]
+    ratio, half = _slope(a, b)
+    sums = [x + y for x, y in zip(a, b, strict=True)]
+    worst = max(range(len(t)), key=lambda k: abs(sums[k]))
+    widths = _widths(t)
+    return Pair(
+        t=t,
+        forces=(tuple(a), tuple(b)),
+        zeros=zeros,
+        turned=turned,
+        noise=noise,
+        peaks=peaks,
+        impulses=(_impulse(a, widths), _impulse(b, widths)),
+        impulse_sd=(_impulse_sd(noise[0], widths), _impulse_sd(noise[1], widths)),
+        ratio=ratio,
+        ratio_half=half,
+        worst=(t[worst], sums[worst]),
+        lag=_lag(t, a, b),
+    )
+
+
+def _at(track: Track, t: Sequence[float]) -> list[float]:
+    """Readings at these times; straight lines between them."""
+    values, k = [], 0
+    for time in t:
+        while k + 2 < len(track.t) and track.t[k + 1] < time:
+            k += 1
+        span = track.t[k + 1] - track.t[k]
+        share = min(1.0, max(0.0, (time - track.t[k]) / span))
+        values.append(track.value[k] + share * (track.value[k + 1] - track.value[k]))
+    return values
+
+
+def _zero(values: Sequence[float]) -> float:
+    """What the sensor reads when nothing pushes: most readings lie around it."""
+    middle = median(values)
+    reach = max(abs(value - middle) for value in values)
+    return median([value for value in values if abs(value - middle) <= QUIET * reach])
+
+
+def _noise(values: Sequence[float], peak: float) -> float:
+    """Standard deviation: of what is quiet, or by the steps from reading to reading if larger."""
+    quiet = [value for value in values if abs(value) <= QUIET * peak]
+    still = math.sqrt(sum(value * value for value in quiet) / max(1, len(quiet) - 1))
+    steps = median(abs(b - a) for a, b in itertools.pairwise(values))
+    return max(still, steps / STEP)
+
+
+def _slope(a: Sequence[float], b: Sequence[float]) -> tuple[float, float]:
+    """−F_B/F_A by distances at a right angle, and half of its 95 % interval."""
+    n = len(a)
+    ma, mb = sum(a) / n, sum(b) / n
+    aa = sum((x - ma) ** 2 for x in a)
+    bb = sum((y - mb) ** 2 for y in b)
+    ab = -sum((x - ma) * (y - mb) for x, y in zip(a, b, strict=True))
+    if ab <= 0.0:
+        raise FitError("the two sensors do not show the same push", "check that both were on")
+    slope = (bb - aa + math.hypot(bb - aa, 2.0 * ab)) / (2.0 * ab)
+    r2 = min(1.0, ab * ab / (aa * bb))
+    return slope, Z * slope * math.sqrt((1.0 - r2) / (r2 * (n - 2)))
+
+
+def _widths(t: Sequence[float]) -> list[float]:
+    """s. How long each reading stands for (trapezoids)."""
+    steps = [0.0, *(b - a for a, b in itertools.pairwise(t)), 0.0]
+    return [0.5 * (a + b) for a, b in itertools.pairwise(steps)]
+
+
+def _impulse(values: Sequence[float], widths: Sequence[float]) -> float:
+    return math.fsum(value * width for value, width in zip(values, widths, strict=True))
+
+
+def _impulse_sd(noise: float, widths: Sequence[float]) -> float:
+    return noise * math.sqrt(math.fsum(width * width for width in widths))
+
+
+def _lag(t: Sequence[float], a: Sequence[float], b: Sequence[float]) -> float:
+    """s. The shift at which both fit best: a parabola through three whole steps."""
+    step = (t[-1] - t[0]) / (len(t) - 1)
+    most = min(20, len(t) // 4)
+
+    def fits(shift: int) -> float:
+        low, high = max(0, -shift), min(len(a), len(a) - shift)
+        return -sum(a[k] * b[k + shift] for k in range(low, high))
+
+    best = max(range(-most, most + 1), key=fits)
+    left, middle, right = fits(best - 1), fits(best), fits(best + 1)
+    bend = left - 2.0 * middle + right
+    part = 0.5 * (left - right) / bend if bend < 0.0 else 0.0
+    return (best + part) * step

@@ -1,0 +1,164 @@
+"""What a fit says, in short sentences, and what it cannot say."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from sim.measured.effects import ALIKE, CHANCE, Compared, called_for
+from sim.measured.fit import Fit
+from sim.measured.known import Known
+from sim.measured.third_law import Pair
+
+LAWS = {
+    "bumper": "the bumper law: the force starts from zero and never pulls",
+    "paper": "the paper's law: spring and damper, until the bumper is clear",
+}
+EFFECTS = {
+    "none": "nothing but the contact",
+    "friction": "friction on each cart",
+    "tilt": "a tilt of the track",
+}
+PROGRAM = (
+    "The mass ratio comes out of the third law, which this model has built in. Weigh both carts: "
+    "if the ratio from the balance is the same, your carts have confirmed it."
+)
+
+
+def number(value: float, places: int) -> str:
+    """With a real minus, and no minus before nought."""
+    text = f"{value:.{places}f}"
+    return f"{0:.{places}f}" if float(text) == 0 else text.replace("-", "−")
+
+
+def places_for(half: float) -> int:
+    """Decimals that show an uncertainty with two digits."""
+    if not (math.isfinite(half) and half > 0.0):
+        return 6
+    return min(9, max(0, 1 - math.floor(math.log10(half))))
+
+
+def with_half(value: float, half: float, unit: str) -> str:
+    """0.801 ± 0.002 m/s."""
+    places = places_for(half)
+    return f"{number(value, places)} ± {number(half, places)}{f' {unit}' if unit else ''}"
+
+
+def of_known(one: Known) -> str:
+    """One line."""
+    text = f"{one.name}: {with_half(one.value, one.half, one.unit)}"
+    middle = 0.5 * (one.low + one.high)
+    if abs(middle - one.value) > 0.1 * one.half:  # a lopsided interval is told by its ends
+        places = places_for(one.half)
+        text += f" (from {number(one.low, places)} to {number(one.high, places)})"
+    return text
+
+
+def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> list[str]:
+    """What a reader should know about this fit beside its numbers."""
+    said = []
+    e, half = fit.parameters.e, fit.factor * fit.sd("e")
+    if e - half > 1.0:
+        said.append(
+            "e is above 1: the carts would part faster than they came. A bumper cannot do that. "
+            "Check the length scale and the frame rate, or look for a spring that was wound up."
+        )
+    row = next((one for one in compared if one.effect == fit.asked.effect), None)
+    if row and row.alike > ALIKE:
+        said.append(
+            "The residuals are not random: neighbours are alike. The model lacks something that "
+            "these carts do, and the real uncertainty is larger than printed."
+        )
+    if fit.asked.effect == "friction":
+        for name, rests in zip(names, fit.parameters.rests, strict=True):
+            if rests:
+                said.append(f"{name} stands still before the touch: its velocity there is 0.")
+    said.append(PROGRAM)
+    return said
+
+
+def of_effects(compared: Sequence[Compared]) -> list[str]:
+    """Which effects the residuals call for."""
+    if len(compared) < 2:
+        return []
+    rows = [f"{EFFECTS[row.effect]}: {number(1e3 * row.noise, 2)} mm" for row in compared]
+    wanted = called_for(list(compared))
+    plain = compared[0].noise
+    if wanted == "none":
+        verdict = (
+            "Neither friction nor a tilt makes the residuals smaller than chance would: these "
+            "readings do not call for them. It does not show that there is none."
+        )
+    else:
+        best = next(row for row in compared if row.effect == wanted)
+        times = plain / best.noise if best.noise else math.inf
+        how = f"{number(times, 1)} times smaller" if times >= 1.05 else "a little smaller"
+        how = "as good as gone" if times > 100.0 else how
+        verdict = (
+            f"With {EFFECTS[wanted]} the residuals are {how}, and chance alone does that less than "
+            f"once in {round(1.0 / CHANCE)} films: this scene calls for it."
+        )
+    return ["Left over (standard deviation) with " + "; with ".join(rows) + ".", verdict]
+
+
+def of_balance(ratio: Known | None, masses: Mapping[str, float], names: tuple[str, str]) -> str:
+    """Both masses weighed: the ratio from the balance beside the one from the motion."""
+    if ratio is None or len(masses) < 2:
+        return ""
+    weighed = masses[names[1]] / masses[names[0]]
+    text = (
+        f"By balance the mass of {names[1]} is {number(weighed, 3)} times that of {names[0]}, from "
+        f"the motion {with_half(ratio.value, ratio.half, '')}. "
+    )
+    if ratio.low <= weighed <= ratio.high:
+        return text + (
+            "They agree: each cart changed the other's motion as Newton's third law says, within "
+            "this uncertainty."
+        )
+    return text + (
+        "They do not agree within the interval. Look for friction, a tilt, or a wrong scale before "
+        "you doubt the law."
+    )
+
+
+def of_pair(pair: Pair, names: tuple[str, str]) -> list[str]:
+    """What two force sensors say about the third law."""
+    a, b = names
+    sure = 2.0 * max(pair.impulse_sd)
+    places = places_for(sure)
+    said = [
+        f"Greatest force on {a} by {b}: {number(pair.peaks[0], 2)} N; on {b} by {a}: "
+        f"{number(pair.peaks[1], 2)} N.",
+        f"Impulse on {a}: {number(pair.impulses[0], places)} N s; on {b}: "
+        f"{number(pair.impulses[1], places)} N s (each ± {number(sure, places)}).",
+        f"The sum of both forces is farthest from zero at {number(pair.worst[0], 3)} s: "
+        f"{number(pair.worst[1], 2)} N. Where nothing pushes, the noise of the sum is "
+        f"{number(math.hypot(*pair.noise), 2)} N.",
+        f"Size of the force on {b} ÷ size of the force on {a}: "
+        f"{with_half(pair.ratio, pair.ratio_half, '')}.",
+    ]
+    if abs(pair.ratio - 1.0) <= pair.ratio_half:
+        percent = max(0.1, 100.0 * pair.ratio_half)
+        said.append(
+            "At every instant the two forces are equal in size and opposite, as far as these "
+            f"sensors can tell (to about {number(percent, 1)} %). Nobody assumed it: your sensors say so."
+        )
+    else:
+        percent = 100.0 * abs(pair.ratio - 1.0)
+        said.append(
+            f"The two sensors differ by {number(percent, 1)} %, more than their noise explains. "
+            "Swap the sensors and repeat. If the difference stays with a sensor, it is the sensor."
+        )
+    said.append(f"Zeros taken off: {number(pair.zeros[0], 3)} N and {number(pair.zeros[1], 3)} N.")
+    if pair.turned:
+        said.append(
+            f"Both sensors count a push as positive. The sign of {b} is turned, because + means to "
+            "the right for both carts here."
+        )
+    step = (pair.t[-1] - pair.t[0]) / (len(pair.t) - 1)
+    if abs(pair.lag) > 0.5 * step:
+        said.append(
+            f"The readings of {b} come {number(1e3 * pair.lag, 1)} ms later than those of {a}. "
+            "That is the clock of the sensors, not the carts."
+        )
+    return said

@@ -1,0 +1,125 @@
+"""`carts fit`: from Tracker's text to numbers, a scene and Tracker's text again."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from sim.cli import main
+from tests.measured.makers import as_text, film, truth
+from tests.measured.test_third_law import sensors
+
+MADE = truth()
+
+
+@pytest.fixture
+def tracker(tmp_path: Path) -> Path:
+    path = tmp_path / "carts.txt"
+    path.write_text(as_text(film(MADE)).replace(".", ","), encoding="utf-8")
+    return path
+
+
+def carts(*words: object, **more: Any) -> Result:
+    return CliRunner().invoke(main, [*map(str, words)], **more)
+
+
+def known(*words: object) -> dict[str, dict[str, Any]]:
+    result = carts("fit", *words, "--json")
+    assert result.exit_code == 0, result.output
+    return {one["key"]: one for one in json.loads(result.stdout)["known"]}
+
+
+def test_a_tracker_file_gives_e_with_its_interval(tracker: Path) -> None:
+    found = known(tracker)
+    assert found["e"]["low"] <= MADE.e <= found["e"]["high"]
+    assert found["mass_ratio"]["low"] <= MADE.ratio <= found["mass_ratio"]["high"]
+    said = carts("fit", tracker)
+    assert said.exit_code == 0
+    assert "bounciness e" in said.stdout
+    assert "decimal comma" in said.stdout
+    assert "x in m" in said.stdout
+    assert "Not printed: stiffness k" in said.stdout
+
+
+def test_a_weighed_cart_gives_k_and_the_other_mass(tracker: Path) -> None:
+    found = known(tracker, "--mass", "A=500 g")
+    assert found["mass"]["low"] <= 1.0 <= found["mass"]["high"]
+    assert "They agree" in carts("fit", tracker, "--mass", "A=500 g", "--mass", "B=1kg").stdout
+
+
+def test_the_scene_and_the_models_run_are_written(tracker: Path, tmp_path: Path) -> None:
+    scene, text = tmp_path / "fitted.yml", tmp_path / "model.txt"
+    assert carts("fit", tracker, "--scene", scene, "--tracker", text).exit_code == 0
+    assert carts("run", scene).exit_code == 0
+    assert known(text)["e"]["value"] == pytest.approx(known(tracker)["e"]["value"], abs=1e-6)
+
+
+def test_a_file_is_read_from_standard_input(tracker: Path) -> None:
+    result = carts("fit", "-", "--json", input=tracker.read_text(encoding="utf-8"))
+    assert json.loads(result.stdout)["kind"] == "motion"
+
+
+def test_two_force_sensors_are_compared(tmp_path: Path) -> None:
+    measured = sensors()
+    path = tmp_path / "forces.csv"
+    rows = zip(measured.tracks[0].t, *(track.value for track in measured.tracks), strict=True)
+    lines = ["t (s),F_A (N),F_B (N)", *(",".join(f"{v:.6f}" for v in row) for row in rows)]
+    path.write_text("\n".join(lines), encoding="utf-8")
+    said = carts("fit", path)
+    assert said.exit_code == 0
+    assert "equal in size and opposite" in said.stdout
+    assert carts("fit", path, "--scene", tmp_path / "no.yml").exit_code == 2
+
+
+def test_a_bad_line_is_named_and_nothing_is_printed(tracker: Path) -> None:
+    text = tracker.read_text(encoding="utf-8").splitlines()
+    text[9] = text[8]
+    tracker.write_text("\n".join(text), encoding="utf-8")
+    result = carts("fit", tracker, "--json")
+    assert result.exit_code == 1
+    assert result.stdout == ""
+    assert f"{tracker}:10:1: error: the time" in result.stderr
+
+
+def test_of_two_files_the_bad_one_is_named(tracker: Path, tmp_path: Path) -> None:
+    bad = tmp_path / "bad.txt"
+    bad.write_text("t x\n1 2\n", encoding="utf-8")
+    result = carts("fit", tracker, bad)
+    assert result.exit_code == 1
+    assert f"{bad}:2:1: error:" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (("--friction", "--tilt"), "does not tell both apart"),
+        (("--mass", "A"), "write NAME=MASS"),
+        (("--mass", "C=1kg"), "there is no cart “C”"),
+        (("--mass", "A=-1kg"), "more than 0"),
+        (("--mass", "A=1 m"), "not a unit of mass"),
+        (("--touch", "wide"), "not a number"),
+        (("--law", "hertz"), "'bumper', 'paper'"),
+    ],
+)
+def test_a_wrong_call_says_how_it_should_look(
+    tracker: Path, words: tuple[str, ...], reason: str
+) -> None:
+    result = carts("fit", tracker, *words)
+    assert result.exit_code == 2
+    assert reason in result.stderr
+
+
+def test_a_file_that_is_not_there_is_a_wrong_call() -> None:
+    result = carts("fit", "nowhere.txt")
+    assert result.exit_code == 2
+    assert "There is no file" in result.stderr
+
+
+def test_a_span_without_enough_readings_is_refused(tracker: Path) -> None:
+    result = carts("fit", tracker, "--until", "0.02 s")
+    assert result.exit_code == 1
+    assert "choose a longer span" in result.stderr

@@ -1,0 +1,100 @@
+"""Two force sensors: equal and opposite is found, and so is what is not."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from sim.dynamics.run import run
+from sim.dynamics.trajectory import trajectory
+from sim.measured.refusal import FitError
+from sim.measured.report import forces_report
+from sim.measured.third_law import third_law
+from sim.measured.tracks import Measured, Track
+from tests.measured.makers import truth
+
+NOISE = 0.05  # N
+
+
+def sensors(
+    *,
+    factor: float = 1.0,
+    zeros: tuple[float, float] = (0.0, 0.0),
+    push_is_positive: bool = False,
+    late: float = 0.0,
+    noise: float = NOISE,
+    seed: int = 1,
+) -> Measured:
+    """The simulator's contact force as two sensors read it, 1000 times a second."""
+    made, random = truth(mass=0.5, ratio=3.0, contact=0.15), Random(seed)
+    columns = trajectory(run(made.scene), 64).columns
+    times, force = columns[("t",)], columns[("F", "A-B")]
+
+    def at(t: float) -> float:
+        for k in range(len(times) - 1):
+            if times[k] <= t < times[k + 1]:
+                share = (t - times[k]) / (times[k + 1] - times[k])
+                return force[k] + share * (force[k + 1] - force[k])
+        return 0.0
+
+    grid = tuple(0.3 + k / 1000 for k in range(500))
+    sign = 1.0 if push_is_positive else -1.0
+    a = tuple(sign * at(t) + zeros[0] + random.gauss(0, noise) for t in grid)
+    b = tuple(factor * at(t - late) + zeros[1] + random.gauss(0, noise) for t in grid)
+    lines = tuple(range(2, 502))
+    return Measured("force", (Track("A", grid, a, lines), Track("B", grid, b, lines)), ())
+
+
+def test_equal_and_opposite_forces_are_found_equal() -> None:
+    found = third_law(sensors())
+    assert abs(found.ratio - 1.0) <= found.ratio_half < 0.02
+    impulse = 1.5 * 0.5 / 2.0 * 1.8 * 0.8 * 1.0  # mu (1 + e) u, mu = 0.375 kg
+    assert impulse == pytest.approx(0.54)
+    for value, wanted in zip(found.impulses, (-0.54, 0.54), strict=True):
+        assert value == pytest.approx(wanted, abs=4 * found.impulse_sd[0])
+    assert abs(found.worst[1]) < 5 * math.hypot(*found.noise)
+
+
+def test_the_interval_of_the_ratio_holds_the_truth_as_often_as_promised() -> None:
+    found = [third_law(sensors(seed=seed)) for seed in range(40)]
+    inside = sum(abs(one.ratio - 1.0) <= one.ratio_half for one in found)
+    assert 34 <= inside <= 40
+
+
+def test_a_sensor_that_reads_a_tenth_too_much_is_not_called_a_law() -> None:
+    measured = sensors(factor=1.1)
+    found = third_law(measured)
+    assert found.ratio == pytest.approx(1.1, abs=2 * found.ratio_half)
+    said = " ".join(forces_report(measured, found)["sentences"])
+    assert "Swap the sensors" in said
+    assert "equal in size" not in said
+
+
+def test_zeros_are_taken_off_and_told() -> None:
+    found = third_law(sensors(zeros=(0.4, -0.3)))
+    assert found.zeros == pytest.approx((0.4, -0.3), abs=0.02)
+    assert abs(found.ratio - 1.0) <= 2 * found.ratio_half
+
+
+def test_sensors_that_both_count_a_push_as_positive_are_turned() -> None:
+    assert third_law(sensors(push_is_positive=True)).turned
+    assert not third_law(sensors()).turned
+
+
+def test_a_late_clock_is_told_as_a_clock() -> None:
+    measured = sensors(late=0.004)
+    found = third_law(measured)
+    assert found.lag == pytest.approx(0.004, abs=0.001)
+    assert any("clock" in one for one in forces_report(measured, found)["sentences"])
+
+
+def test_noise_alone_is_refused() -> None:
+    random, grid = Random(3), tuple(k / 100 for k in range(100))
+    tracks = [
+        Track(name, grid, tuple(random.gauss(0, 1) for _ in grid), tuple(range(100)))
+        for name in "AB"
+    ]
+    with pytest.raises(FitError):
+        third_law(Measured("force", (tracks[0], tracks[1]), ()))
