@@ -1,0 +1,38 @@
+"""The pages of a built site, and what they complain of."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from playwright.sync_api import Page, expect
+
+
+def pages(site: Path) -> list[str]:
+    """The addresses of all pages, from the site's folder."""
+    return sorted(path.relative_to(site).as_posix() for path in site.rglob("*.html"))
+
+
+def listen(page: Page) -> list[str]:
+    """What the page's console and its scripts complain of, from now on."""
+    heard: list[str] = []
+    page.on("console", lambda m: heard.append(m.text) if m.type in ("error", "warning") else None)
+    page.on("pageerror", lambda error: heard.append(str(error)))
+    return heard
+
+
+def settle(page: Page) -> None:
+    """Wait until all is loaded and Python runs in every scene, so that all has been heard."""
+    expect(page.locator("html.js")).to_be_attached()
+    page.wait_for_load_state()
+    expect(page.locator("carts-scene:not([data-state=live])")).to_have_count(0, timeout=60_000)
+
+
+def one_of_each_kind(site: Path) -> list[str]:
+    """The first page with each set of scripts and of elements of ours."""
+    kinds: dict[frozenset[str], str] = {}
+    for name in pages(site):
+        text = (site / name).read_text(encoding="utf-8")
+        kind = re.findall(r'<(carts-[a-z]+)|<script src="[^"]*?([\w.-]+\.js)"', text)
+        kinds.setdefault(frozenset(element or script for element, script in kind), name)
+    return list(kinds.values())

@@ -1,0 +1,42 @@
+"""No page of the built site breaks its policy or complains, from disk and from a server."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.web.conftest import OpenPage
+from tests.web.pages_of import listen, one_of_each_kind, pages, settle
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+
+def test_no_page_breaks_its_policy_from_disk(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / "index.html")
+    heard = listen(page)
+    for name in pages(site):
+        page.goto((site / name).as_uri())
+        settle(page)
+    assert heard == []
+
+
+@pytest.mark.parametrize("built", ["site", "hosted_site"])
+def test_no_page_breaks_its_policy_from_a_server(
+    built: str,
+    open_page: OpenPage,
+    browser_name: str,
+    site_server: Callable[[Path], str],
+    request: pytest.FixtureRequest,
+) -> None:
+    """All pages of the hosted build in one browser; of each kind one in the others."""
+    folder = request.getfixturevalue(built)
+    address = site_server(folder)
+    page = open_page(f"{address}/index.html")
+    heard = listen(page)
+    every = built == "hosted_site" and browser_name == "chromium"
+    for name in pages(folder) if every else one_of_each_kind(folder):
+        page.goto(f"{address}/{name}")
+        settle(page)
+    assert heard == []
