@@ -21,6 +21,7 @@ from markdown.preprocessors import Preprocessor
 from sim.pages.bake import bake
 from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.map_block import read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
@@ -43,6 +44,7 @@ class Page:
     packages: set[str] = field(default_factory=set)
     blocks: tuple[Block, ...] = ()
     items: PageItems = field(default_factory=PageItems)
+    language: str = ENGLISH
 
 
 _page: ContextVar[Page | None] = ContextVar("carts-page", default=None)
@@ -84,7 +86,8 @@ class _TakeOut(Preprocessor):
         page.blocks = tuple(scan(lines, front_matter=False))
         for block in page.blocks:
             try:
-                made = MAKERS.get(block.name, _scene)(block, page)
+                with speaking(words(page.language)):
+                    made = MAKERS.get(block.name, _scene)(block, page)
             except AuthorError as error:
                 if page.report is None:
                     raise

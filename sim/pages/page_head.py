@@ -18,6 +18,8 @@ from html import escape
 from html.parser import HTMLParser
 from typing import Any, Literal
 
+from sim.pages.language import ENGLISH
+
 Audience = Literal["offline", "hosted", "preview"]
 
 _EXPRESSION = re.compile(r"\{\{.*?\}\}")
@@ -58,6 +60,7 @@ class Needs:
     formulas: bool = False
     outline: Mapping[str, Any] | None = None  # of what can be answered here; None: nothing
     classroom: bool = False
+    language: str = ENGLISH  # of the interface words
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -96,6 +99,7 @@ def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
     return any(pattern.fullmatch(script) for pattern in trusted)
 
 
+_OURS = re.compile(r'<script src="[^"]*/?(?:carts|class|answers|class-keys)\.js">')
 _THEME_SCRIPTS = '<script id="__config"'  # where the theme's scripts begin, below the page's text
 
 
@@ -142,6 +146,7 @@ def finish(
         place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
         page = page.replace(place, ours + place, 1)
     page = _with_answers(page, assets, needs.outline)
+    page = _in_language(page, assets, needs.language)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
     # The theme's search dialog has no name for screen readers.
     return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)
@@ -158,6 +163,16 @@ def _with_answers(page: str, assets: str, outline: Mapping[str, Any] | None) -> 
     ours = f'{facts}<script src="{assets}answers.js"></script>\n'
     place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
     return page.replace(place, ours + place, 1)
+
+
+def _in_language(page: str, assets: str, language: str) -> str:
+    """The page with the words of its language, before the scripts that say them."""
+    if language == ENGLISH:
+        return page
+    page = re.sub(r'<html lang="[\w-]*"', f'<html lang="{language}"', page, count=1)
+    words = f'<script src="{assets}words.{language}.js"></script>\n'
+    first = _OURS.search(page)
+    return page[: first.start()] + words + page[first.start() :] if first else page
 
 
 class _Blocked(HTMLParser):

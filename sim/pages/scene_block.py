@@ -19,6 +19,7 @@ from typing import Any
 
 from sim.pages.fence_scan import KINDS, Block, meant_kind
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.language import language_folder
 from sim.pages.yaml_source import KeyPath, Place, Source, YamlError, load
 from sim.scene import Fence, Problem, SceneError, read_fence
 
@@ -52,7 +53,9 @@ class SiteIds:
     def claim(self, identity: str, place: Finding) -> None:
         """Take `identity` for the block at `place`; raise `AuthorError` if it is taken."""
         here = f"{place.file}:{place.line}"
-        first = self.used.setdefault(identity, here)
+        # A lesson that was translated keeps its ids: its answers are counted with the others.
+        folder = language_folder(place.file)
+        first = self.used.setdefault(f"{folder}/{identity}" if folder else identity, here)
         if first != here:
             raise AuthorError(
                 [

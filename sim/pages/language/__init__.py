@@ -6,18 +6,31 @@ language of the page. Catalogues are gettext's `.po` files, which translators ha
 `sim/web/src/language.js` does the same in the page, with a script that `words_script` writes.
 """
 
-from sim.pages.language.catalogue import LANGUAGES, UnknownLanguageError, language_of, words_script
+from sim.pages.language.catalogue import (
+    ENGLISH,
+    LANGUAGES,
+    UnknownLanguageError,
+    language_folder,
+    language_of,
+    of_page,
+    words,
+    words_script,
+)
 from sim.pages.language.say import form_of, heard, mark, speaking, tr, tr_html
 
 __all__ = [
+    "ENGLISH",
     "LANGUAGES",
     "UnknownLanguageError",
     "form_of",
     "heard",
+    "language_folder",
     "language_of",
     "mark",
+    "of_page",
     "speaking",
     "tr",
     "tr_html",
+    "words",
     "words_script",
 ]

@@ -33,6 +33,27 @@ def language_of(code: str) -> str:
     return found
 
 
+def language_folder(file: str) -> str:
+    """The folder of a language that a file lies in, `worksheets/ms/a.md`: ms; "" in none."""
+    return next((part for part in file.split("/")[:-1] if part in LANGUAGES), "")
+
+
+def of_page(stated: object, file: str, theme: str) -> str:
+    """The language of a page: what its front matter says, or the folder that it lies in, or the
+    theme's. A theme may speak a language that there are no words in: English then.
+
+    `file`: its path from the folder of mkdocs.yml. Raises UnknownLanguageError for `stated` only.
+    """
+    if stated is not None:
+        return language_of(str(stated))
+    if folder := language_folder(file):
+        return folder
+    try:
+        return language_of(theme)
+    except UnknownLanguageError:
+        return ENGLISH
+
+
 @cache
 def words(language: str) -> Mapping[str, str]:
     """What each English sentence is in a language; empty for English."""

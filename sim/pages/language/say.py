@@ -72,9 +72,7 @@ def _forms(keys: tuple[str, ...]) -> tuple[_Form, ...]:
     """Keys with places, those with most text of their own first."""
     with_places = [key for key in keys if _PLACE.search(key)]
     with_places.sort(key=lambda key: -len(_PLACE.sub("", key)))
-    return tuple(
-        _Form(key, form_of(key), len(_PLACE.sub("", key).split())) for key in with_places
-    )
+    return tuple(_Form(key, form_of(key), len(_PLACE.sub("", key).split())) for key in with_places)
 
 
 def form_of(key: str) -> re.Pattern[str]:

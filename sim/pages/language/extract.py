@@ -1,0 +1,99 @@
+"""Finds every interface sentence in the sources and keeps the catalogues complete.
+
+`make words` writes new sentences into each `.po` file, untranslated, and takes those away that
+nobody says any more. A test compares, and names what is missing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from babel.messages import Catalog
+from babel.messages.extract import extract_from_file
+from babel.messages.pofile import read_po, write_po
+
+from sim.pages.language.catalogue import ENGLISH, FOLDER, LANGUAGES
+
+ROOT = Path(__file__).parents[3]
+# Folders that are looked through, with the method for each kind of file in them and the functions
+# whose text is for readers.
+SOURCES = (
+    ("sim/pages", "*.py", "python", ("tr", "mark")),
+    ("sim/pages", "*.j2", "jinja2.ext.babel_extract", ("tr",)),
+    ("sim/web/src", "*.js", "javascript", ("tr",)),
+)
+HEAD = """\
+# Interface words of Newton's Carts: {name}.
+# The English sentence is the key. What stands in {{braces}} stays as it is, at the place where it
+# belongs in this language. `make words` brings new sentences; the tests name those not translated.
+msgid ""
+msgstr ""
+"Language: {code}\\n"
+"Content-Type: text/plain; charset=UTF-8\\n"
+"Content-Transfer-Encoding: 8bit\\n"
+
+"""
+
+
+def sentences() -> dict[str, list[str]]:
+    """Every sentence, with the files that say it; sorted."""
+    found: dict[str, set[str]] = {}
+    for file, sentence in _everywhere():
+        found.setdefault(sentence, set()).add(file)
+    return {sentence: sorted(found[sentence]) for sentence in sorted(found)}
+
+
+def _everywhere() -> Iterator[tuple[str, str]]:
+    for folder, pattern, method, functions in SOURCES:
+        for path in sorted((ROOT / folder).rglob(pattern)):
+            options: dict[str, Any] = {"trim_blocks": "true"} if path.suffix == ".j2" else {}
+            for _, message, _, _ in extract_from_file(
+                method, path, keywords=dict.fromkeys(functions), options=options
+            ):
+                if isinstance(message, str) and message:
+                    yield path.relative_to(ROOT).as_posix(), message
+
+
+def updated(language: str) -> Catalog:
+    """The catalogue of a language with every sentence of the sources and no other."""
+    before = _read(language)
+    made = Catalog(locale=language.replace("-", "_"))
+    for sentence, files in sentences().items():
+        old = before.get(sentence) if before else None
+        said = str(old.string) if old and not old.fuzzy else ""
+        places: list[Any] = [(file, None) for file in files]  # no lines: they change too often
+        made.add(sentence, said, locations=places)
+    return made
+
+
+def names_in(sentence: str) -> set[str]:
+    """The names in braces that a sentence has."""
+    return set(re.findall(r"\{(\w+)\}", sentence))
+
+
+def _read(language: str) -> Catalog | None:
+    path = FOLDER / f"{language}.po"
+    if not path.exists():
+        return None
+    with path.open("rb") as file:
+        return read_po(file, locale=language.replace("-", "_"))
+
+
+def main() -> None:
+    """Brings every catalogue up to date and says what is left to do."""
+    for language in LANGUAGES:
+        if language == ENGLISH:
+            continue
+        catalog = updated(language)
+        with (FOLDER / f"{language}.po").open("wb") as file:
+            file.write(HEAD.format(name=LANGUAGES[language], code=language).encode())
+            write_po(file, catalog, width=100, omit_header=True, sort_output=True)
+        open_ones = sum(1 for entry in catalog if entry.id and not entry.string)
+        print(f"{language}: {len(catalog)} sentences, {open_ones} not translated yet")
+
+
+if __name__ == "__main__":
+    main()
