@@ -9,6 +9,7 @@ which take the residuals for chance, are too narrow.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from sim.measured.fit import Asked, Effect, Fit, fit
@@ -32,12 +33,13 @@ class Compared:
     fit: Fit
 
 
-def compare(measured: Measured, plain: Fit) -> list[Compared]:
+def compare(
+    measured: Measured, plain: Fit, effects: Sequence[Effect] = ("friction", "tilt")
+) -> list[Compared]:
     """The plain fit, and the same with each effect that can be fitted."""
     from scipy.special import fdtrc
 
     rows = [Compared("none", plain.noise, None, neighbours(plain), plain)]
-    effects: tuple[Effect, ...] = ("friction", "tilt")
     for effect in effects:
         asked = Asked(law=plain.asked.law, effect=effect, distance=plain.asked.distance)
         try:

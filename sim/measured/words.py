@@ -80,7 +80,7 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
 def of_effects(compared: Sequence[Compared]) -> list[str]:
     """Which effects the residuals call for."""
     if len(compared) < 2:
-        return []
+        return []  # nothing to compare with
     rows = [f"{EFFECTS[row.effect]}: {number(1e3 * row.noise, 2)} mm" for row in compared]
     wanted = called_for(list(compared))
     plain = compared[0].noise
@@ -141,7 +141,8 @@ def of_pair(pair: Pair, names: tuple[str, str]) -> list[str]:
         percent = max(0.1, 100.0 * pair.ratio_half)
         said.append(
             "At every instant the two forces are equal in size and opposite, as far as these "
-            f"sensors can tell (to about {number(percent, 1)} %). Nobody assumed it: your sensors say so."
+            f"sensors can tell (to about {number(percent, 1)} %). Nobody assumed it: your sensors "
+            "say so."
         )
     else:
         percent = 100.0 * abs(pair.ratio - 1.0)

@@ -1,0 +1,154 @@
+"""Readings of real carts, as the wire delivers them. This side keeps nothing between requests.
+
+    {"id": 8, "kind": "measured", "do": "read", "texts": ["…"], "units": {"length": "cm"}}
+    {"id": 9, "kind": "measured", "do": "model", …as read…, "law": "bumper", "hand": {…}}
+    {"id": 10, "kind": "measured", "do": "fit", …as read…, "law": …, "effect": "friction",
+     "distance": null, "masses": {"A": 0.5}}
+    {"id": 11, "kind": "measured", "do": "tracker", …as fit…}
+
+What cannot be read or fitted is answered with `refused`: rows of line, reason and hint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from sim.measured.contact import Law
+from sim.measured.effects import compare
+from sim.measured.fit import EFFECTS, Asked, Fit, fit
+from sim.measured.motion import Parameters
+from sim.measured.overlay import Overlay, by_hand, first_try, frequency, overlay
+from sim.measured.refusal import FitError, ReadingError
+from sim.measured.report import forces_report, model_as_tracker, motion_report
+from sim.measured.third_law import third_law
+from sim.measured.tracks import Measured, between, read_measured
+from sim.measured.units import Units
+
+SHORTEST = 1e-4
+"""s. A contact that a reader can set by hand."""
+
+
+def measured_answer(request: Mapping[str, Any]) -> dict[str, Any]:
+    """The header of the answer; there are no numbers beside it."""
+    ways: dict[str, Callable[[Mapping[str, Any]], dict[str, Any]]] = {
+        "read": _read,
+        "model": _model,
+        "fit": _fit,
+        "tracker": _tracker,
+        "ready": _ready,
+    }
+    try:
+        return ways[str(request.get("do"))](request)
+    except ReadingError as error:
+        rows = [{"line": f.line, "reason": f.reason, "hint": f.hint} for f in error.faults]
+        return {"refused": rows, "source": error.source}
+    except FitError as error:
+        return {"refused": [{"line": None, "reason": error.reason, "hint": error.hint}]}
+
+
+def _measured(request: Mapping[str, Any]) -> Measured:
+    units = request.get("units") or {}
+    known = {key: str(units[key]) for key in ("time", "length", "force") if units.get(key)}
+    found = read_measured([str(text) for text in request["texts"]], Units(**known))
+    begin, end = request.get("from"), request.get("until")
+    return found if begin is None and end is None else between(found, begin, end)
+
+
+def _law(request: Mapping[str, Any]) -> Law:
+    return "paper" if request.get("law") == "paper" else "bumper"
+
+
+def _read(request: Mapping[str, Any]) -> dict[str, Any]:
+    """What stands in the text; for forces the comparison too, for carts a model to start with."""
+    measured = _measured(request)
+    answer: dict[str, Any] = {
+        "kind": measured.kind,
+        "names": list(measured.names),
+        "read": list(measured.notes),
+        "tracks": [{"t": list(track.t), "value": list(track.value)} for track in measured.tracks],
+    }
+    if measured.kind == "force":
+        pair = third_law(measured)
+        return answer | {
+            "report": forces_report(measured, pair),
+            "forces": {"t": list(pair.t), "F": [list(force) for force in pair.forces]},
+        }
+    law = _law(request)
+    return answer | _drawn(by_hand(measured, first_try(measured, law), law))
+
+
+def _parameters(hand: Mapping[str, Any], start: Parameters, law: Law) -> Parameters:
+    """What a reader has set, in SI; the rest as in `start`."""
+    e = min(1.0, max(0.0, float(hand["e"])))
+    return replace(
+        start,
+        touch=float(hand["touch"]),
+        v=(float(hand["v"][0]), float(hand["v"][1])),
+        ratio=max(1e-3, float(hand["ratio"])),
+        e=e,
+        w0=frequency(law, e, max(SHORTEST, float(hand["duration"]))),
+    )
+
+
+def _model(request: Mapping[str, Any]) -> dict[str, Any]:
+    measured, law = _measured(request), _law(request)
+    start = first_try(measured, law)
+    return _drawn(by_hand(measured, _parameters(request["hand"], start, law), law))
+
+
+def _fitted(request: Mapping[str, Any]) -> tuple[Measured, Fit, dict[str, Any]]:
+    measured = _measured(request)
+    if measured.kind != "length":
+        raise FitError("these are forces: the model is fitted to positions")
+    asked = Asked(law=_law(request), distance=request.get("distance"))
+    effect = request.get("effect") or "none"
+    # A page asks twice: for the fit, which is soon there, and again with all effects compared.
+    every = bool(request.get("compare"))
+    effects = [one for one in EFFECTS if one != "none" and (every or one == effect)]
+    compared = compare(measured, fit(measured, asked), effects)
+    made = next((row.fit for row in compared if row.effect == effect), None)
+    if made is None:
+        raise FitError(f"the fit with {effect} finds no values", "try without it")
+    weighed = request.get("masses") or {}
+    masses = {name: float(weighed[name]) for name in measured.names if weighed.get(name)}
+    return measured, made, motion_report(measured, made, compared, masses)
+
+
+def _fit(request: Mapping[str, Any]) -> dict[str, Any]:
+    measured, made, report = _fitted(request)
+    if not request.get("compare"):
+        report |= {"calls_for": None}
+    return {"report": report} | _drawn(overlay(measured, made.parameters, made.asked.law))
+
+
+def _tracker(request: Mapping[str, Any]) -> dict[str, Any]:
+    measured, made, _ = _fitted(request)
+    return {"text": model_as_tracker(measured, made)}
+
+
+def _ready(_: Mapping[str, Any]) -> dict[str, Any]:
+    """Imports what a fit needs: on a slow computer that takes some seconds."""
+    from scipy.optimize import least_squares
+    from scipy.special import stdtrit
+
+    return {"ready": callable(least_squares) and float(stdtrit(9, 0.975)) > 2.0}
+
+
+def _drawn(made: Overlay) -> dict[str, Any]:
+    p = made.parameters
+    return {
+        "parameters": {
+            "touch": p.touch,
+            "x": p.x,
+            "distance": p.distance,
+            "v": list(p.v),
+            "ratio": p.ratio,
+            "e": p.e,
+            "duration": min(made.duration, 1e9),
+        },
+        "curve": {"t": list(made.t), "x": [list(x) for x in made.x]},
+        "residuals": [list(track) for track in made.residuals],
+        "spread": made.spread,
+    }

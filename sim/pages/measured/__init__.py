@@ -1,0 +1,1 @@
+"""The block `measured`: readings of real carts beside the model."""
