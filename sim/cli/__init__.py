@@ -22,6 +22,7 @@ COMMANDS = {
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),
     "pack": ("sim.cli.pack", "Pack the site into one zip, also as SCORM."),
     "plan": ("sim.cli.plan", "Say how a scene would be solved, and why."),
+    "serve": ("sim.cli.serve", "Show the site while you write it."),
     "single": ("sim.cli.single", "Write one scene as one HTML file."),
     "run": ("sim.cli.run", "Run a scene."),
 }

@@ -14,6 +14,7 @@ import click
 
 from sim.cli import site_folder
 from sim.cli.check import report
+from sim.cli.progress import pages_on_terminal
 from sim.pages.check import USUAL_PLACES, check_paths
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def build_site(
         if "carts" not in config.plugins:
             raise Abort("mkdocs.yml: error: the plugin “carts” is not listed under plugins:")
         config.plugins["carts"].config["hosted"] = hosted
-        with _messages_to_stderr():
+        with messages_to_stderr(), pages_on_terminal(config):
             config.plugins.on_startup(command="build", dirty=False)
             build(config)
             config.plugins.on_shutdown()
@@ -81,7 +82,7 @@ def build_site(
 
 
 @contextmanager
-def _messages_to_stderr() -> Iterator[None]:
+def messages_to_stderr() -> Iterator[None]:
     """Warnings, errors and the runtime's progress; MkDocs' remarks on itself are left out."""
     mkdocs, runtime = (
         logging.getLogger(name) for name in ("mkdocs", "mkdocs.plugins.carts.runtime")
@@ -89,6 +90,7 @@ def _messages_to_stderr() -> Iterator[None]:
     before = mkdocs.level, runtime.level
     handler = logging.StreamHandler()
     handler.setFormatter(logging.Formatter("%(message)s"))
+    handler.addFilter(lambda record: not str(record.msg).startswith("A 'dirty' build"))  # serve's
     mkdocs.addHandler(handler)
     mkdocs.setLevel(logging.WARNING)
     runtime.setLevel(logging.INFO)

@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import Any
 
 from sim.cli.scene_file import fail, shown_name
@@ -16,23 +17,50 @@ from sim.pages.findings import Finding
 from sim.scene import Scene
 
 QUIET = 0.5
-"""s. A run that is over before that says nothing."""
+"""s. What is over before that says nothing."""
 
 AGAIN = 0.1
 """s between two lines."""
+
+BAR = 30
+"""Signs."""
+
+Write = Callable[[str], None]
 
 
 def run_on_terminal(name: str, scene: Scene, **options: Any) -> Run:
     """Run the scene of file `name`; what cannot be solved ends the command with 1."""
     try:
-        with _line(scene.until) as progress:
-            return run(scene, progress=progress, **options)
+        with _line() as write:
+            return run(scene, progress=write and _of_run(write, scene.until), **options)
     except UnsolvedError as error:
         fail([Finding(shown_name(name), 1, 1, "unsolved", error.message, error.hint)])
 
 
+def _of_run(write: Write, until: float) -> Callable[[float, int], None]:
+    return lambda t, events: write(f"t = {t:.4g} of {until:.4g} s, {events} events")
+
+
 @contextmanager
-def _line(until: float) -> Iterator[Callable[[float, int], None] | None]:
+def pages_on_terminal(config: Any) -> Iterator[None]:
+    """While the generator with these settings runs: a bar for the pages that are made."""
+    plugin = config.plugins["carts"]
+    with _line() as write:
+        if write:
+            plugin.progress = partial(_write_bar, write)
+        try:
+            yield
+        finally:
+            plugin.progress = None
+
+
+def _write_bar(write: Write, done: int, of: int) -> None:
+    full = BAR * done // max(of, done, 1)
+    write(f"[{'#' * full}{'.' * (BAR - full)}] {100 * done // max(of, done, 1)} %")
+
+
+@contextmanager
+def _line() -> Iterator[Write | None]:
     """On a terminal: one line on standard error, written anew, gone at the end. Else nothing."""
     if not sys.stderr.isatty():
         yield None
@@ -40,17 +68,16 @@ def _line(until: float) -> Iterator[Callable[[float, int], None] | None]:
     due = time.monotonic() + QUIET
     written = 0
 
-    def progress(t: float, events: int) -> None:
+    def write(text: str) -> None:
         nonlocal due, written
         if time.monotonic() < due:
             return
-        text = f"t = {t:.4g} of {until:.4g} s, {events} events"
         sys.stderr.write("\r" + text.ljust(written))
         sys.stderr.flush()
         due, written = time.monotonic() + AGAIN, max(written, len(text))
 
     try:
-        yield progress
+        yield write
     finally:
         if written:
             sys.stderr.write("\r" + " " * written + "\r")

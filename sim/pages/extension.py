@@ -30,6 +30,7 @@ from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
+_NOT_TO_SEARCH = " data-search-exclude"
 
 
 @dataclass(slots=True)
@@ -45,6 +46,7 @@ class Page:
     blocks: tuple[Block, ...] = ()
     items: PageItems = field(default_factory=PageItems)
     language: str = ENGLISH
+    late: dict[str, str] | None = None  # what is to be put in after the theme's work; None: nothing
 
 
 _page: ContextVar[Page | None] = ContextVar("carts-page", default=None)
@@ -95,6 +97,9 @@ class _TakeOut(Preprocessor):
                     page.report(finding)
                 made = error_box(error.findings)
             word = f"cartsblock{hashlib.sha256(f'{block}'.encode()).hexdigest()[:16]}"
+            if page.late is not None and _NOT_TO_SEARCH in made:
+                page.late[word] = made
+                made = f"<!--{word}-->"
             self.put_in.html[word] = made
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
@@ -103,6 +108,13 @@ class _TakeOut(Preprocessor):
                 raise AuthorError([finding])
             page.report(finding)
         return [*kept, *lines[done:]]
+
+
+def with_late(html: str, late: dict[str, str] | None) -> str:
+    """The page with its pictures in their places: search and checks need not read them."""
+    for word, made in (late or {}).items():
+        html = html.replace(f"<!--{word}-->", made)
+    return html
 
 
 class _PutIn(Postprocessor):
@@ -215,11 +227,11 @@ def _widget(block: SceneBlock, page: Page) -> str:
     return made.replace("<carts-scene", "<carts-scene data-search-exclude", 1)
 
 
-def error_box(findings: tuple[Finding, ...]) -> str:
+def error_box(findings: tuple[Finding, ...], title: str = "This block cannot be shown") -> str:
     """What a reader of the preview sees in the place of a block with mistakes."""
     text = html.escape("\n".join(map(str, findings)))
     return (
         '<div class="admonition failure carts-author-error">'
-        '<p class="admonition-title">This block cannot be shown</p>'
+        f'<p class="admonition-title">{title}</p>'
         f"<pre><code>{text}</code></pre></div>"
     )

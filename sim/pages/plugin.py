@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import logging
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
@@ -24,14 +24,16 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.exceptions import PluginError
 from mkdocs.plugins import BasePlugin, event_priority
 from mkdocs.structure.files import File, Files
+from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page as MkDocsPage
 from mkdocs.utils import CountHandler, get_relative_url
 
 from sim.pages import lessons_only
-from sim.pages.extension import CartsExtension, Page, set_page
+from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding
 from sim.pages.lesson_text import lesson_order
 from sim.pages.page_head import Audience, blocked, trusted_scripts
+from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild, SiteError, with_lessons
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
 
@@ -51,12 +53,16 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
     """One instance serves a whole `mkdocs serve`; what belongs to one build starts in `config`."""
 
     serving = False
+    partial = False  # a preview after an edit: only what changed is made again
+    progress: Callable[[int, int], None] | None = None  # steps done, steps in all
     build: SiteBuild
     page: Page
+    preview: Preview
 
     def on_startup(self, *, command: Literal["build", "gh-deploy", "serve"], dirty: bool) -> None:
         """A preview shows an author's mistakes in the page instead of stopping at them."""
         self.serving = command == "serve"
+        self.partial, self.preview = False, Preview()
 
     def on_config(self, config: MkDocsConfig) -> MkDocsConfig:
         """Settings that the site needs, and a fresh start for what this build collects."""
@@ -65,9 +71,13 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         if self.serving:
             audience = "preview"
             _do_not_count_warnings()
-        with _stopping():
-            site_id = str((config.extra.get("carts") or {}).get("site_id"))
-            self.build = SiteBuild(root, audience, site_id, _report)
+        if self.partial:
+            config.theme.static_templates.clear()
+        else:
+            with _stopping():
+                site_id = str((config.extra.get("carts") or {}).get("site_id"))
+                self.build = SiteBuild(root, audience, site_id, _report)
+        self.late: dict[str, dict[str, str]] = {}
         self.folder = root / self.config.lessons
         self.lessons_only = Path(config.docs_dir).resolve() == self.folder.resolve()
         if self.lessons_only:
@@ -117,6 +127,19 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             if text is not None:
                 files.append(File.generated(config, name, content=text))
 
+    def on_nav(self, nav: Navigation, *, config: MkDocsConfig, files: Files) -> Navigation:
+        """Pages that are not made again keep their names in the menu."""
+        if self.partial:
+            self.preview.name_pages(nav)
+        self.steps = 2 * len(files.documentation_pages())
+        self.step = 0
+        return nav
+
+    def _progress(self) -> None:
+        self.step += 1
+        if self.progress:
+            self.progress(self.step, self.steps)
+
     def on_page_markdown(
         self, markdown: str, *, page: MkDocsPage, config: MkDocsConfig, files: Files
     ) -> str:
@@ -134,26 +157,35 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
     ) -> str:
         """Note what the rendered page needs, and warn of what its policy will block."""
         set_page(None)
-        self.build.rendered(page.file.src_uri, self.page, html)
+        self._progress()
+        name = page.file.src_uri
+        self.late[name] = self.page.late or {}
+        self.build.rendered(name, self.page, with_late(html, self.late[name]))
         for what in dict.fromkeys(blocked(html)):
             log.warning("%s: the page's policy blocks %s", self.page.lesson.file, what)
+        if self.serving:
+            self.preview.names[name] = str(page.title or "")
+            html = text_box(page.file.content_string, self.page.lesson, _report) + html
         return html
 
     def on_env(self, env: Environment, *, config: MkDocsConfig, files: Files) -> Environment:
         """The scripts that the theme's own templates hold are the only ones to be trusted."""
-        names = env.list_templates(extensions=["html"])
-        sources = (env.loader.get_source(env, name)[0] for name in names if env.loader)
-        self.build.trusted = trusted_scripts(sources)
+        if self.serving:
+            env.bytecode_cache = self.preview
+        if not self.build.trusted:
+            names = env.list_templates(extensions=["html"])
+            sources = (env.loader.get_source(env, name)[0] for name in names if env.loader)
+            self.build.trusted = trusted_scripts(sources)
         return env
 
     def on_post_page(self, output: str, *, page: MkDocsPage, config: MkDocsConfig) -> str:
         """Policy and scripts of one page."""
+        self._progress()
+        name = page.file.src_uri
         for script in self.build.strangers(output):
-            log.warning(
-                "%s: the page's policy blocks a script in it: %.60s", page.file.src_uri, script
-            )
+            log.warning("%s: the page's policy blocks a script in it: %.60s", name, script)
         assets = get_relative_url(ASSETS, page.url)
-        return self.build.finished(output, assets, page.file.src_uri)
+        return self.build.finished(with_late(output, self.late.get(name)), assets, name)
 
     def on_template_context(self, context: Any, *, template_name: str, config: MkDocsConfig) -> Any:
         """On a disk there is no root address: the page for missing pages stands beside the home."""

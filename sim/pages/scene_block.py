@@ -50,6 +50,15 @@ class SiteIds:
     exam: dict[str, str] = field(default_factory=dict)  # hashes of items, and the form they are in
     told: dict[str, str] = field(default_factory=dict)  # the same for items whose key is in a page
 
+    def forget(self, file: str) -> None:
+        """Give back everything that the page of `file` has: it is made again."""
+        gone = {name for name, place in self.used.items() if place.rpartition(":")[0] == file}
+        for table in (self.exam, self.told):
+            for item in [item for item, form in table.items() if form in gone]:
+                del table[item]
+        for name in gone:
+            del self.used[name]
+
     def claim(self, identity: str, place: Finding) -> None:
         """Take `identity` for the block at `place`; raise `AuthorError` if it is taken."""
         here = f"{place.file}:{place.line}"

@@ -44,14 +44,20 @@ class SiteBuild:
     site_id: str
     report: Callable[[Finding], None]
     ids: SiteIds = field(default_factory=SiteIds)
-    packages: set[str] = field(default_factory=set)
+    asked: dict[str, frozenset[str]] = field(default_factory=dict)  # packages by page
     needs: dict[str, Needs] = field(default_factory=dict)
     trusted: list[re.Pattern[str]] = field(default_factory=list)
     keys: dict[str, dict[str, Any]] = field(default_factory=dict)
+    done: frozenset[str] | None = None  # packages of the runtime that the site has already
 
     def __post_init__(self) -> None:
         if not _SITE_ID.fullmatch(self.site_id):
             raise SiteError(_SITE_ID_HELP)
+
+    @property
+    def packages(self) -> frozenset[str]:
+        """The Python packages that the pages need."""
+        return frozenset().union(*self.asked.values())
 
     def page(self, path: Path, *, whole: str, markdown: str) -> Page:
         """The page of the lesson at `path`; `markdown`: what of `whole` is to be rendered."""
@@ -60,7 +66,8 @@ class SiteBuild:
         shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
         folders = scene_folders(path, self.root), bank_folders(path, self.root)
         lesson = Lesson(shown.as_posix(), *folders)
-        return Page(lesson, first_line, self.ids, self.report)
+        self.ids.forget(lesson.file)  # a preview makes a page again
+        return Page(lesson, first_line, self.ids, self.report, late={})
 
     def rendered(self, name: str, page: Page, html: str) -> None:
         """Note what the page `name` needs, now that it is rendered."""
@@ -83,7 +90,7 @@ class SiteBuild:
                 )
         if key := practice_key(self.site_id, lesson, page.items):
             self.keys[name] = key
-        self.packages |= page.packages | ({"numpy", "scipy"} if classroom else set())
+        self.asked[name] = frozenset(page.packages | ({"numpy", "scipy"} if classroom else set()))
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
@@ -116,8 +123,11 @@ class SiteBuild:
             text = f"var __index = {index.read_text(encoding='utf-8')}"
             index.with_suffix(".js").write_text(text, encoding="utf-8")
         scenes = any(needs.scenes or needs.classroom for needs in self.needs.values())
+        before = self.done
         if scenes:
             self._add_runtime(site, report)
+        if before is not None and before == self.done:
+            return  # a preview after an edit: all the rest is there
         modules = node_modules(self.root)
         works = licences.notices(modules, scenes=scenes, packages=self.packages)
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
@@ -136,7 +146,9 @@ class SiteBuild:
                 )
                 packages.add(runtime.CLASSROOM)
             cache = runtime.default_cache(self.root)
-            runtime.pack(site, packages=frozenset(packages), cache=cache, report=report)
+            if self.done is None or not packages <= self.done:
+                runtime.pack(site, packages=frozenset(packages), cache=cache, report=report)
+                self.done = frozenset(packages)
         except (site_files.MissingFilesError, *runtime.ERRORS) as error:
             raise SiteError(str(error)) from error
 

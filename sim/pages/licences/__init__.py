@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from importlib import metadata
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import yaml
@@ -90,16 +91,27 @@ def _version(named: str, node_modules: Path) -> str:
     return metadata.version(named)
 
 
+def _licences_of(package: str) -> Iterator[PurePosixPath]:
+    """The licence texts of an installed package; its list of files is long, and read once."""
+    listed = metadata.distribution(package).read_text("RECORD") or ""
+    for row in csv.reader(listed.splitlines()):
+        path = PurePosixPath(row[0])
+        if path.parts[0].endswith(".dist-info") and (
+            "licenses" in path.parts or path.name.startswith("LICENSE")
+        ):
+            yield path
+
+
 def _texts(row: dict[str, Any], node_modules: Path) -> Iterator[tuple[str, str]]:
     kind, _, package = row.get("from", "").partition(":")
     if kind == "npm":
         path = node_modules / package / "LICENSE"
         yield f"{row['name']}: {row['licence']}", path.read_text(encoding="utf-8")
     elif kind == "pip":
-        for file in metadata.files(package) or []:
-            own = file.parts[0].endswith(".dist-info")
-            if own and ("licenses" in file.parts or file.name.startswith("LICENSE")):
-                yield f"{row['name']}: {'/'.join(file.parts[1:])}", file.read_text(encoding="utf-8")
+        for path in _licences_of(package):
+            place = Path(str(metadata.distribution(package).locate_file(path)))
+            text = place.read_text(encoding="utf-8")
+            yield f"{row['name']}: {'/'.join(path.parts[1:])}", text
     named = row.get("text", [])
     for name in [named] if isinstance(named, str) else named:
         yield name, (_HERE / f"{name}.txt").read_text(encoding="utf-8")

@@ -1,0 +1,156 @@
+"""`carts serve`: the pages while they are written. A saved file is on the page in a second."""
+
+from __future__ import annotations
+
+import errno
+import os
+import time
+import webbrowser
+from collections.abc import Mapping
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sim.cli import site_folder
+from sim.cli.build import messages_to_stderr
+from sim.cli.progress import pages_on_terminal
+
+if TYPE_CHECKING:
+    from mkdocs.config.defaults import MkDocsConfig
+
+    from sim.cli.page_server import PageServer
+
+PORTS = range(8000, 8010)
+"""Tried in this order where no port is asked for."""
+
+Seen = Mapping[Path, tuple[int, int]]  # time of the last change in ns, and size
+
+
+@click.command("serve")
+@click.option("--port", type=click.IntRange(1, 65535), help="The port (default: the first free).")
+@click.option("--open", "show", is_flag=True, help="Open the first page in your browser.")
+def command(port: int | None, show: bool) -> None:
+    """Show the site on this computer, and again at each change of a file.
+
+    Mistakes stand on the page, in the place of the block, and here. End it with Ctrl+C. Nobody else
+    can see the pages.
+
+    \b
+    carts serve
+    carts serve --open
+    carts serve --port 8123
+    """
+    root = site_folder.here().root
+    with TemporaryDirectory(prefix="carts-") as folder, messages_to_stderr():
+        previewer = Previewer(root, Path(folder).resolve())
+        server = None
+        for number in [port] if port else PORTS:
+            try:
+                server = previewer.server(number)
+                break
+            except OSError as error:
+                if error.errno not in (errno.EADDRINUSE, errno.EACCES):
+                    raise
+        if server is None:
+            taken = f"Port {port} is" if port else f"The ports {PORTS[0]} to {PORTS[-1]} are"
+            raise click.ClickException(f"{taken} taken. Another one: carts serve --port 8123")
+        try:
+            previewer.make()
+            click.echo(f"Open {server.url} in your browser. Ctrl+C ends it.")
+            if show:
+                webbrowser.open(server.url)
+            server.serve()
+        except KeyboardInterrupt:
+            click.echo("\nThe pages are no longer shown.")
+        finally:
+            server.shutdown()
+            previewer.close()
+
+
+class Previewer:
+    """Builds `root` into `site` again and again; what cannot be built becomes `trouble`."""
+
+    def __init__(self, root: Path, site: Path) -> None:
+        self.root, self.site = root, site
+        self.trouble = ""
+        self.url = ""
+        self.seen: Seen = {}
+        self.config: MkDocsConfig | None = None
+
+    def server(self, port: int) -> PageServer:
+        """The server of the pages, bound to its port."""
+        from sim.cli.page_server import PageServer
+
+        made = PageServer(self.make, lambda: self.trouble, self.site, port)
+        self.url = made.url
+        for name in ("mkdocs.yml", "worksheets", "docs"):
+            if (self.root / name).exists():
+                made.watch(str(self.root / name))
+        return made
+
+    def make(self) -> None:
+        """Build what has changed since the last time, and say how long it took."""
+        began = time.perf_counter()
+        seen = self._look()
+        changed = {path for path in {*seen, *self.seen} if seen.get(path) != self.seen.get(path)}
+        try:
+            partial = self._partial(seen, changed)
+            self._build(changed, partial=partial)
+            self.trouble, self.seen = "", seen
+        except (Exception, SystemExit) as error:
+            self.trouble = str(error) or type(error).__name__
+            self.seen = {}  # next time everything
+            click.echo(self.trouble, err=True)
+            return
+        names = ", ".join(sorted(p.relative_to(self.root).as_posix() for p in changed)[:3])
+        what = names if partial else "The site"
+        click.echo(f"{what}: {time.perf_counter() - began:.1f} s")
+
+    def close(self) -> None:
+        """Tell the plugins that it is over."""
+        if self.config:
+            self.config.plugins.on_shutdown()
+
+    def _look(self) -> Seen:
+        found = [self.root / "mkdocs.yml"]
+        for folder in ("worksheets", "docs"):
+            found += [path for path in (self.root / folder).rglob("*") if path.is_file()]
+        facts = {path: path.stat() for path in found if path.exists()}
+        return {path: (stat.st_mtime_ns, stat.st_size) for path, stat in facts.items()}
+
+    def _partial(self, seen: Seen, changed: set[Path]) -> bool:
+        """Whether the menu stays as it is, so that only some pages need to be made again."""
+        same_files = bool(self.seen) and seen.keys() == self.seen.keys()
+        return same_files and self.root / "mkdocs.yml" not in changed
+
+    def _build(self, changed: set[Path], *, partial: bool) -> None:
+        from mkdocs.commands.build import build
+        from mkdocs.config import load_config
+
+        site_folder.read(self.root)  # its mistakes in a sentence with a line
+        config = load_config(str(self.root / "mkdocs.yml"), site_dir=str(self.site))
+        if "carts" not in config.plugins:
+            raise click.ClickException("mkdocs.yml: error: “carts” is not listed under plugins:")
+        if self.config is None:
+            config.plugins.on_startup(command="serve", dirty=True)
+        self.config = config
+        plugin: Any = config.plugins["carts"]
+        plugin.partial = partial
+        config.site_url = self.url
+        if partial:
+            self._forget_pages(changed)
+        with pages_on_terminal(config):
+            build(config, serve_url=self.url, dirty=partial)
+
+    def _forget_pages(self, changed: set[Path]) -> None:
+        """The generator makes a page again whose file is older than its source."""
+        from sim.pages.preview import touched
+
+        for source in touched(changed, (p for p in self.seen if p.suffix == ".md")):
+            inside = source.relative_to(self.root)
+            docs = inside.relative_to("docs") if inside.parts[0] == "docs" else inside
+            page = (self.site / docs).with_suffix(".html")
+            if page.exists():
+                os.utime(page, (0, 0))

@@ -1,0 +1,159 @@
+"""`carts serve`: an edit costs one page, and the page is the one that a whole build would make."""
+
+from __future__ import annotations
+
+import re
+import socket
+import threading
+import time
+import urllib.request
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.cli.serve import Previewer
+from sim.pages import runtime, site_files
+
+Edit = Callable[[str, str, str], None]
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A new site with three lessons; its pages carry no runtime."""
+    monkeypatch.setattr(runtime, "pack", lambda *_, **__: None)
+    monkeypatch.setattr(site_files, "scene_script", lambda: b"")
+    monkeypatch.chdir(tmp_path)
+    for command in ("mine", "two", "three", "questions --bank"):
+        result = CliRunner().invoke(main, ["new", *command.split()])
+        assert result.exit_code == 0, result.output
+        monkeypatch.chdir(tmp_path / "mine")
+    quiz = "id: before\nform: pre\nmode: practice\nbank: questions.yml\nuse: short"
+    with (tmp_path / "mine/worksheets/three.md").open("a", encoding="utf-8") as lesson:
+        lesson.write(f"\n```quiz\n{quiz}\n```\n")
+    return tmp_path / "mine"
+
+
+@pytest.fixture
+def preview(root: Path, tmp_path: Path) -> Iterator[Previewer]:
+    made = Previewer(root, tmp_path / "preview")
+    made.url = "http://127.0.0.1:8000/"
+    made.make()
+    assert not made.trouble
+    yield made
+    made.close()
+
+
+def edit(path: Path, old: str, new: str) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+def pages(site: Path) -> dict[str, str]:
+    return {
+        path.relative_to(site).as_posix(): path.read_text(encoding="utf-8")
+        for path in site.rglob("*.html")
+    }
+
+
+def test_after_an_edit_the_pages_are_those_of_a_whole_build(
+    preview: Previewer, root: Path, tmp_path: Path
+) -> None:
+    before = pages(preview.site)
+    edit(root / "worksheets" / "two.md", "mass: 0.5 kg", "mass: 0.7 kg")
+    preview.make()
+    after = pages(preview.site)
+    assert {name for name in after if after[name] != before[name]} == {"worksheets/two.html"}
+    whole = Previewer(root, tmp_path / "whole")
+    whole.url = preview.url
+    whole.make()
+    whole.close()
+    assert pages(whole.site) == after
+
+
+def test_a_changed_bank_changes_the_lesson_that_draws_from_it(
+    preview: Previewer, root: Path
+) -> None:
+    edit(root / "worksheets/banks/questions.yml", "It keeps its velocity.", "Galumphing.")
+    preview.make()
+    made = pages(preview.site)
+    assert {name for name in made if "Galumphing." in made[name]} == {"worksheets/three.html"}
+
+
+def test_a_new_lesson_is_in_every_menu(preview: Previewer, root: Path) -> None:
+    assert CliRunner().invoke(main, ["new", "four"]).exit_code == 0
+    preview.make()
+    made = pages(preview.site)
+    assert all("four.html" in text for name, text in made.items() if name != "404.html")
+
+
+def test_a_mistake_is_on_the_page_and_in_the_terminal_and_goes_again(
+    preview: Previewer, root: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    lesson, page = root / "worksheets" / "two.md", preview.site / "worksheets" / "two.html"
+    for old, bad, place in (
+        ("mass: 0.5 kg", "mass: -1 kg", "worksheets/two.md:16:13: error: carts.A.mass"),
+        ("# Two", "# Two\n\n![](cart.png)", "worksheets/two.md:8:1: error: this picture"),
+    ):
+        edit(lesson, old, bad)
+        preview.make()
+        assert place in page.read_text(encoding="utf-8")
+        assert place in caplog.text
+        edit(lesson, bad, old)
+        preview.make()
+        assert "carts-author-error" not in page.read_text(encoding="utf-8")
+
+
+def test_what_a_page_gave_up_another_may_take(preview: Previewer, root: Path) -> None:
+    edit(root / "worksheets" / "two.md", "id: two-first", "id: renamed")
+    preview.make()
+    edit(root / "worksheets" / "three.md", "id: three-first", "id: two-first")
+    preview.make()
+    assert "carts-author-error" not in "".join(pages(preview.site).values())
+
+
+def test_broken_settings_are_a_sentence_until_they_are_mended(
+    preview: Previewer, root: Path
+) -> None:
+    edit(root / "mkdocs.yml", "plugins:", "plugins: [")
+    preview.make()
+    assert re.match(r"mkdocs\.yml:\d+:\d+: error: this is not YAML", preview.trouble)
+    edit(root / "mkdocs.yml", "plugins: [", "plugins:")
+    preview.make()
+    assert preview.trouble == ""
+
+
+def test_a_saved_file_reloads_the_page_in_the_browser(root: Path, tmp_path: Path) -> None:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    previewer = Previewer(root, tmp_path / "preview")
+    server = previewer.server(port)
+    with pytest.raises(OSError, match="in use"):
+        previewer.server(port)
+    previewer.make()
+    thread = threading.Thread(target=server.serve, daemon=True)
+    thread.start()
+    try:
+
+        def get(path: str) -> str:
+            with urllib.request.urlopen(f"{server.url}{path}", timeout=30) as answer:
+                return str(answer.read(), "utf-8")
+
+        page = "worksheets/two.html"
+        (epoch,) = re.findall(r"livereload\((\d+), ", get(page))
+        time.sleep(0.3)  # the watcher takes its first look
+        edit(root / "worksheets" / "two.md", "# Two", "# Two galumphing")
+        assert int(get(f"livereload/{epoch}/1")) > int(epoch)
+        assert "Two galumphing" in get(page)
+        edit(root / "mkdocs.yml", "plugins:", "plugins: [")
+        while "cannot be built" not in (text := get(page)):
+            time.sleep(0.05)
+        assert "this is not YAML" in text and "livereload(" in text
+    finally:
+        server.shutdown()
+        previewer.close()
+        thread.join()
