@@ -18,6 +18,7 @@ from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
+from sim.pages.teach.withheld import withheld_findings
 from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)
@@ -104,6 +105,7 @@ def check_paths(paths: Iterable[Path], root: Path) -> list[Finding]:
                     shown.as_posix(), scene_folders(file, root), bank_folders(file, root)
                 )
                 findings += check_lesson(text, lesson, ids)
+                findings += withheld_findings(text, lesson.file)
             elif file.parent.name == BANK_FOLDER:
                 findings += check_bank(text, shown.as_posix())
             else:

@@ -70,6 +70,7 @@ def meant_kind(name: str) -> str | None:
 
 
 def after_front_matter(lines: Sequence[str]) -> int:
+    """Index of the first line behind the front matter; 0 where there is none."""
     if not lines or not _FRONT_MATTER.fullmatch(lines[0].rstrip("\r\n")):
         return 0
     for index, line in enumerate(lines[1:], start=1):

@@ -31,11 +31,12 @@ from mkdocs.utils import CountHandler, get_relative_url
 from sim.pages import lessons_only
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding
-from sim.pages.lesson_text import lesson_order
+from sim.pages.language import ENGLISH
 from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
-from sim.pages.site_build import SiteBuild, SiteError, with_lessons
+from sim.pages.site_build import SiteBuild, SiteError, lessons_in, with_lessons
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
+from sim.pages.teach.doors import Doors
 
 log = logging.getLogger("mkdocs.plugins.carts")
 
@@ -47,6 +48,7 @@ class CartsConfig(Config):  # type: ignore[no-untyped-call]
 
     lessons = c.Type(str, default="worksheets")  # folder of the lessons, beside mkdocs.yml
     hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
+    teacher_mode = c.Type(bool, default=True)  # “Change this lesson” at the foot of lessons
 
 
 class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
@@ -83,9 +85,12 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         if self.lessons_only:
             lessons_only.fill_in(config)
         self.named = set(lessons_only.named_pages(config.nav))
-        self.lessons = sorted(self.folder.glob("*.md"), key=lesson_order)
+        self.lessons = lessons_in(self.folder)
         if config.nav is not None:
-            config.nav = with_lessons(config.nav, self.config.lessons, self.lessons)
+            config.nav = with_lessons(config.nav, self.folder, self.lessons)
+        if self.config.teacher_mode:
+            names, settings = config.markdown_extensions, config.mdx_configs
+            self.build.doors = Doors(root, self.folder, names, settings)
         config.use_directory_urls = False
         config.markdown_extensions.append(CartsExtension())  # type: ignore[arg-type]
         config.watch.append(str(self.folder))
@@ -148,7 +153,13 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         for key in ("title", "description", "author"):  # the theme writes them out as they are
             if isinstance(page.meta.get(key), str):
                 page.meta[key] = escape(page.meta[key])
-        self.page = self.build.page(path, whole=page.file.content_string, markdown=markdown)
+        self.page = self.build.page(
+            path,
+            whole=page.file.content_string,
+            markdown=markdown,
+            stated=page.meta.get("language"),
+            theme=str(config.theme.get("language") or ENGLISH),
+        )
         set_page(self.page)
         return markdown
 

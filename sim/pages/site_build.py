@@ -19,8 +19,18 @@ from sim.pages.classroom import practice_keys
 from sim.pages.classroom.practice_keys import practice_key
 from sim.pages.extension import Page
 from sim.pages.findings import Finding
+from sim.pages.language import (
+    ENGLISH,
+    LANGUAGES,
+    UnknownLanguageError,
+    language_folder,
+    of_page,
+    words_script,
+)
+from sim.pages.lesson_text import lesson_order
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.teach.doors import Doors
 
 _SITE_ID = re.compile(r"[a-z0-9][a-z0-9-]{2,39}")
 _SITE_ID_HELP = """\
@@ -49,8 +59,10 @@ class SiteBuild:
     trusted: list[re.Pattern[str]] = field(default_factory=list)
     keys: dict[str, dict[str, Any]] = field(default_factory=dict)
     done: frozenset[str] | None = None  # packages of the runtime that the site has already
+    doors: Doors = field(init=False)
 
     def __post_init__(self) -> None:
+        self.doors = Doors(self.root)
         if not _SITE_ID.fullmatch(self.site_id):
             raise SiteError(_SITE_ID_HELP)
 
@@ -59,22 +71,35 @@ class SiteBuild:
         """The Python packages that the pages need."""
         return frozenset().union(*self.asked.values())
 
-    def page(self, path: Path, *, whole: str, markdown: str) -> Page:
-        """The page of the lesson at `path`; `markdown`: what of `whole` is to be rendered."""
+    def page(
+        self, path: Path, *, whole: str, markdown: str, stated: object = None, theme: str = ENGLISH
+    ) -> Page:
+        """The page of the lesson at `path`; `markdown`: what of `whole` is to be rendered.
+
+        `stated`: the language that its front matter names; `theme`: that of the generator's theme.
+        """
         # Generators cut the front matter off: findings count lines of the whole file.
         first_line = 1 + whole.replace("\r\n", "\n").count("\n") - markdown.count("\n")
         shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
         folders = scene_folders(path, self.root), bank_folders(path, self.root)
         lesson = Lesson(shown.as_posix(), *folders)
         self.ids.forget(lesson.file)  # a preview makes a page again
-        return Page(lesson, first_line, self.ids, self.report, late={})
+        page = Page(lesson, first_line, self.ids, self.report, late={})
+        try:
+            page.language = of_page(stated, lesson.file, theme)
+        except UnknownLanguageError as error:
+            hint = "for example language: ms; without it the page speaks as the site does"
+            self.report(Finding(lesson.file, 1, 1, "unknown-language", str(error), hint))
+        return page
 
     def rendered(self, name: str, page: Page, html: str) -> None:
         """Note what the page `name` needs, now that it is rendered."""
         lesson = name.rpartition(".")[0].rpartition("/")[2]
         outline = page.items.outline(lesson) if page.items.answers else None
         classroom = "<carts-class" in html
-        self.needs[name] = Needs(page.scenes > 0, 'class="arithmatex"' in html, outline, classroom)
+        self.needs[name] = Needs(
+            page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, page.language
+        )
         ours = r'<carts-(?:scene|map|cost|hard|question|quiz)\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
@@ -88,6 +113,7 @@ class SiteBuild:
                         "give the block an id of its own, for example " + f"{block}-1",
                     )
                 )
+        self.doors.note(name, page.lesson.file, page.language)
         if key := practice_key(self.site_id, lesson, page.items):
             self.keys[name] = key
         self.asked[name] = frozenset(page.packages | ({"numpy", "scipy"} if classroom else set()))
@@ -95,6 +121,7 @@ class SiteBuild:
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
         needs = self.needs.get(name, Needs()) if name else Needs()
+        html = self.doors.with_door(html, name, assets, self.ids.used)
         return finish(
             html,
             audience=self.audience,
@@ -122,14 +149,18 @@ class SiteBuild:
         if index.is_file():
             text = f"var __index = {index.read_text(encoding='utf-8')}"
             index.with_suffix(".js").write_text(text, encoding="utf-8")
+        for language in {needs.language for needs in self.needs.values()} - {ENGLISH}:
+            script = site / site_files.ASSETS / f"words.{language}.js"
+            script.write_text(words_script(language), encoding="utf-8")
         scenes = any(needs.scenes or needs.classroom for needs in self.needs.values())
         before = self.done
-        if scenes:
+        if scenes or self.doors.made:
             self._add_runtime(site, report)
         if before is not None and before == self.done:
             return  # a preview after an edit: all the rest is there
         modules = node_modules(self.root)
-        works = licences.notices(modules, scenes=scenes, packages=self.packages)
+        packages = {*self.packages, *(["teacher"] if self.doors.made else [])}
+        works = licences.notices(modules, scenes=scenes, packages=packages)
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
 
     def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:
@@ -145,6 +176,9 @@ class SiteBuild:
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
                 packages.add(runtime.CLASSROOM)
+            if self.doors.made:
+                self.doors.write(site / site_files.ASSETS, *site_files.teacher_files())
+                packages.add(runtime.TEACHER)
             cache = runtime.default_cache(self.root)
             if self.done is None or not packages <= self.done:
                 runtime.pack(site, packages=frozenset(packages), cache=cache, report=report)
@@ -153,11 +187,23 @@ class SiteBuild:
             raise SiteError(str(error)) from error
 
 
-def with_lessons(nav: list[Any], folder: str, lessons: Iterable[Path]) -> list[Any]:
-    """The navigation with `folder/` replaced by all lessons in it, in the order of their names."""
-    pages = [f"{folder}/{path.name}" for path in lessons]
+def lessons_in(folder: Path) -> list[Path]:
+    """The lessons of a site in their order, then those in the folders of other languages."""
+    folders = [folder, *(folder / language for language in sorted(LANGUAGES))]
+    return [path for one in folders for path in sorted(one.glob("*.md"), key=lesson_order)]
+
+
+def with_lessons(nav: list[Any], folder: Path, lessons: Iterable[Path]) -> list[Any]:
+    """The navigation with `folder/` replaced by all lessons in it; each language has a part."""
+    pages: list[Any] = []
+    others: dict[str, list[str]] = {}
+    for path in lessons:
+        address = path.relative_to(folder.parent).as_posix()
+        language = language_folder(address)
+        (others.setdefault(LANGUAGES[language], []) if language else pages).append(address)
+    pages += [{name: listed} for name, listed in others.items()]
 
     def stands_for_them(item: Any) -> bool:
-        return isinstance(item, dict) and list(item.values()) == [f"{folder}/"]
+        return isinstance(item, dict) and list(item.values()) == [f"{folder.name}/"]
 
     return [dict.fromkeys(item, pages) if stands_for_them(item) else item for item in nav]

@@ -47,6 +47,12 @@ def class_script() -> bytes:
     return _read(_WEB / "dist" / "class.js", "make bundle")
 
 
+def teacher_files() -> tuple[bytes, bytes]:
+    """Script and style of teacher mode: assets/carts/teacher.js and teacher.css."""
+    style = _read(_WEB / "teach" / "teacher.css", "git restore sim/web/teach")
+    return _read(_WEB / "dist" / "teacher.js", "make bundle"), style
+
+
 def search_from_disk(worker: str) -> str:
     """The script that starts the theme's search (text of its worker) from within the page."""
     script = _read(_WEB / "site" / "search-from-disk.js", "git restore sim/web/site").decode()

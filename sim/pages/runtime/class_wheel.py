@@ -31,10 +31,10 @@ def make_extra_wheel(core: Path, stdlib: Path, ours: Path, extra: Ours, cache: C
         }  # fmt: skip
         compile_archives(core, [archive], folder)
         source.unlink()
-        modules = [
+        modules = extra.begins or [
             name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
             for name, _ in extra.files
-            if name.endswith(".py") and name.startswith("sim/")
+            if name.endswith(".py")
         ]
         used = used_files(core, stdlib, folder, wheels=[ours, wheel], modules=modules)
         (folder / "used.txt").write_text("\n".join(used.files), encoding="utf-8")

@@ -37,6 +37,7 @@ class Ours:
     files: tuple[tuple[str, bytes], ...]
     version: str
     name: str = NAME
+    begins: tuple[str, ...] = ()  # modules that tell what else is needed; none: all of them
 
     @property
     def key(self) -> str:

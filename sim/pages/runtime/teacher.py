@@ -9,6 +9,7 @@ it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -21,8 +22,27 @@ MODULES = (
     *("templates", "yaml_errors", "yaml_source"),
 )
 """Of `sim/pages`."""
-BUILD_ONLY = ("pages/teach/publish.py", "pages/question/published.py", "pages/question/key_page.py")
+BUILD_ONLY = (
+    *("pages/teach/publish.py", "pages/teach/doors.py"),
+    *("pages/question/published.py", "pages/question/key_page.py"),
+    *("pages/language/catalogues/", "pages/language/extract.py", "pages/language/from_python.py"),
+)
+BEGINS = (
+    *("sim.pages.teach.answer", "sim.pages.widget", "sim.pages.question.render"),
+    *("sim.pages.map.render", "sim.pages.map_block", "sim.pages.map.bake"),
+    *(
+        f"markdown.extensions.{name}"
+        for name in (
+            *("abbr", "admonition", "attr_list", "def_list", "fenced_code", "footnotes"),
+            *("legacy_attrs", "md_in_html", "meta", "nl2br", "sane_lists", "smarty", "tables"),
+            *("toc", "wikilinks"),
+        )
+    ),
+    *(f"pymdownx.{name}" for name in ("arithmatex", "details", "superfences")),
+)
+"""What a look at a lesson imports, sooner or later."""
 
+GROUP = "markdown.extensions"
 CARRIED = ("yaml", "jinja2", "markupsafe", "markdown", "pymdownx")
 TABLES = "_db.py"  # names of thousands of pictures, for extensions that no lesson uses
 
@@ -31,7 +51,16 @@ def read_teacher(package: Path, version: str) -> Ours:
     """Return the package for teacher mode; `package` is the folder of `sim`."""
     own = sorted(own_files(package), key=lambda p: p.as_posix())
     files = [(p.relative_to(package.parent).as_posix(), text_bytes(p)) for p in own]
-    return Ours((*files, *carried_files()), version, TEACHER)
+    info = f"{TEACHER.replace('-', '_')}-{version}.dist-info"
+    short = (f"{info}/entry_points.txt", short_names().encode())
+    return Ours((*files, *carried_files(), short), version, TEACHER, BEGINS)
+
+
+def short_names() -> str:
+    """By which names Markdown knows its extensions: "tables" for markdown.extensions.tables."""
+    found = metadata.distribution("markdown").entry_points.select(group=GROUP)
+    rows = sorted(f"{entry.name} = {entry.value}" for entry in found)
+    return "\n".join([f"[{GROUP}]", *rows, ""])
 
 
 def own_files(package: Path) -> Iterator[Path]:
@@ -39,7 +68,7 @@ def own_files(package: Path) -> Iterator[Path]:
     yield from (package / "pages" / f"{name}.py" for name in MODULES)
     for layer in LAYERS:
         for path in (package / layer).rglob("*"):
-            unwanted = path.relative_to(package).as_posix() in BUILD_ONLY
+            unwanted = path.relative_to(package).as_posix().startswith(BUILD_ONLY)
             if path.is_file() and "__pycache__" not in path.parts and not unwanted:
                 yield path
 

@@ -30,6 +30,9 @@ from sim.pages.teach.withheld import restore
 DESK = "lesson-desk"
 """A folder in the memory of the page's Python: files that the lesson names lie there."""
 
+SLICE = 0.6
+"""s. How long a page waits for a look; what is not made by then is made at the next one."""
+
 _desk = Desk()
 _laid: dict[str, str] = {}
 
@@ -49,14 +52,20 @@ def _look(request: Mapping[str, Any]) -> dict[str, Any]:
     """Pieces with their fields, findings, and the page's parts that are new."""
     text, told = str(request["text"]), request["lesson"]
     _lay_out(request.get("files") or {}, told.get("names") or ())
-    site = Site(told.get("ids") or {}, told.get("extensions") or (), told.get("configs") or {})
-    preview = _desk.look(text, lesson_of(told), site)
+    site = Site(
+        told.get("ids") or {},
+        told.get("extensions") or (),
+        told.get("configs") or {},
+        told.get("words") or {},
+    )
+    preview = _desk.look(text, lesson_of(told), site, seconds=SLICE)
     have = set(request.get("have") or ())
     return {
         "pieces": [_piece(text, piece) for piece in pieces(text)],
         "findings": [finding.as_row() for finding in preview.findings],
         "frame": preview.frame,
         "blocks": [_shown(block, have) for block in preview.blocks],
+        "more": any(block.state == "later" for block in preview.blocks),
         "needs": list(NUMERICS) if any(b.state == "needs" for b in preview.blocks) else [],
     }
 

@@ -7,22 +7,24 @@ that a change in one block costs one block.
 from __future__ import annotations
 
 import hashlib
+import math
 import re
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from typing import Any, Literal
 
 from sim.pages.bake import bake
 from sim.pages.fence_scan import Block, after_front_matter, scan
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.language import speaking
 from sim.pages.lesson_text import text_findings
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.quiz import find_bank
 from sim.pages.scene_block import Lesson, SiteIds, load_block, read_scene_block
 from sim.scene import Problem
 
-State = Literal["shown", "wrong", "kept", "needs"]
+State = Literal["shown", "wrong", "kept", "needs", "later"]
 MOST_REMEMBERED = 200
 NUMERICS = ("numpy", "scipy")
 
@@ -32,7 +34,8 @@ _MD_LINK = re.compile(r'(<a [^>]*href="(?![a-z]+:|#)[^":]*)\.md(["#])')
 @dataclass(frozen=True, slots=True)
 class Shown:
     """One block: `shown` as `html`; `wrong` (findings say why); `kept` as it is on the page,
-    because only the build can make it; or it `needs` packages that this Python does not have."""
+    because only the build can make it; or it `needs` packages that this Python does not have; or it
+    comes `later`, when the time for this look was over."""
 
     state: State
     html: str = ""
@@ -45,11 +48,12 @@ class Shown:
 
 @dataclass(frozen=True, slots=True)
 class Site:
-    """What the build knows beside the lesson: ids of other lessons, the generator's extensions."""
+    """What the build knows beside the lesson: other lessons' ids, Markdown's extensions, words."""
 
     ids: Mapping[str, str] = field(default_factory=dict)
     extensions: Sequence[str] = ()
     configs: Mapping[str, Any] = field(default_factory=dict)
+    words: Mapping[str, str] = field(default_factory=dict)  # of the interface, in its language
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +66,10 @@ class Preview:
     frame: str | None
 
 
+class _LaterError(Exception):
+    """The time for this look is over."""
+
+
 @dataclass(slots=True)
 class Desk:
     """Makes previews, and remembers what it made. `banks`: whether all banks of questions are here;
@@ -69,9 +77,11 @@ class Desk:
 
     banks: bool = False
     made: dict[str, str | list[Problem]] = field(default_factory=dict)
+    until: float = math.inf
 
-    def look(self, text: str, lesson: Lesson, site: Site) -> Preview:
-        """The lesson as it is now."""
+    def look(self, text: str, lesson: Lesson, site: Site, *, seconds: float = math.inf) -> Preview:
+        """The lesson as it is now. What is not made within `seconds` is made at the next look."""
+        self.until = time.monotonic() + seconds
         ids, items = SiteIds(used=dict(site.ids)), PageItems()
         found: list[Finding] = []
         shown = []
@@ -79,10 +89,13 @@ class Desk:
         parts = tuple(scan(lines))
         for block in parts:
             try:
-                shown.append(self._block(block, lesson, ids, items, parts))
+                with speaking(site.words):
+                    shown.append(self._block(block, lesson, ids, items, parts))
             except AuthorError as error:
                 found += error.findings
                 shown.append(Shown("wrong"))
+            except _LaterError:
+                shown.append(Shown("later"))
             except ModuleNotFoundError as error:
                 if (error.name or "").split(".")[0] not in NUMERICS:
                     raise
@@ -121,10 +134,11 @@ class Desk:
                 return run
             return render(read.fence, run.header, run.numbers)
 
+        items.scenes.append(read.fence)
         made = self._remembered(f"scene {block.body}\n{read.fence.plain}", make)
         if isinstance(made, list):
+            items.scenes.remove(read.fence)
             raise AuthorError(map(read.places.finding, made))
-        items.scenes.append(read.fence)
         return Shown("shown", made)
 
     def _question(self, block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> Shown:
@@ -171,6 +185,8 @@ class Desk:
     ) -> str | list[Problem]:
         made = self.made.pop(what, None)
         if made is None:
+            if time.monotonic() > self.until:
+                raise _LaterError
             made = make()
         self.made[what] = made  # the newest last
         while len(self.made) > MOST_REMEMBERED:
@@ -193,10 +209,8 @@ def _frame(lines: Sequence[str], parts: Sequence[Block], site: Site) -> str | No
         kept += [*lines[done : block.start], "", f"{block.indent}{_word(k)}", ""]
         done = block.end
     kept += lines[done:]
-    names = {name: _full(name) for name in site.extensions}
-    configs = {names.get(name, name): settings for name, settings in site.configs.items()}
     try:
-        md = Markdown(extensions=[*names.values()], extension_configs=configs)
+        md = Markdown(extensions=[*site.extensions], extension_configs={**site.configs})
     except (ImportError, KeyError, TypeError, AttributeError):
         return None
     made = md.convert("\n".join(kept))
@@ -204,12 +218,6 @@ def _frame(lines: Sequence[str], parts: Sequence[Block], site: Site) -> str | No
         place = f'<carts-place data-block="{k}"></carts-place>'
         made = made.replace(f"<p>{_word(k)}</p>", place).replace(_word(k), place)
     return _MD_LINK.sub(r"\1.html\2", made)
-
-
-def _full(name: str) -> str:
-    """Where an extension is that Markdown brings along: in a page its short names are not known."""
-    own = f"markdown.extensions.{name}"
-    return own if "." not in name and find_spec(own) else name
 
 
 def _word(k: int) -> str:

@@ -53,10 +53,12 @@ def published(
     ids: Mapping[str, str],
     extensions: Iterable[object],
     configs: Mapping[str, Any],
+    words: Mapping[str, str],
 ) -> Published | None:
     """What is shipped of the lesson at `path`; None if it is no text.
 
     `ids`: of all blocks of the site, with their places. `extensions`, `configs`: the generator's.
+    `words`: the interface words in the lesson's language, as `sim.pages.language` has them.
     """
     try:
         text = path.read_bytes().decode("utf-8")
@@ -80,6 +82,7 @@ def published(
             "names": _names(root, path.parent),
             "extensions": [name for name in extensions if isinstance(name, str)],
             "configs": _plain(configs),
+            "words": dict(words),
         },
     }
     return _script(path.stem, told)

@@ -25,10 +25,8 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function filled(sentence, values) {
-    return sentence.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
+    const said = catalogue[sentence] ?? sentence;
+    return said.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
 
   // src/answers/outline.js
@@ -879,9 +877,8 @@
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
       if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
       const where = elsewhere(found2, book2);
-      const taken = tr("Taken from the file: {count}. Nothing that was here is lost.", {
-        count: counted(changed)
-      });
+      const count = counted(changed);
+      const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
       say(told, `${taken} ${where}`.trim());
       const predicted = found2.entries.some(([, entry]) => entry.locked);
       if (!where && changed && predicted) setTimeout(() => location.reload(), 1500);
@@ -2088,6 +2085,49 @@
     };
   }
 
+  // src/teacher-door.js
+  var OPEN = "carts-teach";
+  function teacherDoor() {
+    const link = document.querySelector(".carts-teach-door a");
+    if (!(link instanceof HTMLAnchorElement)) return;
+    const assets = new URL("../", new URL(link.dataset.lesson ?? "", document.baseURI));
+    let loaded = null;
+    const open2 = async () => {
+      loaded ??= Promise.all([style(new URL("teacher.css", assets)), script(assets)]);
+      try {
+        await loaded;
+        document.dispatchEvent(new Event(OPEN));
+      } catch {
+        loaded = null;
+        link.textContent = "Teacher mode cannot be loaded: a file of this site is missing.";
+      }
+    };
+    const wanted = () => location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
+    link.addEventListener("click", () => void open2());
+    addEventListener("hashchange", () => {
+      if (location.hash === "#teacher") void open2();
+    });
+    if (wanted()) void open2();
+  }
+  function script(assets) {
+    const made2 = document.createElement("script");
+    made2.src = new URL("teacher.js", assets).href;
+    return arrives(made2);
+  }
+  function style(address) {
+    const made2 = document.createElement("link");
+    made2.rel = "stylesheet";
+    made2.href = address.href;
+    return arrives(made2);
+  }
+  function arrives(element) {
+    return new Promise((resolve, reject) => {
+      element.onload = resolve;
+      element.onerror = reject;
+      document.head.append(element);
+    });
+  }
+
   // src/answers-main.js
   var book = new Book();
   customElements.define("carts-question", questionElement(book));
@@ -2095,4 +2135,5 @@
   var panel = new Panel(book);
   new Bar(book, () => void panel.open());
   void book.ready.then(() => performance.mark("carts:answers"));
+  teacherDoor();
 })();

@@ -5,6 +5,7 @@ import { Book } from "./answers/book.js";
 import { Panel } from "./answers/panel.js";
 import { questionElement } from "./question/element.js";
 import { quizElement } from "./question/quiz.js";
+import { teacherDoor } from "./teacher-door.js";
 
 const book = new Book();
 customElements.define("carts-question", questionElement(book));
@@ -12,3 +13,4 @@ customElements.define("carts-quiz", quizElement(book));
 const panel = new Panel(book);
 new Bar(book, () => void panel.open());
 void book.ready.then(() => performance.mark("carts:answers")); // what was kept is back
+teacherDoor();

@@ -1,0 +1,119 @@
+/** The form of a block: a field for each ordinary value. */
+
+import { html } from "../dom.js";
+
+/** @typedef {import("./types.js").Field} Field */
+
+const PAUSE = 300; // ms without a key until a value is taken over
+let made = 0;
+
+export class Fields {
+  /** @type {Map<string, {control: HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement, note: HTMLElement, field: Field, timer: number}>} */
+  #rows = new Map();
+  #form = "";
+
+  /** @param {(field: Field, value: string, owner: object) => Promise<string>} set */
+  constructor(set) {
+    this.set = set;
+    this.root = html("div", "carts-teach-fields");
+  }
+
+  /** @param {Field[]} fields */
+  show(fields) {
+    const form = JSON.stringify(fields.map(({ path, kind, group }) => [path, kind, group]));
+    if (form !== this.#form) this.#build(fields);
+    this.#form = form;
+    for (const field of fields) {
+      const row = this.#rows.get(JSON.stringify(field.path));
+      if (!row) continue;
+      row.field = field;
+      // What is being typed is not overwritten.
+      if (row.control !== document.activeElement && row.control.value !== field.value) {
+        row.control.value = field.value;
+        this.#say(row, "");
+      }
+    }
+  }
+
+  /** @param {Field[]} fields */
+  #build(fields) {
+    const focused = [...this.#rows].find(([, { control }]) => control === document.activeElement);
+    this.#rows.clear();
+    this.root.replaceChildren();
+    let group = "";
+    let place = this.root;
+    for (const field of fields) {
+      if (field.group !== group || (!field.group && place !== this.root)) {
+        group = field.group;
+        place = this.root;
+        if (group) {
+          place = html("fieldset");
+          place.append(html("legend", "", group));
+          this.root.append(place);
+        }
+      }
+      place.append(this.#row(field));
+    }
+    if (focused) this.#rows.get(focused[0])?.control.focus();
+  }
+
+  /** @param {Field} field */
+  #row(field) {
+    const line = html("label", field.kind === "area" ? "carts-teach-wide" : "");
+    const control = controlFor(field);
+    control.value = field.value;
+    const note = html("span", "carts-teach-note");
+    made += 1;
+    note.id = `carts-teach-note-${made}`;
+    note.setAttribute("role", "status");
+    control.setAttribute("aria-describedby", note.id);
+    line.append(html("span", "carts-teach-label", field.label), control);
+    const row = { control, note, field, timer: 0 };
+    const take = () => {
+      clearTimeout(row.timer);
+      row.timer = 0;
+      if (control.value !== row.field.value) void this.#take(row);
+    };
+    control.addEventListener("input", () => {
+      clearTimeout(row.timer);
+      row.timer = setTimeout(take, PAUSE);
+    });
+    control.addEventListener("change", take);
+    this.#rows.set(JSON.stringify(field.path), row);
+    const whole = html("div", "carts-teach-field");
+    whole.append(line, note);
+    return whole;
+  }
+
+  /** @param {{control: any, note: HTMLElement, field: Field}} row */
+  async #take(row) {
+    try {
+      this.#say(row, await this.set(row.field, row.control.value, row));
+    } catch (error) {
+      this.#say(row, /** @type {Error} */ (error).message);
+    }
+  }
+
+  /** @param {{control: HTMLElement, note: HTMLElement}} row @param {string} text */
+  #say({ control, note }, text) {
+    note.textContent = text;
+    control.setAttribute("aria-invalid", String(text !== ""));
+  }
+}
+
+/** @param {Field} field */
+function controlFor(field) {
+  if (field.kind === "choice") {
+    const select = document.createElement("select");
+    select.append(...field.options.map((option) => new Option(option)));
+    return select;
+  }
+  if (field.kind === "area") {
+    const area = document.createElement("textarea");
+    area.rows = Math.min(6, 1 + Math.ceil(field.value.length / 46));
+    return area;
+  }
+  const input = document.createElement("input");
+  input.type = "text";
+  return input;
+}

@@ -1,0 +1,251 @@
+/** The panel of teacher mode beside the lesson: what can be changed, piece by piece. */
+
+import { button } from "../answers/parts.js";
+import { html, say } from "../dom.js";
+import { download } from "../download.js";
+import { PieceEditor } from "./piece.js";
+import { ownFile, toolbar } from "./saves.js";
+
+/** @typedef {import("./types.js").Look} Look */
+
+export class Panel {
+  /** @type {PieceEditor[]} */
+  #editors = [];
+  /** @type {import("./types.js").Piece[]} */
+  #pieces = [];
+  /** @type {Set<string>} texts of the published pieces */
+  #published = new Set();
+  #base = "";
+
+  /** @param {import("./session.js").Session} session */
+  constructor(session) {
+    this.session = session;
+    this.root = html("aside", "carts carts-teach");
+    this.root.setAttribute("aria-label", "Change this lesson");
+    this.heading = html("h2", "", "Change this lesson");
+    this.heading.tabIndex = -1;
+    const small = button("Make room", () => this.#fold(small), "carts-teach-fold");
+    small.setAttribute("aria-expanded", "true");
+    const close = button("Close", () => session.close(), "carts-teach-close");
+    const head = html("div", "carts-teach-head");
+    head.append(this.heading, small, close);
+    this.note = html("p", "carts-teach-status");
+    this.note.setAttribute("role", "status");
+    this.state = html("p", "carts-teach-state");
+    this.state.setAttribute("role", "status");
+    this.tools = toolbar(session, (text) => this.status(text));
+    this.notices = html("div", "carts-teach-notices");
+    this.list = html("div", "carts-teach-pieces");
+    const body = html("div", "carts-teach-body");
+    body.append(this.tools.root, this.note, this.state, this.notices, this.list);
+    this.root.append(head, body);
+    if (session.withheld) this.#withheld();
+  }
+
+  /** @param {HTMLButtonElement} small */
+  #fold(small) {
+    const folded = this.root.classList.toggle("carts-teach-folded");
+    document.body.classList.toggle("carts-teaching-folded", folded);
+    small.setAttribute("aria-expanded", String(!folded));
+    small.textContent = folded ? "Show" : "Make room";
+  }
+
+  focus() {
+    this.heading.focus();
+  }
+
+  /** @param {string} text */
+  status(text) {
+    say(this.note, text);
+  }
+
+  /** Whether the draft is on this computer. @param {boolean} kept */
+  kept(kept) {
+    const words = kept
+      ? "Draft kept in this browser."
+      : "This browser keeps no drafts: save often.";
+    say(this.state, this.session.changed ? words : "As published.");
+    this.root.dataset.kept = String(kept);
+  }
+
+  /** The text was changed: what can be told before Python has looked. */
+  follow() {
+    this.root.dataset.state = "looking";
+    this.tools.draw();
+  }
+
+  /** The page shows the text as it is. */
+  drawn() {
+    this.root.dataset.state = "ready";
+  }
+
+  /** @param {Look} look */
+  take(look) {
+    const { pieces, findings } = look;
+    if (this.#base !== this.session.base && this.session.text === this.session.base) {
+      this.#base = this.session.base;
+      this.#published = new Set(pieces.map((piece) => piece.text));
+    }
+    if (shape(pieces) !== shape(this.#pieces)) this.#build(pieces);
+    this.#pieces = pieces;
+    const file = this.session.told.file;
+    pieces.forEach((piece, k) => {
+      const next = pieces[k + 1]?.line ?? Number.POSITIVE_INFINITY;
+      const own = findings.filter(
+        ({ line, file: where }) => where === file && line >= piece.line && line < next,
+      );
+      const last = k === pieces.length - 1;
+      const others = last ? findings.filter(({ file: where }) => where !== file) : [];
+      const changed = this.#published.size > 0 && !this.#published.has(piece.text);
+      this.#editors[k]?.show(piece, [...own, ...others], changed);
+    });
+    const count = findings.length;
+    this.root.dataset.mistakes = String(count);
+    const words = count === 1 ? "1 mistake" : `${count} mistakes`;
+    if (count) this.status(`${words}: the page shows these parts as they were before.`);
+    else if (this.note.textContent?.includes("the page shows these parts")) this.status("");
+    if (!this.state.textContent) say(this.state, "As published.");
+    this.tools.draw();
+  }
+
+  /** @param {import("./types.js").Piece[]} pieces */
+  #build(pieces) {
+    const open = new Set(
+      this.#editors.filter((e) => e.root.open).map((e) => e.piece.id || e.piece.line),
+    );
+    const typing = this.#editors.find((editor) => editor.area === document.activeElement);
+    const before = typing ? this.#editors.indexOf(typing) : -1;
+    let at = typing?.area.selectionStart ?? 0;
+    for (let k = 0; k < before; k += 1) at += plain(this.#pieces[k]?.text ?? "").length;
+    this.#editors = pieces.map((piece, k) => {
+      const editor = new PieceEditor({
+        typed: (text) => this.#typed(k, text),
+        set: (field, value, owner) => this.session.set(this.#blockOf(k), field, value, owner),
+        opened: () =>
+          this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "nearest" }),
+      });
+      editor.piece = piece;
+      editor.root.open = open.has(piece.id || piece.line);
+      return editor;
+    });
+    this.list.replaceChildren(...this.#editors.map((editor) => editor.root));
+    if (before < 0) return;
+    // What was typed has made two pieces of one, or one of two: the caret goes on where it was.
+    for (const [k, piece] of pieces.entries()) {
+      const { length } = plain(piece.text);
+      if (at <= length) return this.#caret(k, at);
+      at -= length;
+    }
+  }
+
+  /** @param {number} k @param {number} at */
+  #caret(k, at) {
+    const editor = this.#editors[k];
+    if (!editor) return;
+    editor.root.open = true;
+    queueMicrotask(() => {
+      editor.asText.open = true;
+      editor.area.focus();
+      editor.area.setSelectionRange(at, at);
+    });
+  }
+
+  /** @param {number} k @param {string} typed */
+  #typed(k, typed) {
+    const piece = this.#pieces[k];
+    if (!piece) return;
+    const ends = this.session.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
+    const texts = this.#pieces.map(({ text }, other) => (other === k ? ends : text));
+    this.#pieces = this.#pieces.map((one, other) => (other === k ? { ...one, text: ends } : one));
+    this.session.change(texts.join(""), `piece ${k}`);
+  }
+
+  /** The number of a piece's block among the blocks. @param {number} k */
+  #blockOf(k) {
+    if (this.#pieces[k]?.kind !== "block") return -1;
+    return this.#pieces.slice(0, k).filter((piece) => piece.kind === "block").length;
+  }
+
+  /** Opens the editor of a block. @param {number} index among the blocks */
+  openBlock(index) {
+    const editor = this.#editors.filter(({ piece }) => piece.kind === "block")[index];
+    if (!editor) return;
+    editor.root.open = true;
+    editor.root.scrollIntoView({ block: "start" });
+    editor.summary.focus();
+  }
+
+  #withheld() {
+    const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
+    this.notices.append(ownFile(words, (text) => void this.session.takeOwn(text)));
+  }
+
+  /** @param {number} missing @param {boolean} same whether it is the published file */
+  ownTaken(missing, same) {
+    this.notices.replaceChildren();
+    if (missing) {
+      this.status(`${missing} notes or marking guides do not stand in this file.`);
+      this.#withheld();
+    } else if (same)
+      this.status("Your file is the published one: notes and marking guides are back.");
+    else
+      this.status("Notes and marking guides are back. Your file differs from the published one.");
+  }
+
+  /** A lesson whose text is not in the site. */
+  askForFile() {
+    this.root.dataset.state = "asks";
+    this.tools.root.hidden = true;
+    const words = `This lesson has a test, so its text is not in the site. Choose your own file (${this.session.name}):`;
+    this.notices.replaceChildren(
+      ownFile(words, (text) => {
+        this.tools.root.hidden = false;
+        this.notices.replaceChildren();
+        void this.session.takeOwn(text);
+      }),
+    );
+  }
+
+  /** @param {import("./drafts.js").Draft[]} drafts */
+  offerEarlier(drafts) {
+    for (const draft of drafts) {
+      const row = html("p", "carts-teach-earlier");
+      const date = new Date(draft.last).toLocaleString([], {
+        dateStyle: "medium",
+        timeStyle: "short",
+      });
+      row.append(
+        `You have a draft of an earlier version of this lesson, of ${date}. `,
+        button("Open it", () => this.session.change(draft.text, ""), "carts-teach-older"),
+        " ",
+        button("Save it", () => download(this.session.name, draft.text, "text/markdown")),
+        " ",
+        button("Delete it", () => {
+          void this.session.drafts.forget(draft.hash);
+          row.remove();
+        }),
+      );
+      this.notices.append(row);
+    }
+  }
+
+  /** The whole text can still be changed and saved. @param {string} why */
+  withoutPython(why) {
+    this.status(`${why} The text is not checked here, and the page does not follow.`);
+    const editor = new PieceEditor({
+      typed: (text) => this.session.change(text, "all"),
+      set: async () => "",
+      opened: () => {},
+    });
+    editor.show({ kind: "top", text: this.session.text, line: 1 }, [], false);
+    editor.root.open = true;
+    this.list.replaceChildren(editor.root);
+    this.root.dataset.state = "unchecked";
+  }
+}
+
+/** @param {import("./types.js").Piece[]} pieces */
+const shape = (pieces) => pieces.map(({ kind, name, id }) => `${kind} ${name} ${id}`).join("\n");
+
+/** @param {string} text */
+const plain = (text) => text.replace(/\r\n?/g, "\n");

@@ -1,0 +1,66 @@
+/** The toolbar: undo, save, back to the published lesson, the teacher's own file. */
+
+import { askingButton, button } from "../answers/parts.js";
+import { html } from "../dom.js";
+import { download, downloadBlob } from "../download.js";
+
+/** @param {import("./session.js").Session} session @param {(text: string) => void} tell */
+export function toolbar(session, tell) {
+  const root = html("div", "carts-teach-tools");
+  const undo = button("Undo", () => session.undo(), "carts-teach-undo");
+  const redo = button("Redo", () => session.redo(), "carts-teach-redo");
+  const warn = () =>
+    session.look?.findings.length ? " There are mistakes in it: the build would stop at them." : "";
+  const save = button(
+    "Save lesson",
+    () => {
+      download(session.name, session.text, "text/markdown");
+      tell(`Saved as ${session.name}: look in your folder “Downloads”.${warn()}`);
+    },
+    "carts-teach-save",
+  );
+  const zip = button(
+    "Save as zip",
+    async () => {
+      const name = session.name.replace(/\.md$/, ".zip");
+      try {
+        const bytes = Uint8Array.from(atob(await session.zip()), (letter) => letter.charCodeAt(0));
+        downloadBlob(name, new Blob([bytes], { type: "application/zip" }));
+        tell(`Saved as ${name}, with a list of what was changed.${warn()}`);
+      } catch (error) {
+        tell(/** @type {Error} */ (error).message);
+      }
+    },
+    "carts-teach-zip",
+  );
+  const reset = askingButton(
+    "Published lesson",
+    "Go back to the lesson as it was published?",
+    "Yes, go back",
+    () => session.reset(),
+    "carts-teach-reset",
+  );
+  root.append(undo, redo, save, zip, reset);
+  const draw = () => {
+    undo.disabled = !session.history.canUndo;
+    redo.disabled = !session.history.canRedo;
+  };
+  draw();
+  return { root, draw };
+}
+
+/** A field for the teacher's own file. @param {string} words @param {(text: string, name: string) => void} take */
+export function ownFile(words, take) {
+  const label = html("label", "carts-teach-own");
+  const input = document.createElement("input");
+  input.type = "file";
+  input.accept = ".md,text/markdown";
+  input.addEventListener("change", async () => {
+    const file = input.files?.[0];
+    if (!file) return;
+    const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
+    take(decoder.decode(await file.arrayBuffer()), file.name);
+  });
+  label.append(html("span", "", words), " ", input);
+  return label;
+}

@@ -1,0 +1,258 @@
+/** One teacher at work on one lesson: text, drafts, Python's answers, the page and the panel. */
+
+import { History } from "./history.js";
+import { LessonPage } from "./page.js";
+import { Panel } from "./panel.js";
+import { hashOf } from "./source.js";
+
+/** @typedef {import("./types.js").Look} Look */
+/** @typedef {import("./types.js").Field} Field */
+
+const PAUSE = 250; // ms without a key until Python looks
+const BODY = "carts-teaching";
+
+export class Session {
+  #looking = {};
+  #timer = 0;
+  /** Resolves when Python has seen the text as it is now, and the page shows it. */
+  settled = Promise.resolve();
+  /** @type {Look | null} */
+  look = null;
+  #asked = false;
+  #working = false;
+
+  /**
+   * @param {{told: import("./source.js").Told, client: import("../client.js").Client, assets: string,
+   *   drafts: import("./drafts.js").Drafts, link: HTMLElement}} given
+   */
+  constructor({ told, client, assets, drafts, link }) {
+    this.told = told;
+    this.client = client;
+    this.drafts = drafts;
+    this.link = link;
+    this.base = told.text ?? "";
+    this.history = new History(this.base);
+    this.withheld = told.withheld;
+    const article = /** @type {HTMLElement} */ (link.closest("article") ?? document.body);
+    this.page = new LessonPage(article, assets, (k) => this.panel.openBlock(k));
+    this.panel = new Panel(this);
+  }
+
+  get text() {
+    return this.history.text;
+  }
+
+  get changed() {
+    return this.text !== this.base;
+  }
+
+  get name() {
+    return this.told.file.split("/").at(-1) ?? "lesson.md";
+  }
+
+  /** Opens the panel; shows the published text first, so that the page's own elements are known. */
+  async open() {
+    this.show();
+    if (this.told.text === null) return this.panel.askForFile();
+    this.panel.status("Starting Python …");
+    await this.#begin();
+  }
+
+  async #begin() {
+    try {
+      let look = await this.#ask();
+      this.#take(look);
+      for (this.page.adopt(look); look.more || (await this.#got(look)); this.page.adopt(look)) {
+        look = await this.#ask();
+        this.#take(look);
+      }
+    } catch (error) {
+      const { message, detail } = /** @type {Error & {detail?: string}} */ (error);
+      console.warn(message, detail ?? "");
+      return this.panel.withoutPython(message);
+    }
+    const draft = await this.drafts.current();
+    if (draft && draft.text !== this.text) {
+      this.base = draft.base;
+      this.withheld = this.withheld && draft.base === this.told.text;
+      this.history.change(draft.text, "");
+      this.panel.status(`Your draft of ${when(draft.last)} is back.`);
+      await this.lookNow();
+    } else this.panel.status("");
+    this.panel.offerEarlier(await this.drafts.earlier());
+    this.panel.root.dataset.state = "ready";
+  }
+
+  show() {
+    document.body.classList.add(BODY);
+    if (!this.panel.root.isConnected) document.body.append(this.panel.root);
+    this.panel.root.hidden = false;
+    this.panel.focus();
+  }
+
+  close() {
+    this.panel.root.hidden = true;
+    document.body.classList.remove(BODY);
+    const address = new URL(location.href);
+    address.searchParams.delete("teacher");
+    if (address.hash === "#teacher") address.hash = "";
+    history.replaceState(null, "", address.href.replace(/#$/, ""));
+    this.link.focus();
+  }
+
+  /** The text was changed. @param {string} text @param {string} where */
+  change(text, where) {
+    if (this.history.change(text, where)) this.#changed();
+  }
+
+  undo() {
+    this.history.undo();
+    this.#changed();
+  }
+
+  redo() {
+    this.history.redo();
+    this.#changed();
+  }
+
+  /** Back to the text as it was published, as a change that can be undone. */
+  reset() {
+    this.change(this.base, "");
+    void this.drafts.forget().catch(() => {});
+  }
+
+  #changed() {
+    this.panel.follow();
+    void this.#keep();
+    clearTimeout(this.#timer);
+    this.settled = new Promise((resolve) => {
+      this.#timer = setTimeout(() => resolve(this.lookNow()), PAUSE);
+    });
+  }
+
+  async #keep() {
+    try {
+      const kept = this.changed
+        ? await this.drafts.keep(this.text, this.base)
+        : await this.drafts.forget().then(() => true);
+      this.panel.kept(kept);
+    } catch {
+      this.panel.kept(false);
+    }
+  }
+
+  /** Python looks at the text as it is now; then page and panel show it. */
+  async lookNow() {
+    if (this.#working) return;
+    this.#working = true;
+    try {
+      for (let more = true; more; ) {
+        const text = this.text;
+        const look = await this.#ask();
+        if (text !== this.text) continue;
+        this.#take(look);
+        await this.page.show(look);
+        more = look.more || (await this.#got(look)) || text !== this.text;
+      }
+      this.panel.drawn();
+    } catch (error) {
+      this.panel.status(/** @type {Error} */ (error).message);
+    } finally {
+      this.#working = false;
+    }
+  }
+
+  /** @param {Look} look */
+  #take(look) {
+    this.look = look;
+    this.panel.take(look);
+  }
+
+  /** @returns {Promise<Look>} */
+  async #ask() {
+    const { lesson, files } = this.told;
+    const { header } = await this.client.ask(this.#looking, () => ({
+      kind: "teach",
+      do: "look",
+      text: this.text,
+      lesson,
+      files,
+      have: this.page.have,
+    }));
+    return /** @type {any} */ (header);
+  }
+
+  /** Loads what a scene needs beside bare Python, once. @param {Look} look */
+  async #got(look) {
+    if (!look.needs.length || this.#asked) return false;
+    this.#asked = true;
+    try {
+      await this.client.need(look.needs);
+      return true;
+    } catch {
+      this.panel.status(
+        "A scene here needs numpy and scipy, which this site has not packed. The build will pack them.",
+      );
+      return false;
+    }
+  }
+
+  /** One value of a block. @param {number} block @param {Field} field @param {string} value @param {object} owner @returns {Promise<string>} why not; empty: done */
+  async set(block, field, value, owner) {
+    for (;;) {
+      const { header, sent } = await this.client.ask(owner, () => ({
+        kind: "teach",
+        do: "set",
+        text: this.text,
+        block,
+        path: field.path,
+        value,
+      }));
+      const answer = /** @type {any} */ (header);
+      if (answer.refused) return answer.refused;
+      if (sent.text !== this.text) continue;
+      this.change(answer.text, `${block} ${field.path.join(".")}`);
+      return "";
+    }
+  }
+
+  /** The teacher's own file: the whole lesson, with what was kept out of the site. @param {string} own */
+  async takeOwn(own) {
+    if (this.told.text === null) {
+      this.base = own;
+      this.history = new History(own);
+      this.panel.status("Starting Python …");
+      return this.#begin();
+    }
+    const { header } = await this.client.ask({}, () => ({
+      kind: "teach",
+      do: "restore",
+      text: this.text,
+      own,
+    }));
+    const { text, missing } = /** @type {any} */ (header);
+    const same = (await hashOf(own)) === this.told.hash;
+    if (same) this.base = own;
+    this.withheld = missing > 0;
+    this.change(text, "");
+    this.panel.ownTaken(missing, same);
+  }
+
+  /** @returns {Promise<string>} a zip in base64 */
+  async zip() {
+    const { header } = await this.client.ask({}, () => ({
+      kind: "teach",
+      do: "zip",
+      file: this.told.file,
+      text: this.text,
+      published: this.base,
+    }));
+    return /** @type {any} */ (header).base64;
+  }
+}
+
+/** @param {string} time ISO */
+function when(time) {
+  const date = new Date(time);
+  return date.toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+}
