@@ -35,7 +35,7 @@ def warnings(run: Run) -> tuple[Warning, ...]:
         owner = "bumper" if len(bumpers) == 1 else "bumpers"
         message = (
             f"The {owner} between {pair} would be squeezed by {100 * deepest:.3g} cm, but there is "
-            f"room for {100 * room:.3g} cm. "
+            f"room for {100 * room:.3g} cm."
         )
         contact = scene.contacts[gap]
         if room > 0.0 and speed > 0.0 and contact is not None and contact.stiffness is not None:
@@ -43,7 +43,7 @@ def warnings(run: Run) -> tuple[Warning, ...]:
             stiffness = contact.stiffness * (deepest / room) ** (2.5 if hertz else 2.0)
             slower = speed * (room / deepest) ** (1.25 if hertz else 1.0)
             message += (
-                f"Raise the stiffness to at least {_up(stiffness)} N/m{'^1.5' if hertz else ''}, "
+                f" Raise the stiffness to at least {_up(stiffness)} N/m{'^1.5' if hertz else ''}, "
                 f"or let them meet at {_down(slower)} m/s or less."
             )
         found.append((deepest - room, Warning("bumper-bottoms", message)))

@@ -32,7 +32,7 @@ PLAN = (
     mark("{pairs} in contact, {others}"),
     mark("{pairs} in contact"),
     mark("{links} between {pairs}"),
-    mark("{one} with {other}"),
+    mark("{a} with {b}"),
     mark("incline"),
     mark("left"),
     mark("right"),
@@ -41,15 +41,22 @@ PLAN = (
 # What to know before pressing Play: sim/dynamics/warnings.py
 WARNINGS = (
     mark(
-        "{warning} Raise the stiffness to at least {stiffness}, or let them meet at {speed} or less."
-    ),
-    mark(
         "The bumpers between {one} and {other} would be squeezed by {depth}, "
         "but there is room for {room}."
     ),
     mark(
+        "The bumpers between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
+        "or let them meet at {speed} or less."
+    ),
+    mark(
         "The bumper between {one} and {other} would be squeezed by {depth}, "
         "but there is room for {room}."
+    ),
+    mark(
+        "The bumper between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
+        "or let them meet at {speed} or less."
     ),
     mark("the wall"),
     mark(
@@ -78,6 +85,17 @@ REFUSALS = (
     mark("{key} must be {range} (got {value})"),
     mark("for example {example}"),
     mark("more than {least}"),
+    mark("restitution"),
+    mark("stiffness"),
+    mark("coefficient"),
+    mark("angle"),
+    mark("force"),
+    mark("strength"),
+    mark("power"),
+    mark("damping"),
+    mark("energy"),
+    mark("time"),
+    mark("number"),
     mark("greater than {least}"),
     mark("at least {least}"),
     mark("{one} and {other} overlap by {length} at the start"),
@@ -85,6 +103,8 @@ REFUSALS = (
     mark("{cart} reaches into the right wall by {length} at the start"),
     mark("move them apart: a position is that of the cart's centre"),
     mark("{advice}; start: {overlap: true} allows it"),
+    mark("{pair} are not two neighbours"),
+    mark("did you mean {name}?"),
     mark("move it away from the wall: a position is that of the cart's centre"),
 )
 

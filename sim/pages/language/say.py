@@ -39,44 +39,56 @@ def heard(english: str) -> str:
     """A sentence that the numerics or a validator made, told in the language of the page.
 
     It is known by its form: the catalogue's sentence with the most text of its own that fits.
-    What stands at the {names} is told the same way. Unknown sentences stay as they are.
+    What stands at the {names} is told the same way, and may be a list: “A with B, a push”. Unknown
+    sentences stay as they are.
     """
     words = _words.get()
-    if english in words:
-        return words[english]
-    return _told_as(english, [form for form in _forms(tuple(words)) if form.words >= ENOUGH])
+    return words.get(english) or _filled(english, _large(tuple(words))) or english
 
 
-def _told_as(english: str, forms: Sequence[_Form]) -> str:
+def _part(english: str) -> str:
+    """What stands at a name: a sentence of its own, a list, or a small form."""
     words = _words.get()
-    if english in words:
-        return words[english]
+    said = words.get(english) or _filled(english, _large(tuple(words)))
+    if said:
+        return said
+    if ", " in english:
+        return ", ".join(map(_part, english.split(", ")))
+    return _filled(english, _forms(tuple(words))) or english
+
+
+def _filled(english: str, forms: Sequence[_Form]) -> str:
     for form in forms:
-        found = form.pattern.fullmatch(english)
-        if found:
-            parts = found.groupdict().items()
-            told = {name: _told_as(part, _forms(tuple(words))) for name, part in parts}
-            return tr(form.key, **told)
-    return english
+        if found := form.pattern.fullmatch(english):
+            return tr(form.key, **{name: _part(said) for name, said in found.groupdict().items()})
+    return ""
 
 
 @dataclass(frozen=True, slots=True)
 class _Form:
     key: str
     pattern: re.Pattern[str]
-    words: int  # of its own
+    own: str  # text
+
+    @property
+    def words(self) -> int:
+        return len(self.own.split())
 
 
 @cache
 def _forms(keys: tuple[str, ...]) -> tuple[_Form, ...]:
     """Keys with places, those with most text of their own first."""
-    with_places = [key for key in keys if _PLACE.search(key)]
-    with_places.sort(key=lambda key: -len(_PLACE.sub("", key)))
-    return tuple(_Form(key, form_of(key), len(_PLACE.sub("", key).split())) for key in with_places)
+    made = [_Form(key, form_of(key), _PLACE.sub("", key)) for key in keys if _PLACE.search(key)]
+    return tuple(sorted(made, key=lambda form: (-len(form.own), form.key)))
+
+
+@cache
+def _large(keys: tuple[str, ...]) -> tuple[_Form, ...]:
+    return tuple(form for form in _forms(keys) if form.words >= ENOUGH)
 
 
 def form_of(key: str) -> re.Pattern[str]:
-    """What a sentence looks like that fills the places of `key`."""
+    """What a sentence looks like that fills the places of `key`; {a} holds a single word."""
     parts, named = [], set()
     for k, piece in enumerate(_PLACE.split(key)):
         if k % 2 == 0:
@@ -85,7 +97,8 @@ def form_of(key: str) -> re.Pattern[str]:
             parts.append(f"(?P={piece})")  # the same again
         else:
             named.add(piece)
-            parts.append(f"(?P<{piece}>.+?)")
+            filling = r"[^\s,]+" if len(piece) == 1 else ".+?"
+            parts.append(f"(?P<{piece}>{filling})")
     return re.compile("".join(parts), re.DOTALL)
 
 

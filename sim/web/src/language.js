@@ -16,54 +16,60 @@ export function tr(sentence, values = {}) {
   return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
-/** @typedef {{key: string, pattern: RegExp, words: number}} Form words: of its own */
+/** @typedef {{key: string, pattern: RegExp, own: string}} Form own: text */
 
 /** @type {Form[] | null} sentences that come from Python, those with most text of their own first */
 let forms = null;
-/** One with fewer words, “{first} and {last}”, is only a part: alone it fits what authors write. */
+/** A form with fewer words is only a part of others: alone it fits what authors write. */
 const ENOUGH = 2;
 
 /**
  * A sentence that Python made, in English: told in the reader's language where the catalogue has a
- * sentence of its form. What stands at its {names} is told the same way. Twin of
+ * sentence of its form. What stands at its {names} is told the same way, and may be a list. Twin of
  * `sim/pages/language/say.py`.
  * @param {string} english @returns {string}
  */
 export function heard(english) {
   forms ??= Object.keys(catalogue)
     .filter((key) => PLACE.test(key))
-    .sort((a, b) => own(b).length - own(a).length)
-    .map((key) => ({ key, pattern: pattern(key), words: own(key).trim().split(/\s+/).length }));
-  const whole = forms.filter(({ words }) => words >= ENOUGH);
-  return toldAs(english, whole, forms);
+    .map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") }))
+    .sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
+  return catalogue[english] ?? (filled(english, large(forms)) || english);
 }
 
-/** @param {string} english @param {Form[]} some @param {Form[]} all that its parts may have @returns {string} */
-function toldAs(english, some, all) {
-  if (catalogue[english]) return catalogue[english];
+/** What stands at a name: a sentence of its own, a list, or a small form. @param {string} english @returns {string} */
+function part(english) {
+  const said = catalogue[english] ?? filled(english, large(forms ?? []));
+  if (said) return said;
+  const listed = english.split(", ");
+  if (listed.length > 1) return listed.map(part).join(", ");
+  return filled(english, forms ?? []) || english;
+}
+
+/** @param {Form[]} some */
+const large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
+
+/** @param {string} english @param {Form[]} some that are tried @returns {string} empty: none fits */
+function filled(english, some) {
   for (const { key, pattern: form } of some) {
     const found = form.exec(english);
     if (!found) continue;
-    const parts = Object.entries(found.groups ?? {});
-    const told = parts.map(([name, part]) => [name, toldAs(part, all, all)]);
-    return tr(key, Object.fromEntries(told));
+    const parts = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
+    return tr(key, Object.fromEntries(parts));
   }
-  return english;
+  return "";
 }
 
 const PLACE = /\{\w+\}/;
 
-/** @param {string} key */
-const own = (key) => key.replace(/\{\w+\}/g, "");
-
-/** @param {string} key @returns {RegExp} what a sentence of this form looks like */
+/** @param {string} key @returns {RegExp} what a sentence of this form looks like; {a}, one letter, holds one word */
 function pattern(key) {
   const named = new Set();
-  const parts = key.split(/\{(\w+)\}/).map((part, k) => {
-    if (k % 2 === 0) return part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-    if (named.has(part)) return `\\k<${part}>`; // the same again
-    named.add(part);
-    return `(?<${part}>.+?)`;
+  const parts = key.split(/\{(\w+)\}/).map((piece, k) => {
+    if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+    if (named.has(piece)) return `\\k<${piece}>`; // the same again
+    named.add(piece);
+    return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
   });
   return new RegExp(`^${parts.join("")}$`, "su");
 }

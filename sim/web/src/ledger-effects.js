@@ -24,6 +24,8 @@ const BANDS = {
 /** @type {Record<string, string>} what friction, drag and dampers warm */
 const WARM = { friction: tr("track"), drag: tr("air"), spring: tr("spring") };
 
+const AROUND = tr("surroundings");
+
 /** @param {import("./types.js").Baked} baked @returns {boolean} whether the ledger needs what Python counts */
 export function needsParts({ fence }) {
   return /** @type {unknown[]} */ (fence.scene.effects ?? []).length > 0;
@@ -76,5 +78,6 @@ function warmed({ contacts, effects }) {
     if (active && WARM[kind] && damped) what.push(String(WARM[kind]));
   }
   const names = [...new Set(what)];
-  return tr("has warmed the {things}", { things: listed(names) || tr("surroundings") });
+  const things = listed(names) || AROUND;
+  return tr("has warmed the {things}", { things });
 }

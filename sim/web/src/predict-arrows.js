@@ -87,7 +87,8 @@ export class ArrowsForm {
     const refused = missing.filter((row) => row.box.value.trim());
     if (refused.length) {
       const names = refused.map(name).join(", ");
-      return `${tr("This number does not work yet: {names}.", { names })} ${this.#range()}`;
+      const problem = tr("This number does not work yet: {names}.", { names });
+      return `${problem} ${this.#range()}`;
     }
     return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
       names: missing.map(name).join(", "),
@@ -147,8 +148,9 @@ export class ArrowsForm {
     else if ("text" in read) problem = tr("Type a number; the unit is N.");
     else if (read.value < 0 || read.value > MOST * this.full) problem = this.#range();
     if (done && problem) {
-      const good = row.good === null ? "" : fixed(row.good, this.decimals);
-      say(row.error, good ? `${problem} ${tr("{size} N is kept.", { size: good })}` : problem);
+      const size = row.good === null ? "" : fixed(row.good, this.decimals);
+      const kept = tr("{size} N is kept.", { size });
+      say(row.error, size ? `${problem} ${kept}` : problem);
       row.error.hidden = false;
       this.#restore(row, changed);
     }

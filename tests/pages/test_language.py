@@ -1,0 +1,178 @@
+"""Interface words: every catalogue is complete, and every sentence that a reader sees is in it."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from pathlib import Path
+
+import pytest
+from babel.messages.pofile import read_po
+
+from sim.bridge.protocol import answer
+from sim.pages.language import ENGLISH, LANGUAGES, heard, of_page, speaking, tr, words
+from sim.pages.language.catalogue import FOLDER, UnknownLanguageError
+from sim.pages.language.extract import ROOT, SOURCES, names_in, sentences
+from tests import registry
+
+OTHERS = sorted(set(LANGUAGES) - {ENGLISH})
+# Each sentence told in a language that a test can see: [its English text].
+BRACKETS = {sentence: f"[{sentence}]" for sentence in sentences()}
+SCRIPTS = {"zh-Hans": r"[\u4e00-\u9fff]", "ta": r"[\u0b80-\u0bff]", "ms": r"[a-z]"}
+# Values that do not work, for sliders and for links.
+WRONG = [0, -1, "abc", "5 kg", "1 furlong", "1e999", "nan", "2,5 kg", True]
+
+
+def catalogue(language: str) -> dict[str, str]:
+    with (FOLDER / f"{language}.po").open("rb") as file:
+        found = read_po(file, locale=language.replace("-", "_"))
+    return {str(entry.id): str(entry.string) for entry in found if entry.id and not entry.fuzzy}
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_sentence_is_translated(language: str) -> None:
+    said = catalogue(language)
+    assert [key for key in sentences() if not said.get(key)] == [], "run make words, translate"
+    assert sorted(set(said) - set(sentences())) == [], "nobody says these: run make words"
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_a_translation_keeps_the_places_of_its_sentence(language: str) -> None:
+    for sentence, said in catalogue(language).items():
+        assert names_in(said) == names_in(sentence), sentence
+        assert said[:1].isspace() == sentence[:1].isspace(), sentence
+        assert said[-1:].isspace() == sentence[-1:].isspace(), sentence
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_a_translation_is_in_its_own_script(language: str) -> None:
+    """A sentence that was copied over is no translation; names, symbols and units may stay."""
+    script = re.compile(SCRIPTS[language])
+    plain = {key: re.sub(r"\{\w+\}", "", key) for key in sentences()}
+    same = [key for key, said in catalogue(language).items() if key == said]
+    assert [key for key in same if len(re.findall(r"[a-z]{3,}", plain[key])) > 1] == []
+    told = [re.sub(r"\{\w+\}", "", said) for said in catalogue(language).values()]
+    assert [
+        said for said in told if re.search(r"[^\W\d_]{4}", said) and not script.search(said)
+    ] == []
+
+
+def test_only_text_that_stands_in_the_call_is_translated() -> None:
+    """What is put together first cannot be found for the catalogues."""
+    for folder, pattern, _, _ in SOURCES:
+        for path in sorted((ROOT / folder).rglob(pattern)):
+            if "language" in path.parts or path.name == "language.js":
+                continue
+            text = path.read_text(encoding="utf-8")
+            if path.suffix == ".py":
+                continue
+            for call in re.finditer(r"(?<![\w.])tr\(\s*(\S)", text):
+                assert call[1] in "\"'", f"{path.name}: {text[call.start() : call.start() + 60]}"
+            for call in re.finditer(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', text):
+                if path.suffix == ".js":
+                    assert json.loads(call[1]) in BRACKETS, "not found where it stands: a line more"
+    for path in sorted((ROOT / "sim/pages").rglob("*.py")):
+        if "language" in path.parts:
+            continue
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            name = node.func.id if isinstance(node, ast.Call) and hasattr(node.func, "id") else ""
+            if name == "mark":
+                assert isinstance(node.args[0], ast.Constant), f"{path.name}:{node.lineno}"
+
+
+def told(sentence: str) -> str:
+    with speaking(BRACKETS):
+        return heard(sentence)
+
+
+@pytest.mark.parametrize("name", registry.NAMES)
+def test_what_python_says_of_a_run_is_known(name: str) -> None:
+    plain = registry.plain(name)
+    header, _ = answer({"id": 1, "kind": "run", "scene": plain, "samples": 1})
+    said = [clause for phase in header["plan"] for clause in phase["why"].split("; ")]
+    said += [warning["message"] for warning in header["warnings"]]
+    assert [sentence for sentence in said if told(sentence) == sentence] == []
+
+
+# Scenes that have each kind of number that a slider can set.
+SET = ("off-the-wall", "release-and-friction", "spring-and-push", "drag-quadratic", "hertz-pair")
+
+
+@pytest.mark.parametrize("name", [*SET, "magnets-repel", "incline-friction-holds"])
+def test_what_python_says_of_a_wrong_value_is_known(name: str) -> None:
+    plain = registry.plain(name)
+    targets = [f"{cart}.{key}" for cart in plain["carts"] for key in ("mass", "position")]
+    targets += ["contact.restitution", "contact.stiffness", "until", "track.length"]
+    for effect in plain.get("effects") or ():
+        kind, table = next(iter(effect.items()))
+        targets += [f"{kind}.{key}" for key in table if key not in ("between", "cart", "carts")]
+    said = set()
+    for target in targets:
+        for value in WRONG:
+            request = {"id": 1, "kind": "run", "scene": plain, "set": {target: value}}
+            header, _ = answer({**request, "samples": 1})
+            for problem in header.get("problems", ()):
+                said |= {problem["message"], problem["hint"]}
+    assert said, "every value fits: this test tests nothing"
+    assert {text for text in said if text and told(text) == text} == set()
+
+
+def test_what_an_author_wrote_stays_as_it_is() -> None:
+    for text in ("Do A and B stick?", "Heavy and light", "push it", "mass and weight: why?"):
+        assert told(text) == text
+
+
+def test_parts_of_a_sentence_are_told_too() -> None:
+    chinese = {
+        "{causes}: all of it is linear, an oscillation about its place of rest, exact": "{causes}!",
+        "{pairs} in contact": "<{pairs}>",
+        "{first} and {last}": "{last}+{first}",
+        "{a} with {b}": "{a}{b}",
+        "{links} between {pairs}": "{links}:{pairs}",
+        "{causes} at the same time": "({causes})",
+    }
+    sentence = (
+        "A with B and B with C in contact: "
+        "all of it is linear, an oscillation about its place of rest, exact"
+    )
+    with speaking(chinese):
+        assert heard(sentence) == "<BC+AB>!"
+        links = "spring and magnets between left with A, push at the same time"
+        assert heard(sentence.replace("A with B and B with C in contact", links)) == (
+            "(magnets+spring:leftA, push)!"
+        )
+
+
+def test_a_value_is_put_in_its_place_and_never_read_again() -> None:
+    with speaking({"{a} and {b}": "{b}, {a}"}):
+        assert tr("{a} and {b}", a="{b}", b="x") == "x, {b}"
+
+
+@pytest.mark.parametrize(
+    ("stated", "file", "theme", "language"),
+    [
+        (None, "worksheets/a.md", "en", "en"),
+        (None, "worksheets/a.md", "zh-CN", "zh-Hans"),
+        (None, "worksheets/a.md", "de", "en"),
+        (None, "worksheets/ta/a.md", "en", "ta"),
+        ("ms", "worksheets/ta/a.md", "en", "ms"),
+        ("ms-SG", "a.md", "en", "ms"),
+        (None, "ms.md", "en", "en"),
+    ],
+)
+def test_a_page_speaks_as_it_says_or_as_its_folder_or_as_the_site(
+    stated: str | None, file: str, theme: str, language: str
+) -> None:
+    assert of_page(stated, file, theme) == language
+
+
+def test_an_unknown_language_is_named_with_those_there_are() -> None:
+    with pytest.raises(UnknownLanguageError, match="“klingon”: there are en, ms, ta, zh-Hans"):
+        of_page("klingon", "a.md", "en")
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_no_catalogue_says_what_a_page_does_not(language: str) -> None:
+    assert Path(FOLDER / f"{language}.po").exists()
+    assert words(language).keys() <= sentences().keys()
