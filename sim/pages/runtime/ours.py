@@ -20,6 +20,7 @@ LAYERS = ("scene", "dynamics", "bridge")
 """What every live page runs. Questions are marked in JavaScript there."""
 CLASSROOM_LAYERS = ("lesson", "classroom")
 CLASSROOM_ENTRY = "bridge/class_answer.py"
+MEASURED_ENTRY = "bridge/measured_answer.py"
 """With these a page also reads the files of a class: a package of its own, loaded only there."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
@@ -70,7 +71,8 @@ class Ours:
 
 def read_ours(package: Path, version: str) -> Ours:
     """Return the layers for the page of the package in folder `package`."""
-    found = [p for p in _layers(package, LAYERS) if p != package / CLASSROOM_ENTRY]
+    others = (package / CLASSROOM_ENTRY, package / MEASURED_ENTRY)
+    found = [p for p in _layers(package, LAYERS) if p not in others]
     return _ours(package, version, NAME, [package / "__init__.py", *found])
 
 
