@@ -53,6 +53,8 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return _other(request)
     if request.get("kind") == "class":
         return _class(request)
+    if request.get("kind") == "measured":
+        return _measured(request)
     if request.get("kind") == "teach":
         return _teach(request)
     if request.get("kind") != "run":
@@ -95,6 +97,12 @@ def _class(request: Mapping[str, Any]) -> Answer:
     from sim.bridge.class_answer import class_answer  # in a package that only its page loads
 
     return {"id": request.get("id"), "ok": True, **class_answer(request)}, array("d")
+
+
+def _measured(request: Mapping[str, Any]) -> Answer:
+    from sim.bridge.measured_answer import measured_answer  # in a package of its own as well
+
+    return {"id": request.get("id"), "ok": True, **measured_answer(request)}, array("d")
 
 
 def _teach(request: Mapping[str, Any]) -> Answer:

@@ -14,6 +14,7 @@ from sim.pages.hard_cases.block import read_hard_cases_block
 from sim.pages.lesson_text import text_findings
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
+from sim.pages.measured.block import read_measured_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
@@ -42,6 +43,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
                 read_hard_cases_block(block, lesson, ids, first_line=1)
             elif block.name == "evidence":
                 evidence_block(block, lesson, first_line=1)
+            elif block.name == "measured":
+                read_measured_block(block, lesson, ids, first_line=1)
             else:
                 _read(block, lesson, ids, items)
         except AuthorError as error:

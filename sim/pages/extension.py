@@ -193,6 +193,16 @@ def _hard_cases(block: Block, page: Page) -> str:
     return render_hard_cases(read).replace("<carts-hard", "<carts-hard data-search-exclude", 1)
 
 
+def _measured(block: Block, page: Page) -> str:
+    """A `measured` block: readings of real carts beside the model."""
+    from sim.pages.measured.block import read_measured_block
+    from sim.pages.measured.render import render_measured
+
+    read = read_measured_block(block, page.lesson, page.ids, first_line=page.first_line)
+    made = render_measured(read)
+    return made.replace("<carts-measured", "<carts-measured data-search-exclude", 1)
+
+
 def _evidence(block: Block, page: Page) -> str:
     """An `evidence` block: a table of the paper."""
     from sim.pages.classroom.evidence import evidence_block
@@ -208,6 +218,7 @@ MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "question": _question,
     "quiz": _quiz,
     "evidence": _evidence,
+    "measured": _measured,
 }
 
 

@@ -60,6 +60,7 @@ class Needs:
     formulas: bool = False
     outline: Mapping[str, Any] | None = None  # of what can be answered here; None: nothing
     classroom: bool = False
+    measured: bool = False  # readings of real carts
     language: str = ENGLISH  # of the interface words
 
 
@@ -99,7 +100,7 @@ def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
     return any(pattern.fullmatch(script) for pattern in trusted)
 
 
-_OURS = re.compile(r'<script src="[^"]*/?(?:carts|class|answers|class-keys)\.js">')
+_OURS = re.compile(r'<script src="[^"]*/?(?:carts|class|measured|answers|class-keys)\.js">')
 _THEME_SCRIPTS = '<script id="__config"'  # where the theme's scripts begin, below the page's text
 
 
@@ -138,6 +139,10 @@ def finish(
     if needs.scenes:
         # Before the theme's own script: a scene answers to Play while that is still being read.
         ours = f'<script src="{assets}carts.js"></script>\n'
+        place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
+        page = page.replace(place, ours + place, 1)
+    if needs.measured:
+        ours = f'<script src="{assets}measured.js"></script>\n'
         place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
         page = page.replace(place, ours + place, 1)
     if needs.classroom:

@@ -41,6 +41,9 @@ mkdocs.yml: error: extra.carts.site_id is missing or not allowed
         site_id: my-school-physics"""
 
 
+_STATISTICS = {"numpy", "scipy"}
+
+
 class SiteError(RuntimeError):
     """The site cannot be built; the message is for the person who builds it."""
 
@@ -97,10 +100,12 @@ class SiteBuild:
         lesson = name.rpartition(".")[0].rpartition("/")[2]
         outline = page.items.outline(lesson) if page.items.answers else None
         classroom = "<carts-class" in html
+        measured = "<carts-measured" in html
         self.needs[name] = Needs(
-            page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, page.language
-        )
-        ours = r'<carts-(?:scene|map|cost|hard|question|quiz)\b[^>]*\sid="([^"]+)"'
+            page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
+            page.language,
+        )  # fmt: skip
+        ours = r'<carts-(?:scene|map|cost|hard|measured|question|quiz)\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
                 self.report(
@@ -116,7 +121,7 @@ class SiteBuild:
         self.doors.note(name, page.lesson.file, page.language)
         if key := practice_key(self.site_id, lesson, page.items):
             self.keys[name] = key
-        self.asked[name] = frozenset(page.packages | ({"numpy", "scipy"} if classroom else set()))
+        self.asked[name] = frozenset(page.packages | (_STATISTICS if classroom or measured else set()))
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
@@ -152,7 +157,8 @@ class SiteBuild:
         for language in {needs.language for needs in self.needs.values()} - {ENGLISH}:
             script = site / site_files.ASSETS / f"words.{language}.js"
             script.write_text(words_script(language), encoding="utf-8")
-        scenes = any(needs.scenes or needs.classroom for needs in self.needs.values())
+        needed = self.needs.values()
+        scenes = any(needs.scenes or needs.classroom or needs.measured for needs in needed)
         before = self.done
         if scenes or self.doors.made:
             self._add_runtime(site, report)
@@ -176,6 +182,10 @@ class SiteBuild:
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
                 packages.add(runtime.CLASSROOM)
+            if any(needs.measured for needs in self.needs.values()):
+                script = site_files.measured_script()
+                (site / site_files.ASSETS / "measured.js").write_bytes(script)
+                packages.add(runtime.MEASURED)
             if self.doors.made:
                 self.doors.write(site / site_files.ASSETS, *site_files.teacher_files())
                 packages.add(runtime.TEACHER)

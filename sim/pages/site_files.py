@@ -47,6 +47,11 @@ def class_script() -> bytes:
     return _read(_WEB / "dist" / "class.js", "make bundle")
 
 
+def measured_script() -> bytes:
+    """The committed bundle of pages with readings of real carts: assets/carts/measured.js."""
+    return _read(_WEB / "dist" / "measured.js", "make bundle")
+
+
 def teacher_files() -> tuple[bytes, bytes]:
     """Script and style of teacher mode: assets/carts/teacher.js and teacher.css."""
     style = _read(_WEB / "teach" / "teacher.css", "git restore sim/web/teach")

@@ -6,7 +6,7 @@ How and why: docs/developers/runtime.md.
 
 from .cache import default_cache
 from .node import RuntimePackError
-from .ours import CLASSROOM, TEACHER
+from .ours import CLASSROOM, MEASURED, TEACHER
 from .pack import RuntimeFacts, pack
 from .ready import DamagedError, write_ready
 from .sources import MissingSourceError
@@ -17,6 +17,7 @@ ERRORS = (RuntimePackError, MissingSourceError)
 __all__ = [
     "CLASSROOM",
     "ERRORS",
+    "MEASURED",
     "TEACHER",
     "DamagedError",
     "MissingSourceError",

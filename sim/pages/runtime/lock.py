@@ -23,6 +23,7 @@ IMPORTS = {
     "newtons-carts": ["sim"],
     "newtons-carts-class": ["sim.classroom"],
     "newtons-carts-teacher": ["sim.pages"],
+    "newtons-carts-measured": ["sim.measured"],
     "numpy": ["numpy"],
     "scipy": ["scipy"],
 }

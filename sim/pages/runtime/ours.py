@@ -20,12 +20,14 @@ LAYERS = ("scene", "dynamics", "bridge")
 """What every live page runs. Questions are marked in JavaScript there."""
 CLASSROOM_LAYERS = ("lesson", "classroom")
 CLASSROOM_ENTRY = "bridge/class_answer.py"
-MEASURED_ENTRY = "bridge/measured_answer.py"
 """With these a page also reads the files of a class: a package of its own, loaded only there."""
+MEASURED_ENTRY = "bridge/measured_answer.py"
+"""With this and the layer `measured` a page reads and fits what real carts did."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 CLASSROOM = "newtons-carts-class"
 TEACHER = "newtons-carts-teacher"
+MEASURED = "newtons-carts-measured"
 APART = ("sim.dynamics.batch", "sim.bridge.map_answer")
 """Left out of the picture of the memory: no scene needs them. Pages with maps carry packages too,
 and those load the wheel."""
@@ -80,6 +82,12 @@ def read_classroom(package: Path, version: str) -> Ours:
     """Return what the page "Class results" has beside `read_ours`."""
     found = [package / CLASSROOM_ENTRY, *_layers(package, CLASSROOM_LAYERS)]
     return _ours(package, version, CLASSROOM, found)
+
+
+def read_measured(package: Path, version: str) -> Ours:
+    """Return what a page with readings of real carts has beside `read_ours`."""
+    found = [package / MEASURED_ENTRY, *_layers(package, ("measured",))]
+    return _ours(package, version, MEASURED, found)
 
 
 def _layers(package: Path, layers: Iterable[str]) -> list[Path]:

@@ -16,7 +16,16 @@ from . import pins
 from .cache import Cache, key_of, sha256
 from .contents import Contents, make_contents
 from .node import RuntimePackError
-from .ours import CLASSROOM, TEACHER, Ours, read_classroom, read_ours, text_bytes
+from .ours import (
+    CLASSROOM,
+    MEASURED,
+    TEACHER,
+    Ours,
+    read_classroom,
+    read_measured,
+    read_ours,
+    text_bytes,
+)
 from .sources import core_files, package_wheels
 from .stdlib import core_folder
 from .teacher import own_files, read_teacher
@@ -25,7 +34,8 @@ SETS: tuple[frozenset[str], ...] = (
     frozenset({TEACHER}),
     frozenset({"numpy", TEACHER}),
     frozenset({"numpy", "scipy", TEACHER}),
-    frozenset({"numpy", "scipy", CLASSROOM, TEACHER}),
+    frozenset({"numpy", "scipy", MEASURED, TEACHER}),
+    frozenset({"numpy", "scipy", CLASSROOM, MEASURED, TEACHER}),
 )
 """From small to large. A site takes the first that has all it needs."""
 
@@ -42,13 +52,13 @@ def write_ready(folder: Path, package: Path, version: str, cache: Path,
     folder.mkdir(parents=True, exist_ok=True)
     store = Cache(cache)
     ours, classroom = read_ours(package, version), read_classroom(package, version)
-    teacher = read_teacher(package, version)
+    teacher, measured = read_teacher(package, version), read_measured(package, version)
     files = core_files(store, package.parent, report)
     core = core_folder(files, store)
     for number, names in enumerate(SETS):
         wanted = [name for name in pins.PACKAGES if name in names]
         wheels = package_wheels(wanted, files[pins.LOCK], files[pins.LOADER], store, report)
-        extras = [extra for extra in (classroom, teacher) if extra.name in names]
+        extras = [extra for extra in (classroom, teacher, measured) if extra.name in names]
         made = make_contents(core, ours, wheels, store, report, extras)
         for name, path in made.scripts.items():
             shutil.copyfile(path, folder / name)
@@ -91,4 +101,4 @@ def _entry(path: Path) -> dict[str, Any]:
 
 def _sources(ours: Ours, classroom: Ours, package: Path) -> str:
     teacher = sorted(sha256(text_bytes(path)) for path in own_files(package))
-    return key_of(ours.key, classroom.key, *teacher)
+    return key_of(ours.key, classroom.key, read_measured(package, ours.version).key, *teacher)

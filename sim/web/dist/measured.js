@@ -1,0 +1,2252 @@
+"use strict";
+(() => {
+  // src/client.js
+  var RESTARTS = 3;
+  var Client = class extends EventTarget {
+    /** @type {State} */
+    state = "idle";
+    /** @type {(Error & {reason?: string}) | null} */
+    error = null;
+    /** @type {Runtime | null} */
+    #runtime = null;
+    /** @type {Job[]} */
+    #waiting = [];
+    /** @type {Job | null} */
+    #flying = null;
+    #restarts = 0;
+    #lastId = 0;
+    /** @type {string[]} packages that were asked for after the start */
+    #asked = [];
+    /** @type {string[]} those of them that Python has, and gets again after a restart */
+    #more = [];
+    /** @type {Promise<void>} when they are there */
+    #growing = Promise.resolve();
+    /** @param {Start} start */
+    constructor(start) {
+      super();
+      this.start = start;
+    }
+    /** Starts Python if nobody has yet. */
+    wake() {
+      if (this.state === "idle") void this.#boot();
+    }
+    /**
+     * Has packages that no scene of the page called for. A second Python starts with them and takes
+     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+     * @param {string[]} names @returns {Promise<void>}
+     */
+    need(names) {
+      if (names.every((name) => this.#asked.includes(name))) return this.#growing;
+      const before = this.#asked;
+      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
+      const needed = this.#growing.catch(() => {
+      }).then(() => this.#grow(this.#asked));
+      this.#growing = needed;
+      needed.catch(() => {
+        this.#asked = before;
+      });
+      return needed;
+    }
+    /** @param {string[]} names */
+    async #grow(names) {
+      this.wake();
+      await this.#settled();
+      if (this.state === "failed") throw this.error;
+      this.#use(await this.start(names));
+      this.#more = names;
+      this.#become("ready");
+      this.#next();
+    }
+    /** Resolves when Python is not just starting. @returns {Promise<void>} */
+    #settled() {
+      if (this.state !== "starting") return Promise.resolve();
+      return new Promise((resolve) => {
+        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
+      });
+    }
+    /**
+     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
+     * both promises then get the newer answer.
+     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
+     */
+    ask(owner, message) {
+      if (this.state === "failed") return Promise.reject(this.error);
+      this.wake();
+      return new Promise((resolve, reject) => {
+        const settle = { resolve, reject };
+        const older = this.#waiting.find((job) => job.owner === owner);
+        if (older) {
+          older.message = message;
+          older.settle.push(settle);
+        } else this.#waiting.push({ owner, message, settle: [settle] });
+        this.#next();
+      });
+    }
+    #next() {
+      if (this.#flying || !this.#runtime) return;
+      const job = this.#waiting.shift();
+      if (!job) return;
+      this.#flying = job;
+      const runtime = this.#runtime;
+      this.#lastId += 1;
+      const sent = { ...job.message(), id: this.#lastId };
+      const landed = () => {
+        if (runtime !== this.#runtime || this.#flying !== job) return false;
+        this.#flying = null;
+        return true;
+      };
+      runtime.request(sent).then(
+        (reply) => {
+          if (!landed()) return;
+          this.#restarts = 0;
+          for (const { resolve } of job.settle) resolve({ ...reply, sent });
+          this.#next();
+        },
+        (error) => {
+          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (!landed()) return;
+          for (const { reject } of job.settle) reject(error);
+          this.#next();
+        }
+      );
+    }
+    async #boot() {
+      this.#become("starting");
+      try {
+        this.#use(await this.start(this.#more));
+        this.#become("ready");
+        this.#next();
+      } catch (error) {
+        this.#fail(error);
+      }
+    }
+    /** @param {Runtime} runtime @param {unknown} reason */
+    #lost(runtime, reason) {
+      if (runtime !== this.#runtime) return;
+      this.#runtime = null;
+      runtime.stop();
+      this.#takeBack();
+      this.#restarts += 1;
+      if (this.#restarts > RESTARTS) this.#fail(reason);
+      else void this.#boot();
+    }
+    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
+    #use(runtime) {
+      const older = this.#runtime;
+      runtime.onlost = (reason) => this.#lost(runtime, reason);
+      this.#runtime = runtime;
+      older?.stop();
+      this.#takeBack();
+    }
+    /** The request under way waits again, in front: whoever could answer it is gone. */
+    #takeBack() {
+      const job = this.#flying;
+      this.#flying = null;
+      if (!job) return;
+      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+      if (newer) newer.settle.unshift(...job.settle);
+      else this.#waiting.unshift(job);
+    }
+    /** @param {unknown} reason */
+    #fail(reason) {
+      this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
+      this.#become("failed");
+      for (const { settle } of this.#waiting.splice(0)) {
+        for (const { reject } of settle) reject(this.error);
+      }
+    }
+    /** @param {State} state */
+    #become(state) {
+      this.state = state;
+      this.dispatchEvent(new Event("state"));
+    }
+  };
+
+  // src/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    const said = catalogue[sentence] ?? sentence;
+    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // src/features.js
+  function missingFeatures() {
+    const needed = [
+      [tr("custom elements"), typeof customElements === "object"],
+      ["WebAssembly", typeof WebAssembly === "object"],
+      [tr("workers"), typeof Worker === "function"],
+      [tr("decompression"), typeof DecompressionStream === "function"],
+      [tr("array methods"), typeof Array.prototype.findLast === "function"],
+      [
+        tr("container queries"),
+        typeof CSS === "object" && CSS.supports("container-type: inline-size")
+      ]
+    ];
+    return needed.filter(([, there]) => !there).map(([name]) => name);
+  }
+
+  // src/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+    return made;
+  }
+  function html(tag, className = "", text2 = "") {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text2) made.textContent = text2;
+    return made;
+  }
+  function put(element, name, value) {
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  }
+  function say(element, text2) {
+    if (element.textContent !== text2) element.textContent = text2;
+  }
+  function need(root, selector) {
+    const found = root.querySelector(selector);
+    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found
+    );
+  }
+
+  // src/download.js
+  var FORGOTTEN_AFTER = 6e4;
+  function download(name, text2, type) {
+    downloadBlob(name, new Blob([text2], { type }));
+  }
+  function downloadBlob(name, blob) {
+    const link = document.createElement("a");
+    const address = URL.createObjectURL(blob);
+    link.href = address;
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
+  }
+
+  // src/measured/hands.js
+  var FASTER = 1.5;
+  var RATIO = [0.1, 10];
+  var LONGEST = 0.4;
+  var Hands = class {
+    /** @param {HTMLElement} root @param {() => void} changed */
+    constructor(root, changed) {
+      this.rows = /* @__PURE__ */ new Map();
+      for (const row of root.querySelectorAll(".carts-measured-hand")) {
+        const slide = (
+          /** @type {HTMLInputElement} */
+          need(row, "input[type=range]")
+        );
+        const box = (
+          /** @type {HTMLInputElement} */
+          need(row, "input[type=number]")
+        );
+        this.rows.set(
+          /** @type {HTMLElement} */
+          row.dataset.hand ?? "",
+          {
+            slide,
+            box
+          }
+        );
+        slide.addEventListener("input", () => {
+          box.value = shown(slide.valueAsNumber);
+          changed();
+        });
+        box.addEventListener("change", () => {
+          if (!Number.isFinite(box.valueAsNumber))
+            box.value = shown(slide.valueAsNumber);
+          slide.value = box.value;
+          changed();
+        });
+      }
+    }
+    /** What the sliders may be set to, from the readings. @param {Track[]} tracks @param {string[]} names */
+    reach(tracks, names) {
+      const times = tracks.flatMap((track) => track.t);
+      const [begin, end] = [Math.min(...times), Math.max(...times)];
+      const speeds = tracks.map((track) => fastest(track));
+      const most = FASTER * Math.max(...speeds, 1e-3);
+      const [a = "A", b = "B"] = names;
+      this.#set("touch", begin, end);
+      this.#set("va", -most, most, `velocity of ${a} before`);
+      this.#set("vb", -most, most, `velocity of ${b} before`);
+      this.#set(
+        "ratio",
+        Number(RATIO[0]),
+        Number(RATIO[1]),
+        `mass of ${b} ÷ mass of ${a}`
+      );
+      this.#set("e", 0, 1);
+      this.#set("duration", 1e-3, Math.min(LONGEST, (end - begin) / 2));
+    }
+    /** @param {string} key @param {number} low @param {number} high @param {string} label */
+    #set(key, low, high, label = "") {
+      const row = this.rows.get(key);
+      if (!row) return;
+      for (const input of [row.slide, row.box]) input.disabled = false;
+      const step = 10 ** Math.floor(Math.log10((high - low) / 400));
+      Object.assign(row.slide, { min: low, max: high, step });
+      if (label) {
+        row.slide.setAttribute("aria-label", label);
+        const text2 = row.slide.closest(".carts-measured-hand")?.querySelector("label");
+        if (text2) text2.textContent = label;
+      }
+    }
+    /** @param {Hand} hand */
+    set value(hand) {
+      const values = { ...hand, va: hand.v[0], vb: hand.v[1] };
+      for (const [key, { slide, box }] of this.rows) {
+        const value = Number(values[
+          /** @type {keyof typeof values} */
+          key
+        ]);
+        slide.value = String(value);
+        box.value = shown(value);
+      }
+    }
+    /** @returns {Hand} */
+    get value() {
+      const read = (key) => this.rows.get(key)?.box.valueAsNumber ?? 0;
+      return {
+        touch: read("touch"),
+        x: 0,
+        distance: 0,
+        v: [read("va"), read("vb")],
+        ratio: read("ratio"),
+        e: read("e"),
+        duration: read("duration")
+      };
+    }
+  };
+  function shown(value) {
+    return String(Number(value.toPrecision(4)));
+  }
+  function fastest({ t, value }) {
+    const apart = Math.max(1, Math.floor(t.length / 5));
+    let found = 0;
+    for (let k = apart; k < t.length; k += 1) {
+      const speed = (Number(value[k]) - Number(value[k - apart])) / (Number(t[k]) - Number(t[k - apart]));
+      found = Math.max(found, Math.abs(speed));
+    }
+    return found;
+  }
+
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/storage.js
+  var STORE = "answers";
+  var PATIENCE = 2e4;
+  var SETTLED = "settled";
+  var SETTLE_AFTER = 400;
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found = opened.get(site) ?? openOnce(site);
+    opened.set(site, found);
+    return found;
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(indexed(await reopening(`carts:${site}`)));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
+  }
+  function open(name) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+    });
+  }
+  async function reopening(name) {
+    let base = await open(name);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  function indexed(begin) {
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
+    return {
+      kind: "kept",
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: (key, value, alone2 = false) => write(begin, (answers) => {
+        if (alone2) {
+          answers.put(value, key);
+          answers.transaction.commit();
+          return;
+        }
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+      }),
+      remove: (key) => write(begin, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
+    };
+  }
+  var settling;
+  async function write(begin, act) {
+    await transaction(begin, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
+    return new Promise((resolve, reject) => {
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
+  }
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+  function shelter() {
+    const page2 = (
+      /** @type {any} */
+      globalThis
+    );
+    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page2[name] ??= /* @__PURE__ */ new Map();
+    return page2[name];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        try {
+          await store.put(key, value, alone2);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
+  function memory() {
+    const kept = shelter();
+    return {
+      kind: "memory",
+      how: "memory",
+      get: async (key) => kept.get(key),
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
+    };
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
+    const path = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path
+    };
+  }
+
+  // src/measured/keep.js
+  function keeper(id) {
+    const { site, page: page2 } = place();
+    const key = `${page2}/${id}`;
+    const opened2 = openAll(`${site}-measured`);
+    return {
+      /** @returns {Promise<Kept | null>} */
+      get: async () => (await opened2).get(key).catch(() => null),
+      /** @param {Kept} kept @returns {Promise<boolean>} whether the browser says that it is kept */
+      put: async (kept) => {
+        try {
+          const store = await opened2;
+          await store.put(key, kept, true);
+          return store.kind === "kept";
+        } catch {
+          return false;
+        }
+      }
+    };
+  }
+
+  // src/numbers.js
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text2 = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text2) ? `−${text2}` : text2;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // src/slow.js
+  function slowAt(parts, t) {
+    return parts.find((part) => t >= part.from && t < part.to);
+  }
+  function advance(t, seconds, speed, parts, until) {
+    let now = t;
+    let left = seconds;
+    while (left > 0 && now < until) {
+      const inside = slowAt(parts, now);
+      const rate = inside ? Math.min(speed, inside.rate) : speed;
+      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge, until);
+      if (now + left * rate < next) return now + left * rate;
+      left -= (next - now) / rate;
+      now = next;
+    }
+    return Math.min(now, until);
+  }
+
+  // src/player.js
+  var STEP = 0.04;
+  var STILL = 1;
+  var LONGEST_FRAME = 0.1;
+  var Player = class {
+    time = 0;
+    own = 0;
+    // s that the reader has watched since the start
+    playing = false;
+    speed = 1;
+    slow = true;
+    until = 1;
+    /** @type {import("./slow.js").SlowPart[]} */
+    parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
+    /** @type {number[]} */
+    stops = [];
+    /** Whether playing shows a still each second, and each event, in place of motion. */
+    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    #waited = 0;
+    // s since the last still
+    #frame = 0;
+    #last = 0;
+    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+    constructor(changed) {
+      this.changed = changed;
+    }
+    get #parts() {
+      return this.slow ? this.parts : [];
+    }
+    /** @returns {number} cart seconds per second now */
+    get rate() {
+      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+    }
+    /** @returns {boolean} whether slow motion is on at this instant */
+    get isSlow() {
+      return this.rate < this.speed;
+    }
+    toggle() {
+      if (this.playing) this.pause();
+      else this.play();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.until) this.#move(0);
+      if (this.time === 0) this.own = 0;
+      this.playing = true;
+      this.#last = 0;
+      this.#waited = 0;
+      this.changed(this.time, false);
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      cancelAnimationFrame(this.#frame);
+      this.changed(this.time, false);
+    }
+    /** @param {number} t in s */
+    seek(t) {
+      this.#move(t);
+      if (t <= 0) this.own = 0;
+      this.changed(this.time, false);
+    }
+    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+    step(way, count = 1) {
+      this.pause();
+      for (let k = 0; k < count; k += 1) {
+        const before = this.time;
+        const target = before + way * STEP * this.rate;
+        const event = way > 0 ? this.stops.find((t) => t > before + 1e-12) : this.stops.findLast((t) => t < before - 1e-12);
+        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
+        this.#move(passed ? event : target);
+        this.changed(before, way > 0);
+      }
+    }
+    /** @param {number} now */
+    #tick(now) {
+      if (!this.playing) return;
+      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      this.#last = now;
+      const before = this.time;
+      this.own += seconds;
+      this.#waited += seconds;
+      if (this.stills && this.#waited < STILL) {
+        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+        return;
+      }
+      const shown2 = this.stills ? this.#waited : seconds;
+      this.#waited = 0;
+      let next = advance(before, shown2, this.speed, this.#parts, this.until);
+      if (this.stills) next = this.stops.find((t) => t > before + 1e-12 && t < next) ?? next;
+      const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
+      this.changed(before, true);
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+    }
+    /** @param {number} t */
+    #move(t) {
+      this.time = Math.min(this.until, Math.max(0, t));
+    }
+  };
+
+  // src/scales.js
+  var STEP_SLACK = 1e-9;
+  function axisDecimals(axis) {
+    return Math.max(0, -exponent(axis.step));
+  }
+  function ticks(axis) {
+    const first = Math.ceil(axis.low / axis.step - STEP_SLACK);
+    const last = Math.floor(axis.high / axis.step + STEP_SLACK);
+    const found = [];
+    for (let k = first; k <= last; k += 1) found.push(k * axis.step);
+    return found;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+  function span(low, high, count) {
+    return { low, high, step: niceAbove((high - low) / count) };
+  }
+
+  // src/measured/figure.js
+  var [LEFT, RIGHT, TOP, BOTTOM] = [58, 630, 10, 250];
+  var LOW = { top: 8, bottom: 104 };
+  var ROOM = 0.06;
+  var HEAD = 1.15;
+  function reach(lists) {
+    let [low, high] = [Infinity, -Infinity];
+    for (const list of lists) {
+      for (const value of list) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return [low, high];
+  }
+  var across = (axis, value) => LEFT + (value - axis.low) / (axis.high - axis.low) * (RIGHT - LEFT);
+  var up = (axis, value, top = TOP, bottom = BOTTOM) => bottom - (value - axis.low) / (axis.high - axis.low) * (bottom - top);
+  function planes(tracks) {
+    const [begin, end] = reach(tracks.map((track) => track.t));
+    const [low, high] = reach(tracks.map((track) => track.value));
+    const room = ROOM * (high - low) || 1;
+    return { t: span(begin, end, 6), x: span(low - room, high + room, 5) };
+  }
+  function dots(t, values, axis, up_, room = [TOP, BOTTOM]) {
+    return t.map(
+      (time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}h0`
+    ).join("");
+  }
+  var Figure = class {
+    /** @type {SVGElement | null} */
+    #cursor = null;
+    /** @type {Axis | null} */
+    #axis = null;
+    /** @param {Element} place @param {Element} left for the residuals */
+    constructor(place2, left) {
+      this.place = place2;
+      this.left = left;
+    }
+    /**
+     * @param {Track[]} tracks @param {string} unit
+     * @param {{t: number[], x: number[][]} | null} curve of the model @param {number | null} touch
+     */
+    show(tracks, unit, curve, touch = null) {
+      const { t, x } = planes(tracks);
+      this.#axis = t;
+      this.#cursor = svg("path", { class: "carts-measured-cursor" });
+      this.place.replaceChildren(
+        ...frame(t, x, BOTTOM, TOP, unit, true),
+        ...touch === null ? [] : band(t, touch, TOP, BOTTOM),
+        ...tracks.map(
+          (track, k) => svg("path", {
+            class: `carts-measured-dots carts-b${k}`,
+            d: dots(track.t, track.value, t, x)
+          })
+        ),
+        ...(curve?.x ?? []).map(
+          (values, k) => svg("path", {
+            class: `carts-measured-curve carts-b${k}`,
+            d: values.map((value, n) => {
+              const y = Math.min(BOTTOM, Math.max(TOP, up(x, value)));
+              return `${n ? "L" : "M"}${px(across(t, Number(curve?.t[n])))} ${px(y)}`;
+            }).join("")
+          })
+        ),
+        this.#cursor
+      );
+    }
+    /** @param {Track[]} tracks @param {number[][]} residuals in m or N @param {string} unit @param {number} factor to that unit */
+    rest(tracks, residuals, unit, factor) {
+      const { t } = planes(tracks);
+      const [low, high] = reach(residuals);
+      const most = HEAD * factor * Math.max(1e-12, -low, high);
+      const axis = span(-most, most, 4);
+      this.left.toggleAttribute("hidden", false);
+      this.left.replaceChildren(
+        ...frame(t, axis, LOW.bottom, LOW.top, unit, false),
+        svg("path", {
+          class: "carts-measured-zero",
+          d: `M${LEFT} ${px(up(axis, 0, LOW.top, LOW.bottom))}H${RIGHT}`
+        }),
+        ...tracks.map(
+          (track, k) => svg("path", {
+            class: `carts-measured-dots carts-measured-small carts-b${k}`,
+            d: dots(
+              track.t,
+              (residuals[k] ?? []).map((value) => factor * value),
+              t,
+              axis,
+              [LOW.top, LOW.bottom]
+            )
+          })
+        )
+      );
+    }
+    /** Marks an instant. @param {number} time s */
+    at(time) {
+      if (!this.#cursor || !this.#axis) return;
+      put(this.#cursor, "d", `M${px(across(this.#axis, time))} ${TOP}V${BOTTOM}`);
+    }
+  };
+  function band(t, touch, top, bottom) {
+    if (touch < t.low || touch > t.high) return [];
+    return [
+      svg("path", {
+        class: "carts-measured-touch",
+        d: `M${px(across(t, touch))} ${top}V${bottom}`
+      })
+    ];
+  }
+  function frame(t, x, bottom, top, unit, named) {
+    const parts = [];
+    for (const tick of ticks(t)) {
+      const at = px(across(t, tick));
+      parts.push(
+        svg("path", { class: "carts-grid", d: `M${at} ${top}V${bottom}` })
+      );
+      parts.push(
+        text("carts-tick-x", at, bottom + 16, fixed(tick, axisDecimals(t)))
+      );
+    }
+    for (const tick of ticks(x)) {
+      const at = px(up(x, tick, top, bottom));
+      parts.push(
+        svg("path", { class: "carts-grid", d: `M${LEFT} ${at}H${RIGHT}` })
+      );
+      parts.push(
+        text(
+          "carts-tick-y",
+          LEFT - 6,
+          Number(at) + 4,
+          fixed(tick, axisDecimals(x))
+        )
+      );
+    }
+    const label = svg("text", {
+      class: "carts-unit",
+      transform: `translate(13 ${(top + bottom) / 2}) rotate(-90)`,
+      "text-anchor": "middle"
+    });
+    label.textContent = unit;
+    parts.push(label);
+    if (named) {
+      const name = text("carts-unit", RIGHT, bottom + 31, "t in s");
+      put(name, "text-anchor", "end");
+      parts.push(name);
+    }
+    return parts;
+  }
+  function text(name, x, y, words) {
+    const made = svg("text", { class: name, x, y });
+    made.textContent = words;
+    return made;
+  }
+
+  // src/measured/result.js
+  function showResult(place2, report) {
+    place2.hidden = false;
+    const parts = [html("p", "carts-heading", "What the readings say")];
+    if (report.known) {
+      parts.push(
+        html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`)
+      );
+      parts.push(table(report));
+      for (const { name, reason } of report.untold) {
+        const row = html("p", "carts-measured-untold");
+        row.append(
+          html("strong", "", `Not printed: ${name}.`),
+          ` ${upper(reason)}.`
+        );
+        parts.push(row);
+      }
+    }
+    const said = html("ul", "carts-measured-sentences");
+    said.append(...report.sentences.map((sentence) => html("li", "", sentence)));
+    parts.push(said);
+    place2.replaceChildren(...parts);
+  }
+  function table(report) {
+    const made = html("table", "carts-table carts-measured-known");
+    const head = html("tr");
+    for (const text2 of ["what", "value ± half of the 95 % interval"]) {
+      const cell = html("th", "", text2);
+      cell.setAttribute("scope", "col");
+      head.append(cell);
+    }
+    const top = html("thead");
+    top.append(head);
+    const body = html("tbody");
+    for (const { key, name, text: text2 } of report.known) {
+      const row = html("tr");
+      row.dataset.key = key;
+      const title = html("th", "", name);
+      title.setAttribute("scope", "row");
+      row.append(title, html("td", "", text2.replace(`${name}: `, "")));
+      body.append(row);
+    }
+    made.append(top, body);
+    const scroll = html("div", "carts-scroll");
+    scroll.append(made);
+    return scroll;
+  }
+  var upper = (text2) => text2.charAt(0).toUpperCase() + text2.slice(1);
+  function showTable(place2, read, residuals) {
+    const [letter, unit] = read.kind === "length" ? ["x", "m"] : ["F", "N"];
+    const heads = [
+      "t in s",
+      ...read.names.map((name) => `${letter} of ${name} in ${unit}`)
+    ];
+    if (residuals)
+      heads.push(...read.names.map((name) => `residual of ${name} in mm`));
+    const head = html("tr");
+    for (const text2 of heads) {
+      const cell = html("th", "", text2);
+      cell.setAttribute("scope", "col");
+      head.append(cell);
+    }
+    const rows = /* @__PURE__ */ new Map();
+    for (const [k, track] of read.tracks.entries()) {
+      for (const [n, t] of track.t.entries()) {
+        const row = rows.get(t) ?? Array.from({ length: heads.length - 1 }, () => "");
+        row[k] = minus(Number(track.value[n]).toFixed(4));
+        if (residuals)
+          row[2 + k] = minus((1e3 * Number(residuals[k]?.[n])).toFixed(2));
+        rows.set(t, row);
+      }
+    }
+    const body = [...rows].sort(([a], [b]) => a - b).map(([t, cells]) => {
+      const row = html("tr");
+      row.append(
+        ...[minus(t.toFixed(4)), ...cells].map((cell) => html("td", "", cell))
+      );
+      return row;
+    });
+    place2.querySelector("thead")?.replaceChildren(head);
+    place2.querySelector("tbody")?.replaceChildren(...body);
+    place2.parentElement?.querySelector(".carts-measured-rest")?.remove();
+  }
+  var minus = (text2) => text2.replace("-", "−");
+
+  // src/measured/grid.js
+  var ROWS = 10;
+  var MOST = 500;
+  var COLUMNS = ["t", "x of A", "x of B"];
+  var Grid = class {
+    /** @param {HTMLElement} body of the table @param {() => void} changed */
+    constructor(body, changed) {
+      this.body = body;
+      this.changed = changed;
+      this.grow();
+      body.addEventListener("input", () => changed());
+      body.addEventListener("paste", (event) => this.#paste(event));
+    }
+    grow(count = ROWS) {
+      for (let k = 0; k < count && this.body.children.length < MOST; k += 1) {
+        const number = this.body.children.length + 1;
+        const row = html("tr");
+        for (const column of COLUMNS) {
+          const cell = html("td");
+          const box = (
+            /** @type {HTMLInputElement} */
+            html("input")
+          );
+          Object.assign(box, {
+            type: "text",
+            inputMode: "decimal",
+            autocomplete: "off"
+          });
+          box.setAttribute("aria-label", `${column}, row ${number}`);
+          cell.append(box);
+          row.append(cell);
+        }
+        this.body.append(row);
+      }
+    }
+    /** @returns {string[][]} rows up to the last one with something in it */
+    get cells() {
+      const rows = [...this.body.children].map(
+        (row) => [...row.querySelectorAll("input")].map((box) => box.value)
+      );
+      while (rows.length && rows.at(-1)?.every((cell) => !cell.trim()))
+        rows.pop();
+      return rows;
+    }
+    /** @param {string[][]} rows */
+    set cells(rows) {
+      this.grow(Math.max(0, rows.length - this.body.children.length));
+      const boxes = [...this.body.children].map((row) => [
+        ...row.querySelectorAll("input")
+      ]);
+      for (const [k, row] of boxes.entries()) {
+        for (const [j, box] of row.entries()) box.value = rows[k]?.[j] ?? "";
+      }
+    }
+    /** @returns {string} as a file would say it; what stands in line n is row n − 1 */
+    get text() {
+      const rows = this.cells.map(
+        (row) => row.map((cell) => cell.trim()).join(";")
+      );
+      return ["t;x_A;x_B", ...rows].join("\n");
+    }
+    /** A block from a spreadsheet fills cells to the right and down. @param {ClipboardEvent} event */
+    #paste(event) {
+      const text2 = event.clipboardData?.getData("text/plain") ?? "";
+      if (!/[\t\n]/.test(text2.trim()) || !(event.target instanceof HTMLInputElement))
+        return;
+      event.preventDefault();
+      const block = text2.replace(/\r\n?/g, "\n").trimEnd().split("\n").slice(0, MOST).map((line) => line.split("	"));
+      const row = event.target.closest("tr");
+      const top = [...this.body.children].indexOf(
+        /** @type {Element} */
+        row
+      );
+      const left = [...row?.querySelectorAll("input") ?? []].indexOf(
+        event.target
+      );
+      const all = this.cells;
+      for (const [k, cells] of block.entries()) {
+        all[top + k] ??= COLUMNS.map(() => "");
+        for (const [j, cell] of cells.slice(0, COLUMNS.length - left).entries()) {
+          all[top + k][left + j] = cell;
+        }
+      }
+      this.cells = Array.from(all, (cells) => cells ?? COLUMNS.map(() => ""));
+      this.changed();
+    }
+  };
+
+  // src/measured/source.js
+  var MOST2 = 4e6;
+  var TYPED = "typed readings";
+  var Source = class {
+    /**
+     * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
+     * @param {(text: string) => void} tell
+     */
+    constructor(root, take, changed, tell) {
+      this.root = root;
+      this.take = take;
+      this.tell = tell;
+      this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
+      this.paste = /** @type {HTMLTextAreaElement} */
+      need(root, ".carts-measured-paste textarea");
+      const file = (
+        /** @type {HTMLInputElement} */
+        need(root, ".carts-measured-file")
+      );
+      for (const input of root.querySelectorAll(
+        "button, textarea, select, input"
+      )) {
+        input.disabled = false;
+      }
+      this.on("open", () => file.click());
+      this.on("take", () => this.take("pasted readings", [this.paste.value]));
+      this.on("typed-take", () => this.take(TYPED, [this.grid.text]));
+      this.on("more", () => this.grid.grow());
+      file.addEventListener("change", () => {
+        void this.files([...file.files ?? []]);
+        file.value = "";
+      });
+      root.addEventListener("dragover", (event) => event.preventDefault());
+      root.addEventListener("drop", (event) => {
+        event.preventDefault();
+        void this.files([...event.dataTransfer?.files ?? []]);
+      });
+    }
+    /** @param {string} name @param {() => void} act */
+    on(name, act) {
+      this.root.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
+    }
+    /** @param {File[]} files one with both carts, or one for each */
+    async files(files) {
+      if (!files.length) return;
+      if (files.length > 2)
+        return this.tell("Choose one file with both carts, or one for each.");
+      if (files.some((file) => file.size > MOST2)) {
+        return this.tell(
+          "This file is too large to be readings of two carts: at most 4 MB."
+        );
+      }
+      const texts = await Promise.all(
+        files.map(async (file) => decoded(await file.arrayBuffer()))
+      );
+      this.take(files.map((file) => file.name).join(" and "), texts);
+    }
+    /** @param {string} name @param {string[]} texts */
+    save(name, texts) {
+      const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
+      for (const text2 of texts) download(one, text2, "text/plain;charset=utf-8");
+    }
+    /** What a line of a text is called where it stands. @param {string} name @param {number} line */
+    static place(name, line) {
+      if (name !== TYPED) return `line ${line}`;
+      return line > 1 ? `row ${line - 1}` : "the table";
+    }
+  };
+  function decoded(bytes) {
+    const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
+    const mark = start[0] === 255 && start[1] === 254 ? "utf-16le" : "";
+    const wide = start[0] === 254 && start[1] === 255 ? "utf-16be" : mark;
+    return new TextDecoder(wide || "utf-8").decode(bytes);
+  }
+
+  // src/measured/stage.js
+  var [WIDTH, FLOOR, SIDE, TALL] = [640, 62, 16, 34];
+  var USUAL = 0.2;
+  var NEAR = 1.5;
+  var Stage = class {
+    /** @type {{tracks: Track[], curve: Curve, length: number} | null} */
+    #shown = null;
+    /** @type {SVGElement[]} */
+    #carts = [];
+    /** @type {SVGElement[]} */
+    #rings = [];
+    #scale = 1;
+    #left = 0;
+    /** @param {Element} place */
+    constructor(place2) {
+      this.place = place2;
+    }
+    /** @param {Track[]} tracks @param {Curve} curve @param {number} distance at the touch, m @param {string[]} names */
+    show(tracks, curve, distance, names) {
+      const length = distance > 0.1 && distance < 1 ? distance : USUAL;
+      this.#shown = { tracks, curve, length };
+      const all = [...tracks.flatMap((track) => track.value), ...curve.x.flat()];
+      const low = all.reduce((a, b) => Math.min(a, b)) - length / 2;
+      const high = all.reduce((a, b) => Math.max(a, b)) + length / 2;
+      this.#left = low;
+      this.#scale = (WIDTH - 2 * SIDE) / (high - low);
+      this.#carts = names.map((name, k) => {
+        const width = length * this.#scale;
+        const group = svg("g", { class: `carts-b${k}` });
+        const box = svg("rect", {
+          class: "carts-box",
+          x: px(-width / 2),
+          y: FLOOR - TALL,
+          width: px(width),
+          height: TALL,
+          rx: 3
+        });
+        const label = svg("text", {
+          class: "carts-name",
+          y: FLOOR - 12,
+          "text-anchor": "middle"
+        });
+        label.textContent = name.length > 8 ? `${name.slice(0, 7)}…` : name;
+        group.append(box, label);
+        return group;
+      });
+      this.#rings = names.map(
+        (_, k) => svg("circle", {
+          class: `carts-measured-ring carts-b${k}`,
+          r: 7,
+          cy: FLOOR - TALL - 12
+        })
+      );
+      const ruler = span(low, high, 7);
+      const decimals = Math.max(0, Math.ceil(-Math.log10(ruler.step) - 1e-9));
+      this.place.replaceChildren(
+        svg("path", { class: "carts-rule", d: `M0 ${FLOOR}H${WIDTH}` }),
+        ...ticks(ruler).map((tick) => {
+          const at = px(this.#at(tick));
+          return svg("path", { class: "carts-rule", d: `M${at} ${FLOOR}v6` });
+        }),
+        ...ticks(ruler).map((tick) => {
+          const number = svg("text", {
+            class: "carts-tick-x",
+            x: px(this.#at(tick)),
+            y: FLOOR + 20
+          });
+          number.textContent = `${tick.toFixed(decimals).replace("-", "−")} m`;
+          return number;
+        }),
+        ...this.#carts,
+        ...this.#rings
+      );
+    }
+    /** @param {number} x m */
+    #at(x) {
+      return SIDE + (x - this.#left) * this.#scale;
+    }
+    /** @param {number} time s */
+    at(time) {
+      if (!this.#shown) return;
+      const { tracks, curve } = this.#shown;
+      for (const [k, cart] of this.#carts.entries()) {
+        const x = between(curve.t, curve.x[k] ?? [], time);
+        put(cart, "transform", `translate(${px(this.#at(x), 2)} 0)`);
+        const track = tracks[k];
+        const ring = this.#rings[k];
+        if (!track || !ring) continue;
+        const nearest = closest(track.t, time);
+        const frame2 = (Number(track.t.at(-1)) - Number(track.t[0])) / (track.t.length - 1);
+        const seen = Math.abs(Number(track.t[nearest]) - time) <= NEAR * frame2;
+        put(ring, "cx", px(this.#at(Number(track.value[nearest])), 2));
+        put(ring, "visibility", seen ? "visible" : "hidden");
+      }
+    }
+  };
+  function closest(times, t) {
+    let k = times.findIndex((time) => time >= t);
+    if (k < 0) k = times.length - 1;
+    const before = Math.max(0, k - 1);
+    return Math.abs(Number(times[before]) - t) < Math.abs(Number(times[k]) - t) ? before : k;
+  }
+  function between(times, values, t) {
+    let k = times.findLastIndex((time) => time <= t);
+    k = Math.min(Math.max(k, 0), Math.max(0, times.length - 2));
+    const [a, b] = [Number(times[k]), Number(times[k + 1])];
+    const part = b > a ? Math.min(1, Math.max(0, (t - a) / (b - a))) : 0;
+    return Number(values[k]) + part * (Number(values[k + 1]) - Number(values[k]));
+  }
+
+  // src/measured/picture.js
+  var QUARTER = 0.25;
+  var FINE = 0.01;
+  var Picture = class {
+    #begin = 0;
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.root = root;
+      this.figure = new Figure(this.#part("figure"), this.#part("left"));
+      this.stage = new Stage(this.#part("stage"));
+      this.player = new Player(() => this.#frame());
+      this.player.speed = QUARTER;
+      this.player.slow = false;
+      this.scrub = /** @type {HTMLInputElement} */
+      this.#part("scrub");
+      this.scrub.addEventListener("input", () => {
+        this.player.pause();
+        this.player.seek(this.scrub.valueAsNumber);
+      });
+      this.#part("play").addEventListener("click", () => this.player.toggle());
+    }
+    /** @param {string} name @returns {HTMLElement} */
+    #part(name) {
+      return need(this.root, `.carts-measured-${name}`);
+    }
+    /** Hides what belongs to an earlier fit. */
+    forget() {
+      this.#part("result").hidden = true;
+      this.#part("back").hidden = true;
+    }
+    /** What was read, and whether a model can be laid over it. @param {string} name @param {Read} read @param {boolean} motion */
+    readings(name, read, motion) {
+      this.forget();
+      say(this.#part("said"), [name, ...read.read].filter(Boolean).join("; "));
+      this.#part("legend").replaceChildren(...legend(read));
+      this.#part("model").hidden = !motion;
+      this.#part("world").hidden = !motion;
+      this.#part("left").toggleAttribute("hidden", !motion && !read.forces);
+      if (read.kind === "force") this.#forces(read);
+      else if (!motion) this.#points(read);
+    }
+    /** @param {Read} read */
+    #points(read) {
+      this.figure.show(read.tracks, "x in m", null);
+      showTable(need(this.root, ".carts-measured-table table"), read, null);
+      say(this.#part("spread"), "");
+    }
+    /** Two sensors against each other. @param {Read} read */
+    #forces(read) {
+      const { forces } = read;
+      const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
+      this.figure.show(tracks, "F in N", null);
+      if (forces) {
+        const sum = forces.t.map(
+          (_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k])
+        );
+        this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
+      }
+      showTable(need(this.root, ".carts-measured-table table"), read, null);
+      say(this.#part("spread"), forces ? "Below: the sum of both forces." : "");
+      if (read.report) showResult(this.#part("result"), read.report);
+    }
+    /** The model over the readings. @param {Read} read @param {Drawn} drawn */
+    draw(read, drawn) {
+      this.figure.show(
+        read.tracks,
+        "x in m",
+        drawn.curve,
+        drawn.parameters.touch
+      );
+      this.figure.rest(read.tracks, drawn.residuals, "left in mm", 1e3);
+      this.stage.show(
+        read.tracks,
+        drawn.curve,
+        drawn.parameters.distance,
+        read.names
+      );
+      showTable(
+        need(this.root, ".carts-measured-table table"),
+        read,
+        drawn.residuals
+      );
+      const spread = fixed(1e3 * drawn.spread, drawn.spread < FINE ? 2 : 0);
+      say(
+        this.#part("spread"),
+        `Below: residuals (measured minus model). Their root mean square is ${spread} mm.`
+      );
+      this.#begin = Number(drawn.curve.t[0]);
+      this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
+      this.scrub.max = String(this.player.until);
+      this.#frame();
+    }
+    #frame() {
+      const t = this.#begin + this.player.time;
+      this.stage.at(t);
+      this.figure.at(t);
+      this.scrub.value = String(this.player.time);
+      this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);
+      say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
+      say(this.#part("play"), this.player.playing ? "Pause" : "Play");
+    }
+    /** What a fit says. @param {import("./types.js").Report} report */
+    told(report) {
+      showResult(this.#part("result"), report);
+      this.#part("back").hidden = false;
+      const fence = (
+        /** @type {HTMLTextAreaElement} */
+        this.#part("fence")
+      );
+      fence.value = report.fence;
+    }
+    /** @param {string} name of the readings @param {import("./types.js").Fault[]} faults */
+    refuse(name, faults) {
+      this.#part("faults").replaceChildren(
+        ...faults.map(({ line, reason, hint }) => {
+          const row = document.createElement("li");
+          const where = line === null ? "" : `${Source.place(name, line)}: `;
+          row.textContent = `${where}${reason}${hint ? ` (${hint})` : ""}`;
+          return row;
+        })
+      );
+    }
+    /** @param {string} text */
+    busy(text2) {
+      say(this.#part("busy"), text2);
+    }
+  };
+  function legend(read) {
+    return read.names.flatMap((name, k) => {
+      const mark = document.createElement("span");
+      mark.className = `carts-measured-key carts-b${k}`;
+      const text2 = document.createElement("span");
+      text2.textContent = read.kind === "length" ? name : `force on ${name}`;
+      return [mark, text2];
+    });
+  }
+
+  // src/measured/settings.js
+  var WORDS = {
+    time: "what times are in",
+    length: "what lengths are in",
+    force: "what forces are in"
+  };
+  var LETTERS = { time: "t in", length: "x in", force: "F in" };
+  var Settings = class {
+    /** @type {HTMLInputElement[]} */
+    #masses = [];
+    /** @type {string[]} */
+    #names = ["A", "B"];
+    /** @param {HTMLElement} root @param {(again: boolean) => void} changed again: the readings are others now */
+    constructor(root, changed) {
+      const find = (name) => (
+        /** @type {HTMLInputElement} */
+        need(root, `.carts-measured-${name}`)
+      );
+      this.from = find("from");
+      this.until = find("until");
+      this.law = find("law");
+      this.effect = find("effect");
+      this.distance = find("distance");
+      this.place = need(root, ".carts-measured-masses");
+      this.units = [...root.querySelectorAll(".carts-measured-unit")].map(
+        (select) => (
+          /** @type {HTMLSelectElement} */
+          select
+        )
+      );
+      this.changed = changed;
+      for (const input of [...this.units, this.from, this.until]) {
+        input.addEventListener("change", () => changed(true));
+      }
+      for (const input of [this.law, this.effect, this.distance]) {
+        input.addEventListener("change", () => changed(false));
+      }
+    }
+    /** Boxes for the masses of two carts. @param {string[]} names */
+    named(names) {
+      if (this.#masses.length && names.join() === this.#names.join()) return;
+      const before = this.#masses.map((box) => box.value);
+      this.#names = names;
+      this.#masses = names.map((_, k) => {
+        const box = (
+          /** @type {HTMLInputElement} */
+          html("input")
+        );
+        Object.assign(box, {
+          type: "number",
+          step: "any",
+          min: "0",
+          value: before[k] ?? ""
+        });
+        box.addEventListener("change", () => this.changed(false));
+        return box;
+      });
+      this.place.replaceChildren(
+        html("span", "", "weighed: "),
+        ...names.flatMap((name, k) => {
+          const label = html("label", "", `${name} `);
+          label.append(
+            /** @type {HTMLInputElement} */
+            this.#masses[k],
+            " kg"
+          );
+          return [label, " "];
+        }),
+        html("span", "carts-quiet", "if you have a balance")
+      );
+    }
+    /** Another film has another clock. */
+    clear() {
+      this.from.value = "";
+      this.until.value = "";
+    }
+    /** @param {Kept} kept */
+    fill(kept) {
+      for (const select of this.units) {
+        const kind = (
+          /** @type {"time"} */
+          select.dataset.kind
+        );
+        if (kept.units[kind]) select.value = kept.units[kind];
+      }
+      this.from.value = kept.from;
+      this.until.value = kept.until;
+      this.law.value = kept.law;
+      this.effect.value = kept.effect;
+      this.distance.value = kept.distance;
+      this.named(this.#names);
+      for (const [k, box] of this.#masses.entries())
+        box.value = kept.masses[k] ?? "";
+    }
+    /** @returns {import("./types.js").Units} */
+    get chosen() {
+      const units = { time: "", length: "", force: "" };
+      for (const select of this.units) {
+        units[
+          /** @type {"time"} */
+          select.dataset.kind
+        ] = select.value;
+      }
+      return units;
+    }
+    /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string[]} in words */
+    missing(read) {
+      const kinds = (
+        /** @type {("time" | "length" | "force")[]} */
+        [
+          "time",
+          read.kind
+        ]
+      );
+      return kinds.filter((kind) => !this.chosen[kind]).filter(
+        (kind) => read.read.some(
+          (note) => note.startsWith(LETTERS[kind]) && note.includes("as you say")
+        )
+      ).map((kind) => WORDS[kind]);
+    }
+    /** Of these, what is kept. */
+    get kept() {
+      return {
+        units: this.chosen,
+        from: this.from.value,
+        until: this.until.value,
+        law: this.law.value,
+        effect: this.effect.value,
+        distance: this.distance.value,
+        masses: this.#masses.map((box) => box.value)
+      };
+    }
+    /** Of these, what Python is told. */
+    get asked() {
+      const number = (box) => Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null;
+      const masses = {};
+      for (const [k, name] of this.#names.entries()) {
+        const box = this.#masses[k];
+        if (box && box.valueAsNumber > 0) masses[name] = box.valueAsNumber;
+      }
+      return {
+        units: this.chosen,
+        from: number(this.from),
+        until: number(this.until),
+        law: this.law.value,
+        effect: this.effect.value,
+        distance: number(this.distance),
+        masses
+      };
+    }
+  };
+
+  // src/measured/element.js
+  var PACKAGES = ["numpy", "scipy"];
+  function measuredElement(client) {
+    return class CartsMeasured extends HTMLElement {
+      /** @type {Facts | null} */
+      #facts = null;
+      /** @type {Kept} */
+      #kept = (
+        /** @type {Kept} */
+        {}
+      );
+      /** @type {Read | null} */
+      #read = null;
+      /** The last fit. @type {Report | null} */
+      report = null;
+      /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
+      complete = Promise.resolve();
+      /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
+      #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
+      #generation = 0;
+      connectedCallback() {
+        if (this.#facts) return;
+        const facts = JSON.parse(
+          need(this, ".carts-measured-baked").textContent ?? ""
+        );
+        this.#facts = facts;
+        this.keeper = keeper(facts.id);
+        this.picture = new Picture(this);
+        this.hands = new Hands(this, () => this.#moved());
+        this.settings = new Settings(this, (again) => this.#changed(again));
+        this.source = new Source(
+          need(this, ".carts-measured-source"),
+          (name, texts) => this.#take(name, texts),
+          () => this.#keep(),
+          (text2) => this.#refuse([{ line: null, reason: text2, hint: "" }])
+        );
+        this.#wire();
+        if (facts.read) this.#show(facts.read, null);
+        this.complete = this.#restore();
+      }
+      disconnectedCallback() {
+        this.picture?.player.pause();
+      }
+      #wire() {
+        const on = (name, act) => this.querySelector(`.carts-measured-${name}`)?.addEventListener(
+          "click",
+          act
+        );
+        on("own", () => this.#take("", []));
+        on("save", () => this.source?.save(this.#name, this.#texts));
+        on("fit", () => void this.fit());
+        on(
+          "scene",
+          () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml")
+        );
+        on("tracker", () => void this.#tracker());
+        const early = () => void client.need(PACKAGES).catch(() => {
+        });
+        const model = need(this, ".carts-measured-model");
+        model.addEventListener("pointerdown", early, { once: true });
+        model.addEventListener("focusin", early, { once: true });
+      }
+      /** What was done here before, or the lesson's readings. */
+      async #restore() {
+        const facts = (
+          /** @type {Facts} */
+          this.#facts
+        );
+        this.#kept = { ...empty(facts), ...await this.keeper?.get() };
+        this.settings?.fill(this.#kept);
+        if (this.source && this.#kept.cells.length)
+          this.source.grid.cells = this.#kept.cells;
+        if (!this.#texts.length) return this.#whenLive();
+        const { hand, fitted } = this.#kept;
+        await this.#reading();
+        if (fitted) await this.#fit();
+        else if (hand && this.hands && this.#read?.kind === "length") {
+          this.hands.value = hand;
+          await this.#byHand();
+        }
+      }
+      /** Without readings nothing is asked: Python being there is all there is to wait for. */
+      #whenLive() {
+        const live = () => {
+          if (client.state === "ready") this.dataset.state = "live";
+        };
+        client.addEventListener("state", live);
+        live();
+      }
+      get #texts() {
+        if (this.#kept.texts?.length) return this.#kept.texts;
+        return this.#facts?.text ? [this.#facts.text] : [];
+      }
+      get #name() {
+        return this.#kept.name || this.#facts?.name || "";
+      }
+      /** @param {string} name @param {string[]} texts none: the lesson's own */
+      #take(name, texts) {
+        this.#kept = { ...this.#kept, name, texts, fitted: false, hand: null };
+        this.settings?.clear();
+        this.complete = this.#reading();
+      }
+      /** @param {boolean} again whether the readings are others now */
+      #changed(again) {
+        this.#kept.fitted = false;
+        if (again) this.complete = this.#reading();
+        else this.#moved();
+      }
+      #moved() {
+        if (this.#read?.kind === "length") this.complete = this.#byHand();
+      }
+      #keep() {
+        this.#kept = {
+          ...this.#kept,
+          ...this.settings?.kept,
+          cells: this.source?.grid.cells ?? []
+        };
+        void this.keeper?.put(structuredClone(this.#kept));
+      }
+      /** @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
+      async #ask(what, more = {}) {
+        const { header } = await client.ask(this.#owners[what] ?? {}, () => ({
+          kind: "measured",
+          do: what,
+          texts: this.#texts,
+          ...this.settings?.asked,
+          ...more
+        }));
+        this.dataset.state = "live";
+        return header;
+      }
+      /** Asks for something and shows it, if nothing newer was asked for meanwhile. */
+      /** @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
+      async #newest(what, more, show) {
+        this.#generation += 1;
+        const generation = this.#generation;
+        try {
+          const found = await this.#ask(what, more);
+          if (generation !== this.#generation) return false;
+          this.#refuse(found.refused ?? []);
+          if (found.refused) return false;
+          show(found);
+          return true;
+        } catch (error) {
+          this.#note(
+            /** @type {Error} */
+            error.message
+          );
+          return false;
+        }
+      }
+      async #reading() {
+        this.#keep();
+        if (!this.#texts.length) return;
+        await this.#newest("read", {}, (found) => this.#show(found, found));
+        this.dispatchEvent(new CustomEvent("carts-measured"));
+      }
+      /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
+      #show(read, drawn) {
+        this.#read = read;
+        this.report = read.report ?? null;
+        const missing2 = drawn ? this.settings?.missing(read) ?? [] : [];
+        if (missing2.length) {
+          const reason = `This file does not say its units. Choose ${missing2.join(" and ")}.`;
+          this.#refuse([{ line: null, reason, hint: "" }]);
+        }
+        const motion = read.kind === "length" && !missing2.length && drawn !== null;
+        this.picture?.readings(this.#name, read, motion);
+        if (!motion) return;
+        this.hands?.reach(read.tracks, read.names);
+        this.settings?.named(read.names);
+        if (this.hands) this.hands.value = drawn.parameters;
+        this.picture?.draw(read, drawn);
+      }
+      /** The model as the sliders say. */
+      async #byHand() {
+        if (!this.hands) return;
+        this.#kept.hand = this.hands.value;
+        this.#kept.fitted = false;
+        this.#keep();
+        await this.#newest("model", { hand: this.hands.value }, (drawn) => {
+          this.picture?.forget();
+          this.picture?.draw(
+            /** @type {Read} */
+            this.#read,
+            drawn
+          );
+        });
+      }
+      /** Fits the model and shows what it says; then once more with all effects compared. */
+      fit() {
+        this.complete = this.#fit();
+        return this.complete;
+      }
+      async #fit() {
+        this.picture?.busy("Starting numpy and scipy …");
+        try {
+          await client.need(PACKAGES);
+          await this.#ask("ready");
+        } catch (error) {
+          this.picture?.busy("");
+          return this.#note(
+            /** @type {Error} */
+            error.message
+          );
+        }
+        for (const compare of [false, true]) {
+          this.picture?.busy(compare ? "Comparing effects …" : "Fitting …");
+          performance.mark("carts:measured-asked");
+          const shown2 = await this.#newest(
+            "fit",
+            { compare },
+            (found) => this.#fitted(found)
+          );
+          if (!shown2) break;
+          performance.mark(
+            compare ? "carts:measured-compared" : "carts:measured-fit"
+          );
+          if (!compare) continue;
+          this.#kept.fitted = true;
+          this.#keep();
+          this.dispatchEvent(new CustomEvent("carts-fitted"));
+        }
+        this.picture?.busy("");
+      }
+      /** @param {Drawn & {report: Report}} found */
+      #fitted(found) {
+        this.report = found.report;
+        if (this.hands) this.hands.value = found.parameters;
+        this.#kept.hand = found.parameters;
+        this.picture?.draw(
+          /** @type {Read} */
+          this.#read,
+          found
+        );
+        this.picture?.told(found.report);
+      }
+      async #tracker() {
+        const found = await this.#ask("tracker");
+        if (found.text)
+          download("model-run.txt", found.text, "text/plain;charset=utf-8");
+      }
+      /** @param {import("./types.js").Fault[]} faults */
+      #refuse(faults) {
+        this.picture?.refuse(this.#name, faults);
+      }
+      /** @param {string} text */
+      #note(text2) {
+        const note = need(this, ".carts-note");
+        note.hidden = false;
+        note.textContent = `Python cannot do this here: ${text2}`;
+        if (client.state === "failed") this.dataset.state = "failed";
+      }
+    };
+  }
+  function empty(facts) {
+    return {
+      name: "",
+      texts: [],
+      cells: [],
+      units: facts.units ?? { length: "", time: "", force: "" },
+      from: "",
+      until: "",
+      law: facts.law,
+      effect: "none",
+      distance: "",
+      masses: ["", ""],
+      hand: null,
+      fitted: false
+    };
+  }
+
+  // src/runtime-failure.js
+  var MESSAGES = {
+    "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
+    "payload-missing": tr(
+      "A file of this page is missing, so Python can't start. Copy the whole folder again."
+    ),
+    "payload-damaged": tr(
+      "A file of this page is damaged, so Python can't start. Copy the whole folder again."
+    ),
+    "no-wasm": tr(
+      "This browser has no WebAssembly, so Python can't start here. Try another browser."
+    ),
+    "wasm-refused": tr(
+      "This browser, or the rules of this network, do not allow Python to start. Try another browser."
+    ),
+    "too-old": tr(
+      "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
+    ),
+    "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
+    "worker-lost": tr("Python stopped. It may have run out of memory."),
+    "snapshot-refused": tr("Python could not start the quick way."),
+    "python-failed": tr(
+      "Python could not start. Copy the whole folder again or try another browser."
+    ),
+    stalled: tr("Python does not answer. Close other programs and load the page again."),
+    stopped: tr("Python was stopped.")
+  };
+  var RuntimeFailure = class extends Error {
+    /**
+     * @param {Reason} reason
+     * @param {string} [detail]
+     * @param {string} [file] the payload that is missing or damaged
+     */
+    constructor(reason, detail = "", file = "") {
+      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      this.name = "RuntimeFailure";
+      this.reason = reason;
+      this.detail = detail;
+      this.file = file;
+    }
+  };
+
+  // src/leaving.js
+  var STAYS = 3e3;
+  var leaving = false;
+  var waiting = [];
+  function stay() {
+    leaving = false;
+    for (const go of waiting) go();
+    waiting = [];
+  }
+  addEventListener("beforeunload", () => {
+    leaving = true;
+    setTimeout(stay, STAYS);
+  });
+  addEventListener("pagehide", () => {
+    leaving = true;
+  });
+  addEventListener("pageshow", stay);
+  var isLeaving = () => leaving;
+  function staying() {
+    return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
+  }
+
+  // src/runtime-watch.js
+  var SECOND = 1e3;
+  var PATIENCE2 = 8;
+  function watch(patience, late) {
+    let left = patience;
+    const timer = setInterval(() => {
+      left -= 1;
+      if (left > 0) return;
+      clearInterval(timer);
+      late();
+    }, SECOND);
+    return {
+      progress() {
+        left = patience;
+      },
+      stop() {
+        clearInterval(timer);
+      }
+    };
+  }
+
+  // src/runtime-payload.js
+  var page = self;
+  var indexes = /* @__PURE__ */ new Map();
+  function runScript(src, name) {
+    return new Promise((resolve, reject) => {
+      const script = document.createElement("script");
+      script.src = src;
+      script.async = true;
+      const settle = (then) => () => {
+        script.remove();
+        then();
+      };
+      script.onload = settle(resolve);
+      script.onerror = settle(() => {
+        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name));
+      });
+      document.head.append(script);
+    });
+  }
+  function patiently(promise) {
+    return new Promise((resolve, reject) => {
+      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
+      promise.then(resolve, reject).finally(waiting2.stop);
+    });
+  }
+  function loadIndex(base) {
+    const known = indexes.get(base);
+    if (known) return known;
+    const inside = Boolean(page.__cartsInside);
+    const read = inside ? Promise.resolve() : patiently(runScript(`${base}index.js`, "index.js"));
+    const loading = read.then(() => {
+      const index = page.__cartsRuntime;
+      if (!inside) delete page.__cartsRuntime;
+      if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
+      if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
+      return index;
+    });
+    loading.catch(() => indexes.delete(base));
+    indexes.set(base, loading);
+    return loading;
+  }
+  async function loadPart(base, name, number, part) {
+    const inside = Boolean(page.__cartsInside);
+    if (!inside) await runScript(base + part.src, name);
+    const key = `${name}.${number}`;
+    const text2 = page.__cartsParts?.[key];
+    if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
+    if (!inside) delete page.__cartsParts[key];
+    const bytes = decode(text2, part.src, name);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name);
+    }
+    return bytes;
+  }
+  function decode(text2, src, name) {
+    try {
+      const fast = Uint8Array;
+      return fast.fromBase64 ? fast.fromBase64(text2) : Uint8Array.from(atob(text2), (letter) => letter.charCodeAt(0));
+    } catch {
+      throw new RuntimeFailure("payload-damaged", src, name);
+    }
+  }
+  async function matches(bytes, sha256) {
+    if (!globalThis.crypto?.subtle) return true;
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
+  }
+  async function gunzip(parts) {
+    const zip = new DecompressionStream("gzip");
+    const writer = zip.writable.getWriter();
+    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    return bytes;
+  }
+
+  // src/runtime-wasm.js
+  var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
+  function requireWasm() {
+    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
+    try {
+      new WebAssembly.Module(NOTHING);
+    } catch (error) {
+      throw new RuntimeFailure("wasm-refused", String(error));
+    }
+  }
+  async function compile(parts) {
+    const zip = new DecompressionStream("gzip");
+    const headers = { "Content-Type": "application/wasm" };
+    const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
+    const written = write2(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written]);
+    return module;
+  }
+  async function write2(writer, parts) {
+    for (const part of parts) await writer.write(await part);
+    await writer.close();
+  }
+
+  // as-text:src/worker.js
+  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+
+  // src/runtime-start.js
+  var SNAPSHOT = "memory.snapshot";
+  var LOADER = "pyodide.js";
+  var WASM = "pyodide.asm.wasm";
+  var STDLIB = "python.zip";
+  var MORE = "python-more.zip";
+  var modules = /* @__PURE__ */ new Map();
+  var Start = class {
+    /**
+     * @param {{folder: string, index: Index, packages: string[],
+     *   onProgress: (progress: Progress) => void}} options
+     * @param {boolean} snapshot
+     */
+    constructor({ folder, index, packages, onProgress }, snapshot) {
+      this.folder = folder;
+      this.index = index;
+      this.packages = packages;
+      this.onProgress = onProgress;
+      this.snapshot = snapshot;
+      this.worker = null;
+      this.over = false;
+      this.done = 0;
+      this.names = this.files();
+      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
+    }
+    /** The files to load, the most urgent first. */
+    files() {
+      const { index, packages, snapshot } = this;
+      const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
+      if (snapshot) names.push(SNAPSHOT);
+      names.push(STDLIB);
+      if (packages.length && index.tableAt) names.push(MORE);
+      names.push(...this.toLoad().map((name) => index.wheels[name]));
+      if (names.every((name) => name in index.files)) return names;
+      throw new RuntimeFailure("not-packed", index.missing || packages.join());
+    }
+    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
+    toLoad() {
+      const { index, packages, snapshot } = this;
+      const ours = !snapshot || packages.length > 0 && index.later.length > 0;
+      return ours ? [index.package, ...packages] : packages;
+    }
+    /** @returns {Promise<Started>} */
+    async run() {
+      let reject = () => {
+      };
+      const failed = new Promise((_, no) => {
+        reject = no;
+      });
+      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
+      try {
+        const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
+        return await Promise.race([failed, this.boot(parts, reject)]);
+      } catch (error) {
+        this.worker?.terminate();
+        throw error;
+      } finally {
+        this.over = true;
+        this.watch.stop();
+      }
+    }
+    /**
+     * All parts of a file are asked for at once and come in any order.
+     * @param {string} name
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
+     */
+    load(name, reject) {
+      return this.index.files[name].parts.map(async (part, number) => {
+        try {
+          const bytes = await loadPart(this.folder, name, number, part);
+          this.done += part.size;
+          this.progress(name);
+          return bytes;
+        } catch (error) {
+          reject(
+            /** @type {RuntimeFailure} */
+            error
+          );
+          return new Promise(() => {
+          });
+        }
+      });
+    }
+    /** @param {string} stage */
+    progress(stage) {
+      if (this.over) return;
+      this.watch?.progress();
+      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
+    }
+    /**
+     * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<any>}
+     */
+    async boot(parts, reject) {
+      const compiling = this.module(parts.get(WASM) ?? []);
+      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+      const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
+      if (this.over) return null;
+      const { worker, address } = startWorker(loader);
+      this.worker = worker;
+      const ready = new Promise((resolve) => {
+        worker.onmessage = ({ data }) => {
+          if (data.tell === "hello") URL.revokeObjectURL(address);
+          else if (data.tell === "ready") resolve(data);
+          else if (data.tell === "failed") {
+            reject(new RuntimeFailure(data.reason, data.detail, data.file));
+          }
+          this.progress(data.stage ?? data.tell);
+        };
+        worker.onerror = (event) => {
+          event.preventDefault();
+          reject(new RuntimeFailure("worker-refused", event.message));
+        };
+      });
+      const { index, packages, snapshot } = this;
+      worker.postMessage({
+        do: "boot",
+        lock: index.lock,
+        entry: index.entry,
+        snapshot,
+        tableAt: packages.length ? index.tableAt : 0,
+        load: this.toLoad(),
+        modules: packages.length ? [...packages, ...index.later] : []
+      });
+      for (const [name, its] of parts) if (name !== LOADER && name !== WASM) this.send(name, its);
+      worker.postMessage({ do: "wasm", module: await compiling });
+      this.progress(WASM);
+      const { start } = await ready;
+      this.onProgress({ fraction: 1, stage: "ready" });
+      return { worker, start };
+    }
+    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
+    async module(parts) {
+      const module = modules.get(this.folder) ?? await compile(parts);
+      modules.set(this.folder, module);
+      return module;
+    }
+    /**
+     * @param {string} name
+     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
+     */
+    async send(name, parts) {
+      for (const [number, part] of parts.entries()) {
+        const bytes = await part;
+        if (this.over) return;
+        const last = number === parts.length - 1;
+        this.worker?.postMessage({ do: "part", name, bytes, last }, [bytes.buffer]);
+      }
+    }
+  };
+  function startWorker(loader) {
+    const address = URL.createObjectURL(new Blob([loader, worker_default], { type: "text/javascript" }));
+    try {
+      return { worker: new Worker(address), address };
+    } catch (error) {
+      throw new RuntimeFailure("worker-refused", String(error));
+    }
+  }
+
+  // src/runtime.js
+  var PICK_UP = 3;
+  async function startRuntime({ base, packages = [], onProgress = () => {
+  } }) {
+    requireWasm();
+    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
+    const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
+    const index = await loadIndex(folder);
+    const options = { folder, index, packages: order(packages), onProgress };
+    const start = (snapshot) => new Start(options, snapshot).run();
+    if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
+    try {
+      return new Runtime(await start(true));
+    } catch (error) {
+      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
+      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
+      return new Runtime(await start(false));
+    }
+  }
+  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
+  var order = (packages) => [
+    ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
+  ];
+  var Runtime = class {
+    /** @param {import("./runtime-start.js").Started} started */
+    constructor({ worker, start }) {
+      this.start = start;
+      this.onlost = () => {
+      };
+      this.worker = worker;
+      this.gone = "";
+      this.number = 0;
+      this.queue = [];
+      worker.onmessage = ({ data }) => this.hear(data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        this.lose("worker-lost", event.message);
+      };
+    }
+    /**
+     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
+     * @param {object} message
+     * @returns {Promise<Answer>}
+     */
+    request(message) {
+      if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
+      return new Promise((resolve, reject) => {
+        this.number += 1;
+        this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
+        if (this.queue.length === 1) this.send();
+      });
+    }
+    /** Ends Python. What is under way is rejected. */
+    stop() {
+      this.end("stopped", "");
+    }
+    send() {
+      const next = this.queue[0];
+      if (!next) return;
+      this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
+      this.worker.postMessage({ do: "request", number: next.number, text: next.text });
+    }
+    /** @param {any} data */
+    hear(data) {
+      const current = this.queue[0];
+      if (data.number !== current?.number) return;
+      this.watch?.stop();
+      if (data.tell === "begun") {
+        this.watch = watch(PATIENCE2 - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        return;
+      }
+      this.queue.shift();
+      if (data.tell === "answer") {
+        current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
+      } else {
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        if (data.dead) this.lose("worker-lost", data.detail);
+      }
+      if (!this.gone) this.send();
+    }
+    /** @param {Reason} reason @param {string} detail */
+    lose(reason, detail) {
+      if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
+    }
+    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
+    end(reason, detail) {
+      if (this.gone) return false;
+      this.gone = reason;
+      this.watch?.stop();
+      this.worker.terminate();
+      for (const { reject } of this.queue.splice(0)) reject(new RuntimeFailure(reason, detail));
+      return true;
+    }
+  };
+
+  // src/measured-main.js
+  var own = (
+    /** @type {HTMLScriptElement | null} */
+    document.currentScript?.src ?? document.baseURI
+  );
+  var MEASURED = "newtons-carts-measured";
+  var missing = missingFeatures();
+  if (missing.length) {
+    for (const note of document.querySelectorAll("carts-measured .carts-note")) {
+      note.hidden = false;
+      note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
+    }
+  } else {
+    const base = new URL("runtime/", own).href;
+    const client = new Client(
+      (more) => startRuntime({ base, packages: [MEASURED, ...more] })
+    );
+    customElements.define("carts-measured", measuredElement(client));
+    if (typeof requestIdleCallback === "function") {
+      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
+    } else setTimeout(() => client.wake(), 200);
+  }
+})();

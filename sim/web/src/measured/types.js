@@ -1,0 +1,22 @@
+/**
+ * What the bridge answers, see `sim/bridge/measured_answer.py`. SI units.
+ *
+ * @typedef {{t: number[], value: number[]}} Track
+ * @typedef {{touch: number, x: number, distance: number, v: [number, number], ratio: number, e: number, duration: number}} Hand
+ * @typedef {{t: number[], x: [number[], number[]]}} Curve
+ * @typedef {{line: number | null, reason: string, hint: string}} Fault
+ * @typedef {{parameters: Hand, curve: Curve, residuals: [number[], number[]], spread: number}} Drawn
+ * @typedef {{kind: "length" | "force", names: [string, string], read: string[], tracks: [Track, Track],
+ *   report?: Report, forces?: {t: number[], F: [number[], number[]]}}} Read
+ * @typedef {{key: string, name: string, value: number, low: number, high: number, unit: string, text: string}} Known
+ * @typedef {{kind: string, names: string[], read: string[], law_words: string, effect: string, known: Known[],
+ *   untold: {key: string, name: string, reason: string}[], noise: number, sentences: string[], scene: string,
+ *   fence: string, calls_for: string | null}} Report
+ * @typedef {{refused: Fault[], source?: number}} Refused
+ * @typedef {{length: string, time: string, force: string}} Units an empty one: not chosen yet
+ *
+ * What a reader has done here, as it is kept:
+ * @typedef {{name: string, texts: string[], cells: string[][], units: Units, from: string, until: string,
+ *   law: string, effect: string, distance: string, masses: string[], hand: Hand | null, fitted: boolean}} Kept
+ */
+export {};
