@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import html
+import re
 from collections.abc import Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -30,7 +31,8 @@ from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
-_NOT_TO_SEARCH = " data-search-exclude"
+_WORD = "cartsblock"
+_NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
 
 @dataclass(slots=True)
@@ -96,10 +98,11 @@ class _TakeOut(Preprocessor):
                 for finding in error.findings:
                     page.report(finding)
                 made = error_box(error.findings)
-            word = f"cartsblock{hashlib.sha256(f'{block}'.encode()).hexdigest()[:16]}"
-            if page.late is not None and _NOT_TO_SEARCH in made:
-                page.late[word] = made
-                made = f"<!--{word}-->"
+            word = f"{_WORD}{hashlib.sha256(f'{block}'.encode()).hexdigest()[:16]}"
+            if page.late is not None and _NOT_TO_SEARCH.match(made):
+                stub = f"<!--late {word.removeprefix(_WORD)}-->"  # without the word itself
+                page.late[stub] = made
+                made = stub
             self.put_in.html[word] = made
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
@@ -112,8 +115,8 @@ class _TakeOut(Preprocessor):
 
 def with_late(html: str, late: dict[str, str] | None) -> str:
     """The page with its pictures in their places: search and checks need not read them."""
-    for word, made in (late or {}).items():
-        html = html.replace(f"<!--{word}-->", made)
+    for stub, made in (late or {}).items():
+        html = html.replace(stub, made)
     return html
 
 

@@ -155,3 +155,17 @@ def test_no_text_of_an_author_becomes_html(payload: str, where: str, found: list
     assert blocked(made) == []
     assert "<img" not in made
     assert made.count("<script") == made.count('<script type="application/json"')
+
+
+def test_what_comes_late_makes_the_same_page() -> None:
+    question = "```question\nid: why\ntype: long\nask: Why?\nrubric: {1: a reason, 0: none}\n```"
+    text = f"Before\n\n{SCENE}\n- in a list\n\n    {question.replace(chr(10), chr(10) + '    ')}\n"
+    made = []
+    for late in (None, {}):
+        page = Page(Lesson("lesson.md"), late=late)
+        set_page(page)
+        made.append((html(text), page.late))
+        set_page(None)
+    (at_once, _), (stubs, late) = made
+    assert "<carts-" in at_once and "<carts-" not in stubs
+    assert extension.with_late(stubs, late) == at_once
