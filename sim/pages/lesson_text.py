@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from urllib.parse import unquote
 
 from sim.pages.fence_scan import meant_kind
 from sim.pages.findings import Finding
+from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
 from sim.pages.scene_block import Lesson
 
 _FENCE = re.compile(r"^[ \t>]*(`{3,}|~{3,})[ \t]*([^`\n]*)$", re.MULTILINE)
@@ -25,18 +26,29 @@ _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
 _ORDER = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?order:[ \t]*(\d{1,4})[ \t]*\n")
+_LANGUAGE = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?language:[ \t]*(\S[^\n#]*)")
 LAST = 1000  # lessons without a place of their own come behind those with one
 _STATED = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?minutes:[ \t]*(\d+)[ \t]*\n")
+_Found = tuple[int, str, str, str]  # place in the text, code, message, hint
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 
 
 def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     """Everything that is wrong with the text of a lesson, apart from its blocks."""
     prose = without_code(text)
-    found = [*_pictures(prose), *_formulas(prose), *_minutes(text, prose)]
+    found = [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *_language(text)]
     found += _minutes_of_questions(prose)
     if lesson.scene_folders:  # where the lesson lies is known
         found += _links(prose, lesson)
+    return _located(found, text, lesson)
+
+
+def language_findings(text: str, lesson: Lesson) -> list[Finding]:
+    """What is wrong with `language:` in the front matter of a lesson."""
+    return _located(_language(text), text, lesson)
+
+
+def _located(found: Iterable[_Found], text: str, lesson: Lesson) -> list[Finding]:
     made = []
     for at, code, message, hint in found:
         line = text.count("\n", 0, at) + 1
@@ -50,9 +62,6 @@ def lesson_order(path: Path) -> tuple[int, str]:
     with path.open(encoding="utf-8", errors="replace") as file:
         stated = _ORDER.match(file.read(2000))
     return int(stated[1]) if stated else LAST, path.name
-
-
-_Found = tuple[int, str, str, str]  # place in the text, code, message, hint
 
 
 def without_code(text: str) -> str:
@@ -70,6 +79,16 @@ def without_code(text: str) -> str:
             )
         at = max(end, opened.end())
     return _INLINE_CODE.sub(lambda code: " " * len(code[0]), "".join(kept))
+
+
+def _language(text: str) -> Iterator[_Found]:
+    """A language that there are no interface words in."""
+    stated = _LANGUAGE.match(text)
+    try:
+        language_of(stated[1].strip().strip("\"'") if stated else ENGLISH)
+    except UnknownLanguageError as error:
+        hint = "for example language: ms; without it the page speaks as the site does"
+        yield stated.start(1) if stated else 0, "unknown-language", str(error), hint
 
 
 def _pictures(prose: str) -> Iterator[_Found]:

@@ -27,7 +27,7 @@ from sim.pages.language import (
     of_page,
     words_script,
 )
-from sim.pages.lesson_text import lesson_order
+from sim.pages.lesson_text import language_findings, lesson_order
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.teach.doors import Doors
@@ -90,9 +90,9 @@ class SiteBuild:
         page = Page(lesson, first_line, self.ids, self.report, late={})
         try:
             page.language = of_page(stated, lesson.file, theme)
-        except UnknownLanguageError as error:
-            hint = "for example language: ms; without it the page speaks as the site does"
-            self.report(Finding(lesson.file, 1, 1, "unknown-language", str(error), hint))
+        except UnknownLanguageError:
+            for finding in language_findings(whole, lesson):
+                self.report(finding)
         return page
 
     def rendered(self, name: str, page: Page, html: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -11,14 +12,17 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.bridge.protocol import answer
+from sim.pages import extension
 from sim.pages.language import speaking
 from sim.pages.language.extract import sentences
 from tests import registry
 from tests.pages.test_language import BRACKETS, told
+from tests.web import question_site as question_pages
 from tests.web.conftest import OpenPage
+from tests.web.question_site import question_site
 from tests.web.widget_site import MEETING, QUESTIONS, in_node, live, widget_site, write_page
 
-__all__ = ["widget_site"]
+__all__ = ["question_site", "widget_site"]  # fixtures
 EVERYTHING: dict[str, Any] = {
     "id": "everything",
     "title": "Ω",
@@ -46,15 +50,19 @@ EVERYTHING: dict[str, Any] = {
     ],
 }
 HIDDEN = {**MEETING, "id": "hidden", "title": "Ω", "forces": "hidden"}
+WORDS_SCRIPT = f"globalThis.cartsWords = {json.dumps(BRACKETS)};"
+WORDS_BODY = '<body><script src="words.js"></script>'
 # All that a reader sees or hears: texts, names of controls, hints.
 SAID = """() => {
+  const WHOLE = ".carts-find > p"; // a sentence with a formula in it
   const found = [];
-  const texts = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (texts.nextNode()) {
     if (!texts.currentNode.parentElement.closest("script, template, textarea, noscript"))
-      found.push(texts.currentNode.data);
+      found.push(texts.currentNode.parentElement.closest(WHOLE)?.textContent
+        ?? texts.currentNode.data);
   }
-  for (const element of document.querySelectorAll("main [aria-label], main [title]"))
+  for (const element of document.querySelectorAll("[aria-label], body [title]"))
     found.push(element.getAttribute("aria-label") ?? "", element.getAttribute("title") ?? "");
   for (const element of document.querySelectorAll("[aria-valuetext]"))
     found.push(element.getAttribute("aria-valuetext"));
@@ -67,8 +75,7 @@ NAMES = {"Euler", "RK4", "Words", "before", "after"}
 @pytest.fixture(scope="module")
 def bracket_site(widget_site: Path) -> Path:
     """Pages in a language that a test can see: [each sentence in brackets]."""
-    words = f"globalThis.cartsWords = {json.dumps(BRACKETS)};"
-    (widget_site / "words.js").write_text(words, encoding="utf-8")
+    (widget_site / "words.js").write_text(WORDS_SCRIPT, encoding="utf-8")
     with speaking(BRACKETS):
         for fence in (EVERYTHING, HIDDEN, {**QUESTIONS["arrows"], "title": "Ω"}):
             page = write_page(widget_site, f"brackets-{fence['id']}", fence)
@@ -117,7 +124,7 @@ def test_nothing_on_a_scene_is_said_in_another_language(
         pytest.skip("the words are the same in both browsers")
     page = live(open_page(bracket_site / "brackets-everything.html"), "everything")
     open_all(page)
-    for choice in page.locator(".carts-choices input:not(:checked)").all():
+    for choice in page.locator(".carts-choices input").all():
         choice.check()
     for sign in page.locator(".carts-sign:not(.carts-project)").all():
         sign.click()
@@ -152,6 +159,44 @@ def test_nothing_in_a_prediction_or_a_search_for_a_force_is_said_in_another_lang
         page.locator(".carts-find-value input").fill(guess)
         page.locator(".carts-find-form button").click()
         assert unheard(page) == set()
+
+
+def test_nothing_among_questions_is_said_in_another_language(
+    question_site: Path,
+    open_page: OpenPage,
+    browser_name: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What the author wrote stays; everything around it is told."""
+    if browser_name == "firefox":
+        pytest.skip("the words are the same in both browsers")
+    monkeypatch.setattr(extension, "words", lambda _: BRACKETS)
+    monkeypatch.setattr(question_pages, "PAGE", question_pages.PAGE.replace("<body>", WORDS_BODY))
+    site = Path(shutil.copytree(question_site, tmp_path / "site"))
+    (site / "words.js").write_text(WORDS_SCRIPT, encoding="utf-8")
+    bank = (question_pages.BANK / "test.md").read_text(encoding="utf-8")
+    for name, text in (("kinds", question_pages.ALL_KINDS), ("test", bank)):
+        question_pages.write_page(site, name, text, question_pages.BANK)
+        page = question_pages.ready(open_page(site / f"{name}.html"))
+        for check in page.locator(".carts-q-check:visible").all():
+            check.click()
+        for typed in page.locator("input.carts-q-typed:visible").all():
+            typed.fill("5 furlong")
+        for check in page.locator(".carts-q-check:visible").all():
+            check.click()
+        for part in page.locator(".carts-q-hint, .carts-quiz-hand-in").all():
+            if part.is_visible():
+                part.click()
+        page.locator(".carts-bar-open").click()
+        page.locator(".carts-answers-go").click()
+        page.locator(".carts-answers-code").fill("BLUE-FOX-27")
+        page.locator(".carts-answers-go").click()
+        page.locator(".carts-answers-delete button").first.click()
+        banks = "".join(p.read_text(encoding="utf-8") for p in question_pages.BANK.glob("*.yml"))
+        own = re.sub(r"\W+", " ", f"{text}{banks} BLUE-FOX-27 5 furlong {name}")
+        missed = {one for one in unheard(page) if re.sub(r"\W+", " ", one).strip() not in own}
+        assert missed == set(), name
 
 
 @pytest.mark.parametrize("width", [360, 1280])

@@ -235,8 +235,8 @@
   var [LOW_X, HIGH_X] = [0.5, 1e6];
   var HIGH_Y = 10;
   function xAt(ratio) {
-    const part = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
-    return LEFT + Math.min(1, part) * (RIGHT - LEFT);
+    const part2 = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
+    return LEFT + Math.min(1, part2) * (RIGHT - LEFT);
   }
   function yAt(error) {
     const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
@@ -402,7 +402,7 @@
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
       const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
       const scale = axis(0, 100 * high, 4);
-      const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
+      const y2 = (part2) => bottom - 100 * Math.min(part2, high) / scale.high * (bottom - top);
       const x2 = (t3) => left + t3 / until * (right - left);
       const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
       const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
@@ -436,10 +436,10 @@
       let k = times.findLastIndex((t3) => t3 <= time);
       k = Math.min(Math.max(k, 0), Math.max(0, times.length - 2));
       const [a2, b2] = [Number(times[k]), Number(times[k + 1])];
-      const part = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
+      const part2 = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
       const between2 = (xs) => {
         const here = Number(xs?.[k]);
-        const x3 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
+        const x3 = this.#place(here + part2 * (Number(xs?.[k + 1] ?? here) - here));
         return Number.isFinite(x3) ? Math.min(5e3, Math.max(-5e3, x3)) : 5e3;
       };
       for (const [cart, shape] of this.carts.entries()) {
@@ -457,8 +457,8 @@
   // src/cost-table.js
   var [MANY, HUGE] = [1e3, 1e4];
   var ENDLESS = "beyond all numbers";
-  function percent(part, whole) {
-    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
+  function percent(part2, whole) {
+    return `${plain(whole ? 100 * part2 / whole : 100, 1)} %`;
   }
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
@@ -530,17 +530,17 @@
       const duration2 = end - start;
       const rate = rateFor(duration2);
       if (rate >= 1) continue;
-      const part = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
+      const part2 = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
       const last = parts2.at(-1);
-      if (last && part.from <= last.to) {
-        last.to = Math.max(last.to, part.to);
+      if (last && part2.from <= last.to) {
+        last.to = Math.max(last.to, part2.to);
         last.rate = Math.min(last.rate, rate);
-      } else parts2.push(part);
+      } else parts2.push(part2);
     }
     return parts2;
   }
   function slowAt(parts2, t3) {
-    return parts2.find((part) => t3 >= part.from && t3 < part.to);
+    return parts2.find((part2) => t3 >= part2.from && t3 < part2.to);
   }
   function advance(t3, seconds, speed, parts2, until) {
     let now = t3;
@@ -548,7 +548,7 @@
     while (left > 0 && now < until) {
       const inside = slowAt(parts2, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
+      const edge = inside ? inside.to : parts2.find((part2) => part2.from > now)?.from ?? until;
       const next = Math.min(edge, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
@@ -694,15 +694,15 @@
         this.#stage = new CostStage(this);
         this.#figure = new CostFigure(this);
         this.#player = new Player(() => this.#frame());
-        for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
-          need(this, `.carts-cost-${part}`).disabled = false;
+        for (const part2 of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
+          need(this, `.carts-cost-${part2}`).disabled = false;
         }
         this.rows = facts.rows;
         this.#show(facts.run);
         this.#mark();
         this.#select("scene").addEventListener("change", () => this.#newScene());
-        for (const part of ["method", "step", "rtol"]) {
-          this.#select(part).addEventListener("change", () => void this.compute());
+        for (const part2 of ["method", "step", "rtol"]) {
+          this.#select(part2).addEventListener("change", () => void this.compute());
         }
         need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
         const scrub = (
@@ -721,10 +721,10 @@
         this.stop();
       }
       /** @param {string} part @returns {HTMLSelectElement} */
-      #select(part) {
+      #select(part2) {
         return (
           /** @type {HTMLSelectElement} */
-          need(this, `.carts-cost-${part}`)
+          need(this, `.carts-cost-${part2}`)
         );
       }
       get #scene() {
@@ -989,33 +989,42 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence2, values = {}) {
-    return filled(catalogue[sentence2] ?? sentence2, values);
+    const said = catalogue[sentence2] ?? sentence2;
+    return said.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
   }
-  function filled(sentence2, values) {
-    return sentence2.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
-  }
-  var patterns = null;
+  var forms = null;
+  var ENOUGH = 2;
   function heard(english) {
-    if (catalogue[english]) return catalogue[english];
-    patterns ??= Object.keys(catalogue).filter((key) => key.includes("{")).sort((a2, b2) => plain2(b2).length - plain2(a2).length).map((key) => [pattern(key), key]);
-    for (const [form, key] of patterns) {
+    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a2, b2) => b2.own.length - a2.own.length || (a2.key < b2.key ? -1 : 1));
+    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  }
+  function part(english) {
+    const said = catalogue[english] ?? filled(english, large(forms ?? []));
+    if (said) return said;
+    const listed2 = english.split(", ");
+    if (listed2.length > 1) return listed2.map(part).join(", ");
+    return filled(english, forms ?? []) || english;
+  }
+  var large = (some) => some.filter(({ own: own2 }) => own2.split(/\s+/).filter(Boolean).length >= ENOUGH);
+  function filled(english, some) {
+    for (const { key, pattern: form } of some) {
       const found2 = form.exec(english);
       if (!found2) continue;
-      const parts2 = Object.entries(found2.groups ?? {});
-      return filled(
-        catalogue[key] ?? key,
-        Object.fromEntries(parts2.map(([name2, part]) => [name2, heard(part)]))
-      );
+      const parts2 = Object.entries(found2.groups ?? {}).map(([name2, said]) => [name2, part(said)]);
+      return tr(key, Object.fromEntries(parts2));
     }
-    return english;
+    return "";
   }
-  var plain2 = (key) => key.replace(/\{\w+\}/g, "");
+  var PLACE = /\{\w+\}/;
   function pattern(key) {
-    const parts2 = key.split(/\{(\w+)\}/);
-    const escaped = parts2.map(
-      (part, k) => k % 2 ? `(?<${part}>.+?)` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")
-    );
-    return new RegExp(`^${escaped.join("")}$`, "su");
+    const named = /* @__PURE__ */ new Set();
+    const parts2 = key.split(/\{(\w+)\}/).map((piece, k) => {
+      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+      if (named.has(piece)) return `\\k<${piece}>`;
+      named.add(piece);
+      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
+    });
+    return new RegExp(`^${parts2.join("")}$`, "su");
   }
 
   // src/switches.js
@@ -1988,13 +1997,13 @@
   function made({ made: joules, initial }) {
     if (joules === null) return BEYOND;
     if (!initial) return `${short(joules, 2)} J`;
-    const part = joules / initial;
+    const part2 = joules / initial;
     const size = {
       energy: `${short(joules, 2)} J`,
-      part: short(part, 2),
-      percent: short(100 * part, 2)
+      part: short(part2, 2),
+      percent: short(100 * part2, 2)
     };
-    return Math.abs(part) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
+    return Math.abs(part2) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
   }
   function ratioWords({ stepped, exact }) {
     const ratio = stepped / exact;
@@ -2485,6 +2494,7 @@
     incline: [tr("as height, above the lowest point"), "stored"]
   };
   var WARM = { friction: tr("track"), drag: tr("air"), spring: tr("spring") };
+  var AROUND = tr("surroundings");
   function needsParts({ fence }) {
     return (
       /** @type {unknown[]} */
@@ -2528,7 +2538,8 @@
       if (active && WARM[kind] && damped) what.push(String(WARM[kind]));
     }
     const names = [...new Set(what)];
-    return tr("has warmed the {things}", { things: listed(names) || tr("surroundings") });
+    const things = listed(names) || AROUND;
+    return tr("has warmed the {things}", { things });
   }
 
   // src/predict-again.js
@@ -2745,7 +2756,8 @@
       const refused = missing2.filter((row) => row.box.value.trim());
       if (refused.length) {
         const names = refused.map(name).join(", ");
-        return `${tr("This number does not work yet: {names}.", { names })} ${this.#range()}`;
+        const problem = tr("This number does not work yet: {names}.", { names });
+        return `${problem} ${this.#range()}`;
       }
       return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
         names: missing2.map(name).join(", ")
@@ -2807,8 +2819,9 @@
       else if ("text" in read) problem = tr("Type a number; the unit is N.");
       else if (read.value < 0 || read.value > MOST2 * this.full) problem = this.#range();
       if (done && problem) {
-        const good = row.good === null ? "" : fixed(row.good, this.decimals);
-        say(row.error, good ? `${problem} ${tr("{size} N is kept.", { size: good })}` : problem);
+        const size = row.good === null ? "" : fixed(row.good, this.decimals);
+        const kept = tr("{size} N is kept.", { size });
+        say(row.error, size ? `${problem} ${kept}` : problem);
         row.error.hidden = false;
         this.#restore(row, changed);
       }
@@ -3148,13 +3161,13 @@
         locked: null
       };
       const changed = () => void this.#changed();
-      const forms = {
+      const forms2 = {
         arrows: () => new ArrowsForm(root, baked, draw, changed),
         curve: () => new CurveForm(root, spec, changed),
         choice: () => new ChoiceForm(root, changed),
         text: () => new WordsForm(root, changed)
       };
-      this.form = forms[spec.kind]();
+      this.form = forms2[spec.kind]();
       this.button.addEventListener("click", () => void this.#lock());
       this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
       this.why = new Why(root, (text) => {
@@ -3219,7 +3232,7 @@
       const parts2 = this.root.querySelectorAll(
         ".carts-compared > [aria-label], .carts-compared p, .carts-compared li"
       );
-      const texts = [...parts2].map((part) => part.getAttribute("aria-label") ?? part.textContent);
+      const texts = [...parts2].map((part2) => part2.getAttribute("aria-label") ?? part2.textContent);
       return `${tr("Your prediction.")} ${texts.join(" ")}`;
     }
     /** @param {string} message for the reader; empty: none */
@@ -3379,8 +3392,8 @@
     );
     const bar2 = document.createElement("meter");
     bar2.setAttribute("aria-hidden", "true");
-    const part = html("span");
-    line.append(box2, bar2, part);
+    const part2 = html("span");
+    line.append(box2, bar2, part2);
     option2.after(line);
     box2.addEventListener("input", () => {
       const boxes = (
@@ -3543,7 +3556,7 @@
       });
       y2 += tallest + GAP;
     }
-    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y2)));
+    for (const part2 of [whole, sheet]) part2.setAttribute("height", String(Math.ceil(y2)));
     whole.setAttribute("viewBox", `0 0 ${WIDTH2} ${Math.ceil(y2)}`);
     return new XMLSerializer().serializeToString(whole);
   }
@@ -3556,18 +3569,18 @@
       [original, ...original.querySelectorAll("*")],
       [copy, ...copy.querySelectorAll("*")]
     ];
-    from.forEach((part, i2) => {
-      const style = getComputedStyle(part);
+    from.forEach((part2, i2) => {
+      const style = getComputedStyle(part2);
       const made3 = (
         /** @type {Element} */
         to[i2]
       );
-      if (style.display === "none" && part.closest("defs") === null)
+      if (style.display === "none" && part2.closest("defs") === null)
         made3.setAttribute("display", "none");
       for (const property of PROPERTIES) {
         const value = style.getPropertyValue(property);
         const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part.tagName !== "rect" || made3.hasAttribute(property))) continue;
+        if (geometry && (part2.tagName !== "rect" || made3.hasAttribute(property))) continue;
         if (value && value !== "auto") made3.setAttribute(property, value.replaceAll('"', "'"));
       }
       made3.removeAttribute("class");
@@ -3874,8 +3887,8 @@
     const settings = {};
     let t3 = 0;
     const parts2 = text.slice(MARK.length + id.length + 1).split("&");
-    for (const part of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
-      const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
+    for (const part2 of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
+      const [key = "", value = ""] = [part2.split("=")[0], decoded(part2.slice(part2.indexOf("=") + 1))];
       if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
         return { problem: tr("This link is damaged: it was not used.") };
       }
@@ -3931,8 +3944,8 @@
     const switches = fence.switches ?? [];
     if (fence.controls.length || switches.length) lines2.push("controls:");
     for (const { set, low, high, step, unit } of fence.controls) {
-      const part = (value) => `${value} ${unit}`.trim();
-      lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
+      const part2 = (value) => `${value} ${unit}`.trim();
+      lines2.push(`  - {set: ${set}, from: ${part2(low)}, to: ${part2(high)}, step: ${part2(step)}}`);
     }
     for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
     return `\`\`\`scene
@@ -4448,7 +4461,7 @@ ${lines2.join("\n")}
       const { controls } = baked.fence;
       for (const { name: name2 } of baked.run.header.bodies) {
         for (
-          const [key, part, metres] of
+          const [key, part2, metres] of
           /** @type {const} */
           [
             ["position", "carts-cart", 1 / layout.scale],
@@ -4456,7 +4469,7 @@ ${lines2.join("\n")}
           ]
         ) {
           const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
+          const group2 = stage.querySelector(`.${part2}[data-body="${name2}"]`);
           if (!control || !group2) continue;
           group2.classList.add("carts-draggable");
           group2.addEventListener("pointerdown", (event) => {
@@ -4973,9 +4986,9 @@ ${lines2.join("\n")}
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame3 = this.plot.getBoundingClientRect();
         const x2 = (event.clientX - frame3.left) / frame3.width * WIDTH3;
-        const part = Math.min(1, Math.max(0, (x2 - LEFT3) / (RIGHT2 - LEFT3)));
+        const part2 = Math.min(1, Math.max(0, (x2 - LEFT3) / (RIGHT2 - LEFT3)));
         const { low, high } = this.#plane.time;
-        seek(low + part * (high - low));
+        seek(low + part2 * (high - low));
       };
       this.plot.addEventListener("pointerdown", point);
       this.plot.addEventListener("pointermove", point);
@@ -6133,9 +6146,9 @@ ${lines2.join("\n")}
       });
     }
   };
-  function bar(rect, part) {
-    const length = HALF * Math.min(1, Math.abs(part));
-    put(rect, "x", px(part < 0 ? HALF + 4 - length : HALF + 4));
+  function bar(rect, part2) {
+    const length = HALF * Math.min(1, Math.abs(part2));
+    put(rect, "x", px(part2 < 0 ? HALF + 4 - length : HALF + 4));
     put(rect, "width", px(length));
   }
 
@@ -6537,8 +6550,8 @@ ${lines2.join("\n")}
     /** Lets the reader move the time. @param {boolean} on */
     enable(on) {
       const parts2 = ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
-      for (const part of this.root.querySelectorAll(parts2)) {
-        part.disabled = !on;
+      for (const part2 of this.root.querySelectorAll(parts2)) {
+        part2.disabled = !on;
       }
       if (on) for (const graph of this.graphs) graph.enable();
     }
@@ -7247,9 +7260,9 @@ ${lines2.join("\n")}
     const place3 = Math.floor((value - low) / step + STEP_SLACK2);
     return Math.min(count2 - 1, Math.max(0, place3));
   }
-  function mixed(a2, b2, part) {
-    if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
-    return a2 * (1 - part) + b2 * part;
+  function mixed(a2, b2, part2) {
+    if (Number.isNaN(a2) || Number.isNaN(b2)) return part2 < 0.5 ? a2 : b2;
+    return a2 * (1 - part2) + b2 * part2;
   }
   function between(values, lines2, count2, factor, next, line) {
     const fine = (count2 - 1) * factor + 1;
@@ -7258,8 +7271,8 @@ ${lines2.join("\n")}
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
         const at = i2 * line + left * next;
-        const part = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
+        const part2 = (k - left * factor) / factor;
+        found2[i2 * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part2);
       }
     }
     return found2;
@@ -7310,7 +7323,7 @@ ${lines2.join("\n")}
     context.putImageData(image, 0, 0);
   }
   function palette({ colours, none, line }) {
-    const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE3 * part)));
+    const edges = colours.map((colour) => colour.map((part2) => Math.round(EDGE3 * part2)));
     const all = [...colours, none, ...edges, line];
     return Uint32Array.from(all, ([r2 = 0, g2 = 0, b2 = 0]) => 255 << 24 | b2 << 16 | g2 << 8 | r2);
   }
@@ -7523,7 +7536,7 @@ ${lines2.join("\n")}
           });
         });
         this.#figure.mark(facts.here, facts.at ?? Number.NaN);
-        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
+        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = false;
         need(this, ".carts-map-open").addEventListener("click", () => void this.open());
         this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
         addEventListener("beforeprint", () => this.#fillTable());
@@ -7576,7 +7589,7 @@ ${lines2.join("\n")}
           this.dataset.state = "live";
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
           const focused = button === document.activeElement;
-          for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+          for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
           for (const control of this.#axes) control.enable(true);
           this.#controls?.enable(true);
           const run = this.querySelector(".carts-map-run");
@@ -7594,7 +7607,7 @@ ${lines2.join("\n")}
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
-        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
       }
       /** @param {string} message */
       #tell(message) {
@@ -7869,16 +7882,16 @@ ${lines2.join("\n")}
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name2, number, part) {
+  async function loadPart(base, name2, number, part2) {
     const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(base + part.src, name2);
+    if (!inside) await runScript(base + part2.src, name2);
     const key = `${name2}.${number}`;
     const text = page.__cartsParts?.[key];
-    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name2);
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name2);
     if (!inside) delete page.__cartsParts[key];
-    const bytes = decode(text, part.src, name2);
-    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part.src, name2);
+    const bytes = decode(text, part2.src, name2);
+    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part2.src, name2);
     }
     return bytes;
   }
@@ -7898,7 +7911,7 @@ ${lines2.join("\n")}
   async function gunzip(parts2) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts2.map((part) => writer.write(part)), writer.close()]);
+    const written = Promise.all([...parts2.map((part2) => writer.write(part2)), writer.close()]);
     const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
     return bytes;
   }
@@ -7922,7 +7935,7 @@ ${lines2.join("\n")}
     return module;
   }
   async function write3(writer, parts2) {
-    for (const part of parts2) await writer.write(await part);
+    for (const part2 of parts2) await writer.write(await part2);
     await writer.close();
   }
 
@@ -7952,7 +7965,7 @@ ${lines2.join("\n")}
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part) => sum + part.size, 0);
+      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part2) => sum + part2.size, 0);
     }
     /** The files to load, the most urgent first. */
     files() {
@@ -7997,10 +8010,10 @@ ${lines2.join("\n")}
      * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
      */
     load(name2, reject) {
-      return this.index.files[name2].parts.map(async (part, number) => {
+      return this.index.files[name2].parts.map(async (part2, number) => {
         try {
-          const bytes = await loadPart(this.folder, name2, number, part);
-          this.done += part.size;
+          const bytes = await loadPart(this.folder, name2, number, part2);
+          this.done += part2.size;
           this.progress(name2);
           return bytes;
         } catch (error) {
@@ -8073,8 +8086,8 @@ ${lines2.join("\n")}
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
     async send(name2, parts2) {
-      for (const [number, part] of parts2.entries()) {
-        const bytes = await part;
+      for (const [number, part2] of parts2.entries()) {
+        const bytes = await part2;
         if (this.over) return;
         const last = number === parts2.length - 1;
         this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);

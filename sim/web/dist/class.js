@@ -93,10 +93,8 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function filled(sentence, values) {
-    return sentence.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    const said = catalogue[sentence] ?? sentence;
+    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // src/answers/parts.js
