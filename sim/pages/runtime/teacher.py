@@ -39,6 +39,7 @@ BEGINS = (
         )
     ),
     *(f"pymdownx.{name}" for name in ("arithmatex", "details", "superfences")),
+    *("encodings.unicode_escape", "encodings.utf_8_sig", "html.entities"),
 )
 """What a look at a lesson imports, sooner or later."""
 

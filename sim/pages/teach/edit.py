@@ -31,7 +31,8 @@ def with_value(text: str, index: int, path: KeyPath, wanted: str) -> str:
         raise CannotWriteError("this value is no longer there")
     if old.value.rstrip("\n") == wanted.rstrip("\n"):
         return text
-    for way in _ways(old, wanted, "\r\n" if "\r\n" in text else "\n"):
+    line = text[old.start : text.find("\n", old.start) + 1]
+    for way in _ways(old, wanted, "\r\n" if line.endswith("\r\n") else "\n"):
         made = text[: old.start] + way + text[old.end :]
         after = _block(made, index)
         if after and len(blocks(made)) == len(blocks(text)):

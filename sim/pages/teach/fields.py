@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from sim.pages.fence_scan import Block
 from sim.pages.teach.spans import values
-from sim.pages.yaml_source import KeyPath
+from sim.pages.yaml_source import KeyPath, Place
 from sim.scene.read_contact import LAWS
 
 Kind = Literal["line", "area", "choice"]
@@ -75,6 +75,7 @@ class Field:
     label: str
     kind: Kind
     value: str
+    place: Place
     options: tuple[str, ...] = ()
 
     def as_row(self) -> dict[str, Any]:
@@ -100,10 +101,11 @@ def _fields(text: str, block: Block, named: Any) -> Iterator[Field]:
         if key in PAIR and block.name == "question":
             options = ()
         if options and shown in options:
-            yield Field(value.path, group, label, "choice", shown, options)
+            yield Field(value.path, group, label, "choice", shown, value.place, options)
         else:
             long = (key in LONG and block.name == "question") or "\n" in shown or len(shown) > 60
-            yield Field(value.path, group, label, "area" if long else "line", shown)
+            kind: Kind = "area" if long else "line"
+            yield Field(value.path, group, label, kind, shown, value.place)
 
 
 def _in_scene(path: KeyPath) -> tuple[str, str] | None:

@@ -13,7 +13,7 @@ import yaml
 
 from sim.pages.fence_scan import Block
 from sim.pages.teach.pieces import Lines
-from sim.pages.yaml_source import KeyPath
+from sim.pages.yaml_source import KeyPath, Place
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +21,7 @@ class Value:
     """A single value (no table, no list): characters `start` to `end` of the text.
 
     `style` is YAML's: "" plain, ' or " quoted, | or > a text of several lines. `indent`: the
-    columns in front of the lines of such a text.
+    columns in front of the lines of such a text. `place`: line and column, counted as findings do.
     """
 
     path: KeyPath
@@ -30,6 +30,7 @@ class Value:
     style: str
     indent: int
     value: str
+    place: Place
 
 
 def values(text: str, block: Block) -> tuple[Value, ...]:
@@ -76,7 +77,10 @@ def _below(node: yaml.Node, path: KeyPath, places: _Places) -> Iterator[Value]:
             yield from _below(item, (*path, k), places)
     elif isinstance(node, yaml.ScalarNode):
         start, end = places(node.start_mark), places.end(node)
-        yield Value(path, start, end, node.style or "", _indent(node, places), str(node.value))
+        mark = node.start_mark
+        place = places.block.start + 2 + mark.line, places.block.body_indent + 1 + mark.column
+        style = node.style or ""
+        yield Value(path, start, end, style, _indent(node, places), str(node.value), place)
 
 
 def _indent(node: yaml.ScalarNode, places: _Places) -> int:

@@ -6,6 +6,7 @@ such value; a teacher's own file puts them back, character by character.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from sim.pages.fence_scan import Block
@@ -50,9 +51,11 @@ def withheld_findings(text: str, file: str) -> list[Finding]:
         return []
     hint = "in teacher mode add your own file of the lesson before you save, or write the text here"
     message = "a text for teachers is missing here: it was kept out of the site"
-    rows = Lines.of(text)
-    places = [(k, line.index(WORDS)) for k, line in enumerate(rows.lines) if WORDS in line]
-    return [Finding(file, k + 1, col + 1, "withheld", message, hint) for k, col in places]
+    found = []
+    for k, line in enumerate(Lines.of(text).lines):
+        for at in re.finditer(re.escape(WORDS), line):
+            found.append(Finding(file, k + 1, at.start() + 1, "withheld", message, hint))
+    return found
 
 
 def _hidden(text: str) -> Iterator[tuple[Name, Value]]:

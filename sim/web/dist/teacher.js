@@ -1131,8 +1131,8 @@
       this.set = set;
       this.root = html("div", "carts-teach-fields");
     }
-    /** @param {Field[]} fields */
-    show(fields) {
+    /** @param {Field[]} fields @param {import("./types.js").Finding[]} findings of the block */
+    show(fields, findings) {
       const form = JSON.stringify(fields.map(({ path, kind, group }) => [path, kind, group]));
       if (form !== this.#form) this.#build(fields);
       this.#form = form;
@@ -1140,6 +1140,9 @@
         const row = this.#rows.get(JSON.stringify(field.path));
         if (!row) continue;
         row.field = field;
+        const [line, col] = field.place;
+        const wrong = findings.some((one) => one.line === line && one.col === col);
+        row.control.setAttribute("aria-invalid", String(wrong));
         if (row.control !== document.activeElement && row.control.value !== field.value) {
           row.control.value = field.value;
           this.#say(row, "");
@@ -1346,7 +1349,7 @@
         if (!piece.fields?.length) this.asText.open = true;
         this.root.append(inside);
       }
-      this.#fields.show(piece.fields ?? []);
+      this.#fields.show(piece.fields ?? [], findings);
       if (piece.kind === "text") {
         const plain2 = piece.text.replace(/\r\n?/g, "\n");
         if (this.prose.value !== plain2) this.prose.value = plain2;
@@ -1582,7 +1585,7 @@
     #typed(k, typed) {
       const piece = this.#pieces[k];
       if (!piece) return;
-      const ends = this.session.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
+      const ends = piece.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
       const texts = this.#pieces.map(({ text }, other) => other === k ? ends : text);
       this.#pieces = this.#pieces.map((one, other) => other === k ? { ...one, text: ends } : one);
       this.session.change(texts.join(""), `piece ${k}`);

@@ -18,8 +18,8 @@ export class Fields {
     this.root = html("div", "carts-teach-fields");
   }
 
-  /** @param {Field[]} fields */
-  show(fields) {
+  /** @param {Field[]} fields @param {import("./types.js").Finding[]} findings of the block */
+  show(fields, findings) {
     const form = JSON.stringify(fields.map(({ path, kind, group }) => [path, kind, group]));
     if (form !== this.#form) this.#build(fields);
     this.#form = form;
@@ -27,6 +27,9 @@ export class Fields {
       const row = this.#rows.get(JSON.stringify(field.path));
       if (!row) continue;
       row.field = field;
+      const [line, col] = field.place;
+      const wrong = findings.some((one) => one.line === line && one.col === col);
+      row.control.setAttribute("aria-invalid", String(wrong));
       // What is being typed is not overwritten.
       if (row.control !== document.activeElement && row.control.value !== field.value) {
         row.control.value = field.value;

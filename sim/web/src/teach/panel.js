@@ -154,7 +154,7 @@ export class Panel {
   #typed(k, typed) {
     const piece = this.#pieces[k];
     if (!piece) return;
-    const ends = this.session.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
+    const ends = piece.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
     const texts = this.#pieces.map(({ text }, other) => (other === k ? ends : text));
     this.#pieces = this.#pieces.map((one, other) => (other === k ? { ...one, text: ends } : one));
     this.session.change(texts.join(""), `piece ${k}`);

@@ -76,7 +76,7 @@ export class PieceEditor {
       if (!piece.fields?.length) this.asText.open = true;
       this.root.append(inside);
     }
-    this.#fields.show(piece.fields ?? []);
+    this.#fields.show(piece.fields ?? [], findings);
     if (piece.kind === "text") {
       const plain = piece.text.replace(/\r\n?/g, "\n");
       if (this.prose.value !== plain) this.prose.value = plain;

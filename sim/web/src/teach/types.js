@@ -2,7 +2,7 @@
  * What Python answers, see sim/pages/teach/answer.py.
  *
  * @typedef {{path: (string | number)[], group: string, label: string, kind: "line" | "area" | "choice",
- *   value: string, options: string[]}} Field
+ *   value: string, place: [number, number], options: string[]}} Field
  * @typedef {{kind: "top" | "text" | "block", text: string, line: number, name?: string, id?: string,
  *   title?: string, fields?: Field[]}} Piece
  * @typedef {{file: string, line: number, col: number, message: string, hint: string}} Finding

@@ -1,0 +1,138 @@
+"""What teacher mode says and shows is what `carts check` says and the build shows."""
+
+from __future__ import annotations
+
+import base64
+import io
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sim.pages.check import check_lesson
+from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.teach import answer as wire
+from sim.pages.teach.answer import lesson_of, teach_answer
+from sim.pages.teach.preview import Desk, Site
+
+ROOT = Path(__file__).parents[2]
+GOLDEN = ROOT / "tests" / "golden" / "author-errors"
+CASES = sorted(path.stem for path in GOLDEN.glob("*.md"))
+SCENE = "```scene\nid: one\ncarts: {{A: {{mass: {mass}, position: 0.2 m}}}}\n```\n"
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_an_authors_mistake_reads_as_in_carts_check(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(GOLDEN)
+    text = (GOLDEN / f"{name}.md").read_text(encoding="utf-8")
+    lesson = Lesson(f"{name}.md", (Path("scenes"),), (Path("banks"),))
+    expected = check_lesson(text, lesson, SiteIds())
+    assert list(Desk(banks=True).look(text, lesson, Site()).findings) == expected
+
+
+def look(text: str, **more: Any) -> dict[str, Any]:
+    lesson = {"file": "worksheets/a.md", "scenes": ["worksheets"], **more.pop("lesson", {})}
+    return teach_answer({"do": "look", "text": text, "lesson": lesson, **more})[0]
+
+
+@pytest.fixture(autouse=True)
+def at_a_new_desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(wire, "_desk", Desk())
+    monkeypatch.setattr(wire, "_laid", {})
+
+
+def test_a_block_is_the_very_element_of_the_build() -> None:
+    from markdown import Markdown
+
+    from sim.pages.extension import CartsExtension
+
+    text = SCENE.format(mass="1 kg")
+    (block,) = look(text)["blocks"]
+    built = Markdown(extensions=[CartsExtension()]).convert(text)
+    assert block["html"] == built.replace("<carts-scene data-search-exclude", "<carts-scene")
+
+
+def test_only_what_has_changed_is_made_and_sent() -> None:
+    two = SCENE.format(mass="1 kg") + "\n" + SCENE.format(mass="2 kg").replace("one", "two")
+    keys = [block["key"] for block in look(two)["blocks"]]
+    changed = look(two.replace("2 kg", "3 kg"), have=keys)["blocks"]
+    assert changed[0]["html"] is None
+    assert changed[0]["key"] == keys[0]
+    assert changed[1]["html"]
+
+
+def test_the_text_between_is_made_as_the_build_does_with_places_for_the_blocks() -> None:
+    text = f"---\ntitle: x\n---\n# Head\n\nSee [this](b.md#c).\n\n{SCENE.format(mass='1 kg')}\nEnd"
+    frame = look(text)["frame"]
+    assert frame == (
+        '<h1>Head</h1>\n<p>See <a href="b.html#c">this</a>.</p>\n'
+        '<carts-place data-block="0"></carts-place>\n<p>End</p>'
+    )
+
+
+def test_an_extension_that_is_not_here_leaves_the_page_as_it_is() -> None:
+    assert look("# Head", lesson={"extensions": ["no.such.extension"]})["frame"] is None
+
+
+def test_an_id_of_another_lesson_is_taken() -> None:
+    found = look(SCENE.format(mass="1 kg"), lesson={"ids": {"one": "worksheets/b.md:7"}})
+    assert [(f["line"], f["code"]) for f in found["findings"]] == [(2, "id-taken")]
+    assert "worksheets/b.md:7" in found["findings"][0]["message"]
+
+
+def test_a_form_whose_bank_is_not_in_the_page_stays_as_it_was_built() -> None:
+    quiz = "```quiz\nid: q\nform: pre\nmode: practice\nbank: b.yml\nuse: all\n```\n"
+    made = look(quiz)
+    assert [block["state"] for block in made["blocks"]] == ["kept"]
+    assert made["findings"] == []
+
+
+def test_a_scene_file_and_a_linked_page_are_found() -> None:
+    text = "[next](b.md)\n\n```scene\nid: one\nfile: two.yml\n```\n"
+    files = {"worksheets/two.yml": "carts: {A: {mass: 1 kg, position: 0.2 m}}\n"}
+    assert look(text, files=files, lesson={"names": ["worksheets/b.md"]})["findings"] == []
+
+
+def test_no_file_is_laid_outside_of_the_desk(tmp_path: Path) -> None:
+    look("x", files={"../out.yml": "x", "/tmp/out.yml": "x", "in.yml": "y"})
+    written = {path.name for path in tmp_path.rglob("*") if path.is_file()}
+    assert written == {"in.yml"}
+    assert lesson_of({"file": "a.md"}).scene_folders == ()
+
+
+def test_a_long_lesson_is_made_in_slices(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(wire, "SLICE", 0)
+    two = SCENE.format(mass="1 kg") + "\n" + SCENE.format(mass="2 kg").replace("one", "two")
+    first = look(two)
+    assert first["more"]
+    assert {block["state"] for block in first["blocks"]} == {"later"}
+    monkeypatch.setattr(wire, "SLICE", 60)
+    assert not look(two)["more"]
+
+
+def test_the_zip_holds_the_lesson_and_what_was_changed_in_it() -> None:
+    request = {
+        "do": "zip",
+        "file": "worksheets/a.md",
+        "text": "one\nTWO",
+        "published": "one\ntwo\n",
+    }
+    data = teach_answer(request)[0]["base64"]
+    assert data == teach_answer(request)[0]["base64"]
+    with zipfile.ZipFile(io.BytesIO(base64.b64decode(data))) as archive:
+        assert archive.read("a/worksheets/a.md") == b"one\nTWO"
+        diff = archive.read("a/changes.diff").decode()
+    assert "-two\n+TWO\n\\ No newline at end of file\n" in diff
+
+
+def test_a_field_is_set_and_what_cannot_be_said_is_refused() -> None:
+    text = SCENE.format(mass="1 kg")
+    request = {"do": "set", "text": text, "block": 0, "path": ["carts", "A", "mass"]}
+    made = teach_answer({**request, "value": "2 kg"})[0]
+    assert made == {"text": SCENE.format(mass="2 kg")}
+    gone = teach_answer({**request, "path": ["carts", "Z", "mass"], "value": "2"})[0]
+    assert "no longer there" in gone["refused"]
