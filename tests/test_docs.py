@@ -10,6 +10,9 @@ import pytest
 from sim.cli import COMMANDS
 from sim.dynamics.report import report
 from sim.dynamics.run import run
+from sim.cli.fit import command as fit_command
+from sim.measured.contact import LAWS as LAWS_FITTED
+from sim.pages.measured.block import KEYS as MEASURED_KEYS
 from sim.pages.yaml_source import load
 from sim.scene import fields, read_fence
 from sim.scene.effects import KINDS, EffectKind
@@ -37,6 +40,19 @@ def test_the_reference_names_every_key(key: str) -> None:
 def test_the_reference_of_maps_names_every_key(key: str) -> None:
     text = (ROOT / "docs" / "reference" / "map.md").read_text(encoding="utf-8")
     assert re.search(rf"^\| `{re.escape(key)}` \|", text, re.M), key
+
+
+@pytest.mark.parametrize("key", [*MEASURED_KEYS, "length", "time", "force", *LAWS_FITTED])
+def test_the_reference_of_readings_names_every_key(key: str) -> None:
+    text = (ROOT / "docs" / "reference" / "measured.md").read_text(encoding="utf-8")
+    assert f"`{key}`" in text, key
+
+
+def test_the_reference_of_readings_names_every_option() -> None:
+    text = (ROOT / "docs" / "reference" / "measured.md").read_text(encoding="utf-8")
+    for parameter in fit_command.params:
+        for option in parameter.opts:
+            assert f"`{option}" in text or not option.startswith("--"), option
 
 
 @pytest.mark.parametrize("field", fields.CART, ids=lambda field: field.key)

@@ -53,8 +53,10 @@ def told(fit: Fit, names: tuple[str, str], mass: tuple[str, float] | None = None
     ratio = f"mass of {names[1]} ÷ mass of {names[0]}"
     _add(found, untold, _log(fit, "mass_ratio", ratio, p.ratio, {"ln_ratio": 1.0}, ""))
     for k, name in enumerate(names):
+        if p.rests[k]:
+            continue  # it is known to stand still
         key = f"v_{'ab'[k]}"
-        slopes = {f"v{k + 1}": 1.0} if not p.rests[k] else {}
+        slopes = {f"v{k + 1}": 1.0}
         found.append(_plain(fit, key, f"velocity of {name} at the touch", p.v[k], slopes, "m/s"))
     found.append(_plain(fit, "touch", "first touch at t", p.touch, {"touch": 1.0}, "s"))
     stiff = {"ln_w0": 1.0}

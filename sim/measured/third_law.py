@@ -20,6 +20,7 @@ from sim.measured.tracks import Measured, Track
 QUIET = 0.1
 """Share of the greatest force below which a sensor counts as not pushed."""
 
+MIDDLE = 0.6745  # median of |x| with noise 1
 STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
 Z = 1.96  # half a 95 % interval in standard deviations, for many readings
 
@@ -102,10 +103,9 @@ def _zero(values: Sequence[float]) -> float:
 
 def _noise(values: Sequence[float], peak: float) -> float:
     """Standard deviation: of what is quiet, or by the steps from reading to reading if larger."""
-    quiet = [value for value in values if abs(value) <= QUIET * peak]
-    still = math.sqrt(sum(value * value for value in quiet) / max(1, len(quiet) - 1))
+    quiet = median([abs(value) for value in values if abs(value) <= QUIET * peak] or [0.0])
     steps = median(abs(b - a) for a, b in itertools.pairwise(values))
-    return max(still, steps / STEP)
+    return max(quiet / MIDDLE, steps / STEP)
 
 
 def _slope(a: Sequence[float], b: Sequence[float]) -> tuple[float, float]:

@@ -76,7 +76,7 @@ def figure(measured: Measured) -> dict[str, Any]:
     values = [value for track in measured.tracks for value in track.value]
     low, high = min(values), max(values)
     room = ROOM * (high - low) or 1.0
-    t, x = span(min(times), max(times), 6), span(low - room, high + room, 5)
+    t, x = span(min(times), max(times), 8), span(low - room, high + room, 8)
     return {
         "points": [points(track, t, x) for track in measured.tracks],
         "t_ticks": [(px(_across(t, tick)), fixed(tick, t.decimals)) for tick in t.ticks()],

@@ -37,7 +37,7 @@ export function planes(tracks) {
 	const [begin, end] = reach(tracks.map((track) => track.t));
 	const [low, high] = reach(tracks.map((track) => track.value));
 	const room = ROOM * (high - low) || 1;
-	return { t: span(begin, end, 6), x: span(low - room, high + room, 5) };
+	return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
 }
 
 /** @param {number[]} t @param {number[]} values @param {Axis} axis @param {Axis} up_ @param {[number, number]} room */
@@ -99,7 +99,7 @@ export class Figure {
 		const { t } = planes(tracks);
 		const [low, high] = reach(residuals);
 		const most = HEAD * factor * Math.max(1e-12, -low, high);
-		const axis = span(-most, most, 4);
+		const axis = span(-most, most, 6);
 		this.left.toggleAttribute("hidden", false);
 		this.left.replaceChildren(
 			...frame(t, axis, LOW.bottom, LOW.top, unit, false),
@@ -109,7 +109,7 @@ export class Figure {
 			}),
 			...tracks.map((track, k) =>
 				svg("path", {
-					class: `carts-measured-dots carts-measured-small carts-b${k}`,
+					class: `carts-measured-dots carts-measured-small carts-${tracks.length > 1 ? `b${k}` : "total"}`,
 					d: dots(
 						track.t,
 						(residuals[k] ?? []).map((value) => factor * value),
