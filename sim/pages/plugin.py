@@ -32,6 +32,7 @@ from sim.pages import lessons_only
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH
+from sim.pages.offline import Hosting
 from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild, SiteError, lessons_in, with_lessons
@@ -49,6 +50,7 @@ class CartsConfig(Config):  # type: ignore[no-untyped-call]
     lessons = c.Type(str, default="worksheets")  # folder of the lessons, beside mkdocs.yml
     hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
     teacher_mode = c.Type(bool, default=True)  # “Change this lesson” at the foot of lessons
+    offline = c.Type(bool, default=True)  # hosted: readers' browsers keep the site for later
 
 
 class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
@@ -88,6 +90,9 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         self.lessons = lessons_in(self.folder)
         if config.nav is not None:
             config.nav = with_lessons(config.nav, self.folder, self.lessons)
+        if audience == "hosted":
+            about, address = config.site_description or "", config.site_url or ""
+            self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
         if self.config.teacher_mode:
             names, settings = config.markdown_extensions, config.mdx_configs
             self.build.doors = Doors(root, self.folder, names, settings)

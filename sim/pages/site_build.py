@@ -28,6 +28,7 @@ from sim.pages.language import (
     words_script,
 )
 from sim.pages.lesson_text import language_findings, lesson_order
+from sim.pages.offline import Hosting
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.teach.doors import Doors
@@ -63,6 +64,7 @@ class SiteBuild:
     keys: dict[str, dict[str, Any]] = field(default_factory=dict)
     done: frozenset[str] | None = None  # packages of the runtime that the site has already
     doors: Doors = field(init=False)
+    hosting: Hosting | None = None  # for a web server
 
     def __post_init__(self) -> None:
         self.doors = Doors(self.root)
@@ -127,7 +129,7 @@ class SiteBuild:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
         needs = self.needs.get(name, Needs()) if name else Needs()
         html = self.doors.with_door(html, name, assets, self.ids.used)
-        return finish(
+        page = finish(
             html,
             audience=self.audience,
             site_id=self.site_id,
@@ -136,6 +138,7 @@ class SiteBuild:
             needs=needs,
             trusted=self.trusted,
         )
+        return self.hosting.head(page, name, assets) if self.hosting and name else page
 
     def strangers(self, html: str) -> list[str]:
         """Inline scripts in a page that are not the theme's: its policy will not let them run."""
@@ -168,6 +171,8 @@ class SiteBuild:
         packages = {*self.packages, *(["teacher"] if self.doors.made else [])}
         works = licences.notices(modules, scenes=scenes, packages=packages)
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
+        if self.hosting:
+            self.hosting.write(site, self.site_id)  # the last: it lists all files
 
     def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:
         from sim.pages import runtime  # only where a page has a scene

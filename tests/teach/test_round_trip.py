@@ -1,4 +1,4 @@
-"""A lesson that nobody has changed stays as it is, to the last byte; a change changes only itself."""
+"""An unchanged lesson stays as it is, to the last byte; a change changes only itself."""
 
 from __future__ import annotations
 

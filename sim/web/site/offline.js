@@ -1,0 +1,30 @@
+// Hosted pages only: has the service worker keep the site on this computer, and tells it what this
+// page has loaded beside the parts that are kept at once.
+
+(() => {
+  const own = /** @type {HTMLScriptElement} */ (document.currentScript).src;
+  const root = new URL("../../", own);
+  const workers = navigator.serviceWorker;
+  const connection = /** @type {any} */ (navigator).connection;
+  if (!workers || !isSecureContext || connection?.saveData) return;
+
+  const state = (/** @type {string} */ text) => {
+    document.documentElement.dataset.offline = text;
+  };
+
+  async function keep() {
+    const options = /** @type {RegistrationOptions} */ ({ updateViaCache: "none" });
+    await workers.register(new URL("sw.js", root), options);
+    const { active } = await workers.ready;
+    state("ready");
+    if (workers.controller || !active) return; // a controlled page asks it for every file
+    const seen = new PerformanceObserver((list) => {
+      active.postMessage({ keep: list.getEntries().map((entry) => entry.name) });
+    });
+    seen.observe({ type: "resource", buffered: true });
+  }
+
+  const begin = () => keep().catch(() => state("refused")); // the site works without it
+  if (document.readyState === "complete") begin();
+  else addEventListener("load", begin);
+})();
