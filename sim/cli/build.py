@@ -5,10 +5,10 @@ from __future__ import annotations
 import logging
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -19,6 +19,8 @@ from sim.pages.check import USUAL_PLACES, check_paths
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
+
+    from sim.pages.site_build import SiteBuild
 
 
 @click.command("build")
@@ -54,11 +56,16 @@ def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
 
 
 def build_site(
-    root: Path, *, hosted: bool, strict: bool, site_dir: Path | None = None
+    root: Path,
+    *,
+    hosted: bool,
+    strict: bool,
+    site_dir: Path | None = None,
+    seen: Callable[[SiteBuild], None] | None = None,
 ) -> Path | None:
     """Run MkDocs in `root`; the absolute path of the site, or None after messages on stderr.
 
-    `site_dir` is where the site goes; None: where mkdocs.yml says.
+    `site_dir` is where the site goes; None: where mkdocs.yml says. `seen` is told what was built.
     """
     os.environ["NO_MKDOCS_2_WARNING"] = "1"  # the theme's notice to programmers
     from mkdocs.commands.build import build
@@ -75,6 +82,9 @@ def build_site(
             config.plugins.on_startup(command="build", dirty=False)
             build(config)
             config.plugins.on_shutdown()
+            if seen:
+                plugin: Any = config.plugins["carts"]
+                seen(plugin.build)
     except (Abort, MkDocsException) as error:
         click.echo(str(error), err=True)
         return None

@@ -1,4 +1,4 @@
-"""`carts pack`: the whole site as one zip, for a stick or for a learning platform."""
+"""`carts pack`: the whole site as one zip, for a stick, a web server or a learning platform."""
 
 from __future__ import annotations
 
@@ -11,34 +11,69 @@ import click
 from sim.cli import site_folder
 from sim.cli.build import build_site
 from sim.pages.classroom.scorm import scorm_files
+from sim.pages.open_me import NAME as OPEN_ME
+from sim.pages.open_me import open_me
 
 DATE = (1980, 1, 1, 0, 0, 0)  # equal sites give equal zips
+LONGEST = 120
+"""Characters of a path in the zip. Windows takes 260 with the folders around it."""
+
+KINDS = {"scorm": "site.scorm.zip", "hosted": "site.hosted.zip", "stick": "site.zip"}
 
 
 @click.command("pack")
-@click.option("--scorm", is_flag=True, help="As a SCORM 1.2 package, for a learning platform.")
+@click.option("--hosted", "kind", flag_value="hosted", help="For a web server.")
+@click.option("--scorm", "kind", flag_value="scorm", help="SCORM 1.2, for a learning platform.")
+@click.option("--single", is_flag=True, help="Each lesson as one HTML file; a zip of them.")
 @click.option(
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
-    help="The zip to write (default: build/site.zip, or build/site.scorm.zip).",
+    help="The zip to write (default: build/site.zip, build/site.hosted.zip …).",
 )
 @click.pass_context
-def command(ctx: click.Context, scorm: bool, out: Path | None) -> None:
+def command(ctx: click.Context, kind: str | None, single: bool, out: Path | None) -> None:
     """Build the site and pack it into one zip.
 
-    Students unpack it and double-click index.html. With --scorm a learning platform shows it; the
+    Students unpack it and double-click OPEN ME, which checks the browser and leads to the lessons.
+    With --hosted: for whoever has a web server. With --scorm a learning platform shows it; the
     platform is told that the lessons were opened and for how long, and no answer.
+
+    \b
+    carts pack
+    carts pack --out mechanics.zip
+    carts pack --hosted
+    carts pack --scorm
+    carts pack --single
     """
     here = site_folder.here()
-    root = here.root
-    out = out or root / "build" / ("site.scorm.zip" if scorm else "site.zip")
+    if single and kind:
+        raise click.UsageError(f"--single and --{kind} do not go together.")
+    if single:
+        from sim.cli.pack_single import pack_lessons
+
+        pack_lessons(ctx, here, out or here.root / "build" / "lessons.single.zip")
+        return
+    kind = kind or "stick"
+    out = out or here.root / "build" / KINDS[kind]
     with tempfile.TemporaryDirectory() as folder:
-        site = build_site(root, hosted=scorm, strict=True, site_dir=Path(folder) / "site")
+        place = Path(folder) / "site"
+        site = build_site(here.root, hosted=kind != "stick", strict=True, site_dir=place)
         if site is None:
             click.echo("The site was not built, so there is no zip.", err=True)
             ctx.exit(1)
-        pack_site(site, out, scorm=(here.title, here.site_id) if scorm else None)
-    click.echo(f"{out}: {out.stat().st_size / 1e6:.1f} MB")
+        if kind == "stick":
+            (site / OPEN_ME).write_text(open_me(here.title), encoding="utf-8", newline="\n")
+        pack_site(site, out, scorm=(here.title, here.site_id) if kind == "scorm" else None)
+    click.echo(f"{out}: {size_of(out)}")
+    if kind == "stick":
+        click.echo(f"Students unpack it and double-click “{OPEN_ME}”.")
+    elif kind == "hosted":
+        click.echo("Unpack it into a folder of a web server; any address will do.")
+
+
+def size_of(path: Path) -> str:
+    """The size as it is printed."""
+    return f"{path.stat().st_size / 1e6:.1f} MB"
 
 
 def pack_site(site: Path, out: Path, *, scorm: tuple[str, str] | None) -> None:
@@ -50,9 +85,25 @@ def pack_site(site: Path, out: Path, *, scorm: tuple[str, str] | None) -> None:
     }
     if scorm:
         files |= scorm_files(*scorm, files)
-    out.parent.mkdir(parents=True, exist_ok=True)
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            entry = zipfile.ZipInfo(name, DATE)
-            entry.external_attr = 0o644 << 16
-            archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
+    write_zip(files, out)
+
+
+def write_zip(files: dict[str, bytes], out: Path) -> None:
+    """Write the files; a path too long for Windows, or a place that is not ours, is a sentence."""
+    long = [name for name in files if len(name) > LONGEST]
+    if long:
+        raise click.ClickException(
+            f"{len(long[0])} characters are too long for Windows ({LONGEST} at most): {long[0]}\n"
+            "Give that file a shorter name."
+        )
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name, content in files.items():
+                entry = zipfile.ZipInfo(name, DATE)
+                entry.external_attr = 0o644 << 16
+                archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
+    except OSError as error:
+        raise click.ClickException(
+            f"{out} cannot be written: {error.strerror}. Another place: carts pack --out FILE.zip"
+        ) from None

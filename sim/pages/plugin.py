@@ -181,7 +181,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             log.warning("%s: the page's policy blocks %s", self.page.lesson.file, what)
         if self.serving:
             self.preview.names[name] = str(page.title or "")
-            html = text_box(page.file.content_string, self.page.lesson, _report) + html
+            if page.file.abs_src_path:  # written by somebody
+                html = text_box(page.file.content_string, self.page.lesson, _report) + html
         return html
 
     def on_env(self, env: Environment, *, config: MkDocsConfig, files: Files) -> Environment:

@@ -13,6 +13,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.web.conftest import browser, browser_name, driver, open_page, site_server
+
+__all__ = ["browser", "browser_name", "driver", "open_page", "site_server"]
+
 ROOT = Path(__file__).parents[2]
 CACHE = Path(os.environ.get("CARTS_CACHE") or ROOT / ".cache")
 

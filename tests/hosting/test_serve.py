@@ -42,6 +42,7 @@ def preview(root: Path, tmp_path: Path) -> Iterator[Previewer]:
     made.url = "http://127.0.0.1:8000/"
     made.make()
     assert not made.trouble
+    assert not any("carts-author-error" in page for page in pages(made.site).values())
     yield made
     made.close()
 

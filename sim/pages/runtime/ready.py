@@ -81,13 +81,21 @@ def find_ready(
         entry = _entry(path)
         if packages <= set(entry["packages"]):
             if entry["sources"] != _sources(ours, classroom, package):
-                return None
+                raise DamagedError(f"The installed newtons-carts is mixed of two versions. {HELP}")
+            check_entry(path)
             scripts = {name: folder / name for name in entry["scripts"]}
-            for name, digest in entry["scripts"].items():
-                if not scripts[name].is_file() or sha256(scripts[name].read_bytes()) != digest:
-                    raise DamagedError(f"{name} of the installed newtons-carts is damaged. {HELP}")
             return Contents(scripts, entry["index"], entry["versions"])
     return None
+
+
+def check_entry(path: Path) -> int:
+    """How many scripts one set has, all as they were made. Raises DamagedError."""
+    scripts: dict[str, str] = _entry(path)["scripts"]
+    for name, digest in scripts.items():
+        script = path.parent / name
+        if not script.is_file() or sha256(script.read_bytes()) != digest:
+            raise DamagedError(f"{name} of the installed newtons-carts is damaged. {HELP}")
+    return len(scripts)
 
 
 def _entry(path: Path) -> dict[str, Any]:

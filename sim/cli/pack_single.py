@@ -1,0 +1,52 @@
+"""`carts pack --single`: each lesson as one HTML file, all of them in one zip."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from sim.cli.build import build_site
+from sim.cli.site_folder import SiteFolder
+
+if TYPE_CHECKING:
+    from sim.pages.site_build import SiteBuild
+
+
+def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
+    """Build the site and write its lessons, one file each, into the zip `out`."""
+    from sim.cli.pack import size_of, write_zip
+    from sim.pages import runtime
+    from sim.pages.single_lesson import single_lesson
+
+    builds: list[SiteBuild] = []
+    files: dict[str, bytes] = {}
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder) / "site"
+        site = build_site(here.root, hosted=False, strict=True, site_dir=place, seen=builds.append)
+        if site is None:
+            click.echo("The site was not built, so there is no zip.", err=True)
+            ctx.exit(1)
+        packed: dict[frozenset[str], list[str]] = {}
+        for name, packages in sorted(builds[0].asked.items()):
+            if not name.startswith("worksheets/"):
+                continue
+            if packages not in packed:
+                facts = runtime.pack(
+                    Path(folder) / f"runtime-{len(packed)}",
+                    packages=packages,
+                    cache=runtime.default_cache(here.root),
+                    report=click.echo,
+                )
+                if facts.missing:
+                    raise click.ClickException(facts.missing)
+                parts = (facts.folder / part for part in sorted(facts.files))
+                packed[packages] = [part.read_text(encoding="utf-8") for part in parts]
+            page = (site / name).with_suffix(".html")
+            text = single_lesson(page, site, packed[packages])
+            files[page.name] = text.encode()
+            click.echo(f"  {page.name}: {len(files[page.name]) / 1e6:.1f} MB")
+    write_zip(files, out)
+    click.echo(f"{out}: {size_of(out)}. Each file is a whole lesson and needs no other.")
