@@ -22,6 +22,7 @@ from tests.web.conftest import OpenPage
 from tests.web.question_site import question_site
 from tests.web.widget_site import MEETING, QUESTIONS, in_node, live, widget_site, write_page
 
+pytestmark = pytest.mark.browser
 __all__ = ["question_site", "widget_site"]  # fixtures
 EVERYTHING: dict[str, Any] = {
     "id": "everything",

@@ -1278,6 +1278,14 @@
     return effectValue(header, target);
   }
 
+  // src/element-words.js
+  var ASK_FIRST = tr("Make your prediction and lock it first.");
+  var LIVE = tr("live: Python computes in this page");
+  var NOT_STARTED = tr("Python could not start.");
+  var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
+  var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
+  var PREDICTION_KEPT = tr("Your prediction is kept.");
+
   // src/answers/entry.js
   var MOST_EARLIER = 500;
   function isEmpty(value) {
@@ -6687,7 +6695,6 @@ ${lines2.join("\n")}
   };
 
   // src/element.js
-  var ASK_FIRST = tr("Make your prediction and lock it first.");
   function sceneElement(client) {
     return class CartsScene extends HTMLElement {
       /** @type {SceneView | null} */
@@ -6873,10 +6880,7 @@ ${lines2.join("\n")}
         else this.#mark();
       }
       #mark() {
-        need(this, ".carts-mark").setAttribute(
-          "aria-label",
-          tr("live: Python computes in this page")
-        );
+        need(this, ".carts-mark").setAttribute("aria-label", LIVE);
       }
       async #goLive() {
         try {
@@ -6901,14 +6905,13 @@ ${lines2.join("\n")}
         }
       }
       /** @param {Error & {reason?: string}} error */
-      #fail(error = client.error ?? new Error(tr("Python could not start."))) {
+      #fail(error = client.error ?? new Error(NOT_STARTED)) {
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#controls?.enable(false);
         const note = need(this, ".carts-note");
         note.hidden = false;
-        const still = this.#told ? tr("The prepared run still plays; values cannot be changed.") : tr("Your prediction is kept; the run cannot be shown.");
-        say(note, `${error.message} ${still}`);
+        say(note, `${error.message} ${this.#told ? STILL_PLAYS : NOT_SHOWN}`);
         this.#waiting.reject(error);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
       }
@@ -6939,7 +6942,7 @@ ${lines2.join("\n")}
             /** @type {Error} */
             error
           );
-          this.#predict?.complain(`${message} ${tr("Your prediction is kept.")}`);
+          this.#predict?.complain(`${message} ${PREDICTION_KEPT}`);
         }
       }
       /** @param {string} target @param {Error} error */

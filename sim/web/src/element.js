@@ -3,9 +3,9 @@
 import { readBaked } from "./baked.js";
 import { Controls, valueIn } from "./controls.js";
 import { need, say } from "./dom.js";
+import * as words from "./element-words.js";
 import { showForces } from "./find-forces.js";
 import { askFirst, wireInside } from "./inside.js";
-import { tr } from "./language.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./share.js";
 import { fromWire } from "./trajectory.js";
@@ -14,8 +14,6 @@ import { deferred, drawn, frame, refusal } from "./waiting.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */
-
-const ASK_FIRST = tr("Make your prediction and lock it first.");
 
 /** The element class for a client. @param {import("./client.js").Client} client */
 export function sceneElement(client) {
@@ -149,7 +147,7 @@ export function sceneElement(client) {
      * @param {Settings} changes @param {number} at time of the input, for the measure
      */
     async set(changes, at = performance.now()) {
-      if (!this.#told) throw new Error(ASK_FIRST);
+      if (!this.#told) throw new Error(words.ASK_FIRST);
       this.#values.ask(changes);
       await this.#compute(changes, at);
     }
@@ -226,10 +224,7 @@ export function sceneElement(client) {
     }
 
     #mark() {
-      need(this, ".carts-mark").setAttribute(
-        "aria-label",
-        tr("live: Python computes in this page"),
-      );
+      need(this, ".carts-mark").setAttribute("aria-label", words.LIVE);
     }
 
     async #goLive() {
@@ -253,16 +248,13 @@ export function sceneElement(client) {
     }
 
     /** @param {Error & {reason?: string}} error */
-    #fail(error = client.error ?? new Error(tr("Python could not start."))) {
+    #fail(error = client.error ?? new Error(words.NOT_STARTED)) {
       this.dataset.state = "failed";
       this.dataset.reason = error.reason ?? "failed";
       this.#controls?.enable(false);
       const note = need(this, ".carts-note");
       note.hidden = false;
-      const still = this.#told
-        ? tr("The prepared run still plays; values cannot be changed.")
-        : tr("Your prediction is kept; the run cannot be shown.");
-      say(note, `${error.message} ${still}`);
+      say(note, `${error.message} ${this.#told ? words.STILL_PLAYS : words.NOT_SHOWN}`);
       this.#waiting.reject(error);
       this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
@@ -292,7 +284,7 @@ export function sceneElement(client) {
           this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
       } catch (error) {
         const { message } = /** @type {Error} */ (error);
-        this.#predict?.complain(`${message} ${tr("Your prediction is kept.")}`);
+        this.#predict?.complain(`${message} ${words.PREDICTION_KEPT}`);
       }
     }
 
