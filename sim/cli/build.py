@@ -34,7 +34,12 @@ if TYPE_CHECKING:
 )
 @click.pass_context
 def command(ctx: click.Context, hosted: bool, strict: bool) -> None:
-    """Build the site into the folder site/ and print the file to double-click."""
+    """Build the site into the folder site/ and print the file to double-click.
+
+    \b
+    carts build
+    carts build --hosted
+    """
     root = site_folder.here().root
     started = time.monotonic()
     found = check_paths([root / place for place in USUAL_PLACES], root)

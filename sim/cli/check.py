@@ -27,6 +27,11 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: st
 
     PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes are
     checked. Exit code 1 means that something was found, 2 that a PATH does not exist.
+
+    \b
+    carts check
+    carts check worksheets/newtons-third-law.md
+    carts check --format github
     """
     root = Path.cwd()
     for path in paths:

@@ -57,6 +57,11 @@ def command(
     FILES are answer files, folders with answer files in them, zips, and key files. A file that
     cannot be used is named on standard error with the reason; the others are analysed. Nothing is
     sent anywhere.
+
+    \b
+    carts class answers/ --html report.html
+    carts class answers.zip build/keys/
+    carts class answers/ --group "new=7a-*" --group "old=7b-*"
     """
     named = [_group(text) for text in groups]
     reading = Reading.of([])

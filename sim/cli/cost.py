@@ -35,6 +35,10 @@ def command(scene: str, as_json: bool, picture: Path | None) -> None:
     SCENE.yml is a scene file; - reads standard input. `time` is the time of a single run as a
     multiple of the exact outcome's, measured in this process. Errors are the worst of 64 runs whose
     touches fall at different places within a step; steps are the run's length over a prime number.
+
+    \b
+    carts cost my-scene.yml
+    carts cost my-scene.yml --svg cost.svg
     """
     description = scene_file.read(scene)
     try:

@@ -39,6 +39,10 @@ def command(
 
     BANK is a file of worksheets/banks. The file holds the right answers: import it, and do not hand
     it out.
+
+    \b
+    carts export worksheets/banks/forces-and-motion.yml
+    carts export worksheets/banks/forces-and-motion.yml --form test-15 --to gift
     """
     found, findings = read_bank_text(bank.read_text(encoding="utf-8"), bank.as_posix())
     if found is None:

@@ -79,6 +79,10 @@ def command(
     Tracker's export, CSV and sensor logs are read as they are: tab, semicolon, comma or spaces,
     decimal point or comma. Every number is printed with its 95 % interval; what the readings
     cannot tell is not printed.
+
+    \b
+    carts fit two-carts.csv
+    carts fit left.txt right.txt --mass A="0.5 kg" --scene fitted.yml
     """
     if len(files) > 2:
         raise click.UsageError("One file with both carts, or two files with one cart each.")

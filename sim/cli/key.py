@@ -28,6 +28,10 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     """Write the keys of lessons: LESSON.key.json for programs, LESSON.key.html to read and print.
 
     PATH is a lesson (.md). Without one, all lessons in the folder worksheets are taken.
+
+    \b
+    carts key
+    carts key worksheets/test-forces-and-motion.md
     """
     root = Path.cwd()
     written = 0

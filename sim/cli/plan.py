@@ -20,6 +20,10 @@ def command(scene: str, as_json: bool) -> None:
     """Say how a scene would be solved, phase by phase, and why.
 
     SCENE.yml is a scene file; - reads standard input.
+
+    \b
+    carts plan my-scene.yml
+    carts plan --json my-scene.yml
     """
     description = scene_file.read(scene)
     phases = plan(run_on_terminal(scene, description))

@@ -64,9 +64,12 @@ def command(
 ) -> None:
     """Run a scene and say what happened.
 
-    SCENE.yml is a scene file; - reads standard input. Example:
+    SCENE.yml is a scene file; - reads standard input.
 
-        carts run tests/scenes/paper-two-carts.yml
+    \b
+    carts run my-scene.yml
+    carts run my-scene.yml --method rk4 --step 0.01
+    carts run my-scene.yml --json
     """
     if as_json and as_csv:
         raise click.UsageError("--json and --csv exclude each other.")
