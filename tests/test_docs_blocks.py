@@ -1,0 +1,134 @@
+"""Every block of code in the documentation is what it says: it parses, and what it calls exists."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+import shlex
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import pytest
+import yaml
+
+from sim.cli import COMMANDS, main
+from sim.pages.runtime.node import node_program
+
+ROOT = Path(__file__).parents[1]
+TEXTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("worksheets/*.md")])
+MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
+OURS = {"scene", "question", "quiz", "map", "cost", "hard-cases", "evidence", "measured"}
+SHOWN_AS_IT_IS = {"text", "markdown", "csv", "html"}  # output, lessons (their blocks are found too)
+PROGRAMS = re.compile(r"^(?:\.venv/bin/)?(carts|make|pip|cd|python|mkdocs) ?(.*)$")
+
+
+def blocks() -> Iterator[tuple[str, str, str]]:
+    """Place, language and text of every fenced block."""
+    for path in TEXTS:
+        text = path.read_text(encoding="utf-8")
+        for found in re.finditer(r"^( *)(```+) *([a-z-]*)[^\n]*\n(.*?)^\1\2 *$", text, re.M | re.S):
+            place = (
+                f"{path.relative_to(ROOT).as_posix()}:{text.count(chr(10), 0, found.start()) + 1}"
+            )
+            indent = len(found[1])
+            yield (
+                place,
+                found[3],
+                "".join(line[indent:] for line in found[4].splitlines(keepends=True)),
+            )
+
+
+ALL = list(blocks())
+
+
+def of(*languages: str) -> list[tuple[str, str]]:
+    return [(place, text) for place, language, text in ALL if language in languages]
+
+
+def test_every_block_says_what_it_is() -> None:
+    known = OURS | SHOWN_AS_IT_IS | {"sh", "yaml", "json", "python", "js"}
+    assert [(place, language) for place, language, _ in ALL if language not in known] == []
+
+
+def called(line: str) -> None:
+    """What a line of a shell calls must exist."""
+    match = PROGRAMS.match(line)
+    assert match, f"an unknown program: {line}"
+    program, words = match[1], shlex.split(match[2], comments=True)
+    if program == "make":
+        for word in words:
+            assert "=" in word or re.search(rf"^{word}:", MAKEFILE, re.M), line
+    elif program == "carts":
+        options_exist(words)
+
+
+def options_exist(words: list[str]) -> None:
+    if words[0].startswith("-"):
+        return
+    assert words[0] in COMMANDS, words
+    command = main.get_command(click.Context(main), words[0])
+    assert command is not None
+    known = {name for parameter in command.params for name in parameter.opts} | {"--help"}
+    known |= {name for parameter in command.params for name in parameter.secondary_opts}
+    given = {word.partition("=")[0] for word in words[1:] if word.startswith("--")}
+    assert given <= known, words
+
+
+@pytest.mark.parametrize(("place", "text"), of("sh"), ids=lambda one: one[:40])
+def test_every_line_for_a_shell_calls_what_exists(place: str, text: str) -> None:
+    for line in text.splitlines():
+        if line.strip() and not line.startswith("#"):
+            called(line)
+
+
+def test_every_call_of_ours_in_the_texts_exists() -> None:
+    for path in TEXTS:
+        text = path.read_text(encoding="utf-8")
+        for call in re.findall(r"`(?:\.venv/bin/)?carts ([a-z][^`\n]*)`", text):
+            words = call.replace("…", "").split()
+            assert words[0] in COMMANDS, (path.name, call)
+            options_exist([word for word in words if not re.search(r"[\"'\[]", word)])
+
+
+@pytest.mark.parametrize("name", sorted(COMMANDS))
+def test_the_help_of_every_command_has_examples_that_work(name: str) -> None:
+    command = main.get_command(click.Context(main), name)
+    assert command is not None
+    text = command.get_help(click.Context(command, info_name=f"carts {name}"))
+    usage, _, rest = text.partition("\n")
+    assert usage.startswith("Usage: ")
+    examples = re.findall(rf"^ +(carts {name}\b.*?)(?:   .*)?$", rest, re.M)
+    assert examples, name
+    for example in examples:
+        called(example.partition(" > ")[0])
+
+
+class _AnyTag(yaml.SafeLoader):
+    pass
+
+
+_AnyTag.add_multi_constructor("", lambda *_: None)
+
+
+def test_every_block_of_data_or_python_can_be_read() -> None:
+    assert of("yaml")
+    for place, text in of("yaml"):
+        values = list(yaml.load_all(text, _AnyTag))
+        assert all(isinstance(value, (dict, list, type(None))) for value in values), place
+    for _, text in of("json"):
+        json.loads(text)
+    for _, text in of("python"):
+        ast.parse(text)
+
+
+def test_every_javascript_block_is_javascript(tmp_path: Path) -> None:
+    for number, (place, text) in enumerate(of("js")):
+        file = tmp_path / f"{number}.mjs"
+        file.write_text(text, encoding="utf-8")
+        done = subprocess.run(
+            [str(node_program()), "--check", str(file)], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, (place, done.stderr)
