@@ -17,7 +17,7 @@ from typing import Any
 
 from sim.measured.contact import Law
 from sim.measured.effects import compare
-from sim.measured.fit import EFFECTS, Asked, Fit, fit
+from sim.measured.fit import EFFECTS, Asked, Fit, fit, warm_up
 from sim.measured.motion import Parameters
 from sim.measured.overlay import Overlay, by_hand, first_try, frequency, overlay
 from sim.measured.refusal import FitError, ReadingError
@@ -130,10 +130,7 @@ def _tracker(request: Mapping[str, Any]) -> dict[str, Any]:
 
 def _ready(_: Mapping[str, Any]) -> dict[str, Any]:
     """Imports what a fit needs: on a slow computer that takes some seconds."""
-    from scipy.optimize import least_squares
-    from scipy.special import stdtrit
-
-    return {"ready": callable(least_squares) and float(stdtrit(9, 0.975)) > 2.0}
+    return {"ready": warm_up()}
 
 
 def _drawn(made: Overlay) -> dict[str, Any]:

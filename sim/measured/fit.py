@@ -90,6 +90,14 @@ class Fit:
         return float(stdtrit(self.freedom, 0.5 * (1.0 + SHARE)))
 
 
+def warm_up() -> bool:
+    """Imports what a fit needs; whether it works."""
+    from scipy.optimize import least_squares
+    from scipy.special import stdtrit
+
+    return callable(least_squares) and float(stdtrit(9, 0.975)) > 2.0
+
+
 def fit(measured: Measured, asked: Asked = Asked(), start: Parameters | None = None) -> Fit:
     """The best fit; raises FitError. `start`: a first guess, in the place of our own."""
     import numpy as np

@@ -84,9 +84,9 @@ def _is_multi(row: Row) -> bool:
 
 
 def _is_data(row: Row) -> bool:
-    """Numbers, and empty cells between them; at least the first that is not empty is a number."""
+    """Mostly numbers: heads have none, and a row with one bad cell is a row with a mistake."""
     filled = [cell for cell in row.cells if not cells.is_empty(cell)]
-    return bool(filled) and all(map(cells.is_number, filled))
+    return 2 * sum(map(cells.is_number, filled)) > len(filled)
 
 
 def _heads(above: Sequence[Row], multi: bool) -> tuple[list[str], list[str], list[str], int]:

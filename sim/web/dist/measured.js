@@ -732,7 +732,7 @@
     const [begin, end] = reach(tracks.map((track) => track.t));
     const [low, high] = reach(tracks.map((track) => track.value));
     const room = ROOM * (high - low) || 1;
-    return { t: span(begin, end, 6), x: span(low - room, high + room, 5) };
+    return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
   }
   function dots(t, values, axis, up_, room = [TOP, BOTTOM]) {
     return t.map(
@@ -783,7 +783,7 @@
       const { t } = planes(tracks);
       const [low, high] = reach(residuals);
       const most = HEAD * factor * Math.max(1e-12, -low, high);
-      const axis = span(-most, most, 4);
+      const axis = span(-most, most, 6);
       this.left.toggleAttribute("hidden", false);
       this.left.replaceChildren(
         ...frame(t, axis, LOW.bottom, LOW.top, unit, false),
@@ -793,7 +793,7 @@
         }),
         ...tracks.map(
           (track, k) => svg("path", {
-            class: `carts-measured-dots carts-measured-small carts-b${k}`,
+            class: `carts-measured-dots carts-measured-small carts-${tracks.length > 1 ? `b${k}` : "total"}`,
             d: dots(
               track.t,
               (residuals[k] ?? []).map((value) => factor * value),

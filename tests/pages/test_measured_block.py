@@ -1,0 +1,79 @@
+"""A `measured` block: what stands in the page before Python starts, and what it keeps to itself."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from sim.pages.check import check_lesson
+from sim.pages.findings import AuthorError
+from sim.pages.scene_block import Lesson, SiteIds
+from tests.web.measured_site import BLOCKS, element
+
+WORKSHEETS = Path(__file__).parents[2] / "worksheets"
+
+
+def baked(html: str) -> dict[str, object]:
+    found = re.search(r'carts-measured-baked">(.*?)</script>', html, re.DOTALL)
+    assert found
+    made: dict[str, object] = json.loads(found[1])
+    return made
+
+
+def test_the_readings_stand_in_the_page_and_are_carried_along() -> None:
+    made = element(BLOCKS["film"])
+    assert baked(made)["text"] == (WORKSHEETS / "data" / "real-carts.txt").read_text("utf-8")
+    (first, second) = re.findall(r'carts-measured-dots carts-b\d" d="(.*?)"', made)
+    assert first.count("M") == second.count("M") == 97
+    assert made.count("<tr><td>") == 60
+    assert "and 37 more rows" in made
+
+
+def test_no_fit_stands_in_the_page() -> None:
+    for body in BLOCKS.values():
+        made = element(body)
+        assert "0.839" not in made
+        assert "0.741" not in made
+        assert "±" not in made.replace("value ± half", "")
+
+
+def test_without_data_there_is_an_empty_bench() -> None:
+    made = baked(element(BLOCKS["empty"]))
+    assert made["read"] is None
+    assert made["text"] == ""
+
+
+def test_the_figure_is_that_of_the_script() -> None:
+    from sim.measured.tracks import read_measured
+    from sim.pages.measured import render
+
+    source = (Path(render.__file__).parents[2] / "web/src/measured/figure.js").read_text("utf-8")
+    numbers = ", ".join(map(str, (render.LEFT, render.RIGHT, render.TOP, render.BOTTOM)))
+    assert f"[LEFT, RIGHT, TOP, BOTTOM] = [{numbers}]" in source
+    assert f"ROOM = {render.ROOM};" in source
+    text = (WORKSHEETS / "data" / "real-carts.txt").read_text("utf-8")
+    figure = render.figure(read_measured([text]))
+    assert figure["t_ticks"]
+    assert all(58 <= float(at) <= 630 for at, _ in figure["t_ticks"])
+
+
+def test_a_file_outside_of_the_lessons_folder_is_not_read() -> None:
+    for name in ("../data/real-carts.txt", "/etc/passwd", "real-carts.yml"):
+        with pytest.raises(AuthorError) as caught:
+            element(f"id: x\ndata: {name}")
+        assert caught.value.findings[0].code == "no-such-file"
+
+
+def test_a_mistake_in_the_file_is_told_with_its_own_line(tmp_path: Path) -> None:
+    (tmp_path / "data").mkdir()
+    text = (WORKSHEETS / "data" / "real-carts.txt").read_text("utf-8").splitlines()
+    text[11] = text[10]
+    (tmp_path / "data" / "film.txt").write_text("\n".join(text), encoding="utf-8")
+    lesson = "```measured\nid: x\ndata: film.txt\n```\n"
+    (finding,) = check_lesson(lesson, Lesson("lesson.md", (tmp_path,)), SiteIds())
+    assert finding.file.endswith("film.txt")
+    assert finding.line == 12
+    assert "stands in line 11 already" in finding.message
