@@ -13,7 +13,7 @@ from tests.web.boot_site import ROOT
 from tests.web.conftest import OpenPage
 from tests.web.pages_of import pages
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser, pytest.mark.slow]
 
 OPEN_ALL = "for (const part of document.querySelectorAll('details')) part.open = true"
 RUN = """axe.run(document, { resultTypes: ["violations"] })
@@ -21,9 +21,7 @@ RUN = """axe.run(document, { resultTypes: ["violations"] })
     [id, ...nodes.slice(0, 3).map(({ target }) => target.join(" "))]))"""
 
 
-def test_every_page_passes_axe(site: Path, open_page: OpenPage, browser_name: str) -> None:
-    if browser_name == "firefox":
-        pytest.skip("the rules look at the same elements in both browsers")
+def test_every_page_passes_axe(site: Path, open_page: OpenPage) -> None:
     axe = (ROOT / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
     page = open_page(site / "index.html")
     for name in pages(site):

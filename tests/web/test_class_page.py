@@ -99,6 +99,7 @@ def test_a_class_and_its_key_give_means_and_then_intervals(page: Page) -> None:
     assert page.locator(".carts-class-plot circle").count() == 24
 
 
+@pytest.mark.one_browser
 def test_a_bad_file_in_a_zip_is_named_and_the_others_are_counted(page: Page) -> None:
     packed = zipped([*sources(random_class(BANK, 6)), Source("bad.json", b"{"), KEY])
     choose(page, [Source("class.zip", packed), Source("picture.png", b"\x89PNG\r\n\xff")])
@@ -108,6 +109,7 @@ def test_a_bad_file_in_a_zip_is_named_and_the_others_are_counted(page: Page) -> 
     expect(report).to_contain_text("picture.png: this is no text file")
 
 
+@pytest.mark.one_browser
 def test_hostile_names_are_shown_and_never_run(page: Page) -> None:
     hostile = '<img src="x" onerror="window.hacked=1"><script>window.hacked=1</script>'
     file = answers(BANK, hostile, "pre", {"item-0": "a"}, lesson=hostile)
@@ -118,6 +120,7 @@ def test_hostile_names_are_shown_and_never_run(page: Page) -> None:
     assert report.locator("img, script").count() == 0
 
 
+@pytest.mark.one_browser
 def test_two_groups_stand_side_by_side(page: Page) -> None:
     page.locator(".carts-class-two").check()
     choose(page, [*sources(random_class(BANK, 8, seed=1, prefix="FOX")), KEY], group=0)
@@ -131,6 +134,7 @@ def test_two_groups_stand_side_by_side(page: Page) -> None:
     expect(report).to_contain_text("Before teaching: new minus control")
 
 
+@pytest.mark.one_browser
 def test_a_file_that_is_left_out_does_not_count(page: Page) -> None:
     choose(page, [*sources(random_class(BANK, 6)), KEY])
     report = page.locator(".carts-class-report")
@@ -141,6 +145,7 @@ def test_a_file_that_is_left_out_does_not_count(page: Page) -> None:
     expect(page.locator(".carts-class-list > summary")).to_contain_text("1 left out")
 
 
+@pytest.mark.one_browser
 def test_typed_codes_are_counted_beside_files(page: Page) -> None:
     from sim.lesson.handin import encode
 
@@ -156,6 +161,7 @@ def test_typed_codes_are_counted_beside_files(page: Page) -> None:
     expect(report).to_contain_text("typed: RED-OWL")
 
 
+@pytest.mark.one_browser
 def test_one_question_is_read_and_marked_by_keys_and_the_marks_are_saved(page: Page) -> None:
     choose(page, [*sources(random_class(BANK, 6)), KEY])
     reader = page.locator(".carts-class-reader")
@@ -181,6 +187,7 @@ SAVED = {
 }
 
 
+@pytest.mark.one_browser
 def test_reports_and_tables_are_saved(page: Page) -> None:
     choose(page, [*sources(random_class(BANK, 6)), KEY])
     complete(page)

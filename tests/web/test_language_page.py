@@ -22,7 +22,7 @@ from tests.web.conftest import OpenPage
 from tests.web.question_site import question_site
 from tests.web.widget_site import MEETING, QUESTIONS, in_node, live, widget_site, write_page
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 __all__ = ["question_site", "widget_site"]  # fixtures
 EVERYTHING: dict[str, Any] = {
     "id": "everything",
@@ -119,10 +119,8 @@ def test_the_page_tells_what_comes_from_python_as_the_generator_does() -> None:
 
 
 def test_nothing_on_a_scene_is_said_in_another_language(
-    bracket_site: Path, open_page: OpenPage, browser_name: str
+    bracket_site: Path, open_page: OpenPage
 ) -> None:
-    if browser_name == "firefox":
-        pytest.skip("the words are the same in both browsers")
     page = live(open_page(bracket_site / "brackets-everything.html"), "everything")
     open_all(page)
     for choice in page.locator(".carts-choices input").all():
@@ -139,10 +137,8 @@ def test_nothing_on_a_scene_is_said_in_another_language(
 
 
 def test_nothing_in_a_prediction_or_a_search_for_a_force_is_said_in_another_language(
-    bracket_site: Path, open_page: OpenPage, browser_name: str
+    bracket_site: Path, open_page: OpenPage
 ) -> None:
-    if browser_name == "firefox":
-        pytest.skip("the words are the same in both browsers")
     page = live(open_page(bracket_site / "brackets-arrows.html"), "arrows")
     page.locator(".carts-lock").click()  # too early: it says what is missing
     assert unheard(page) == set()
@@ -165,13 +161,10 @@ def test_nothing_in_a_prediction_or_a_search_for_a_force_is_said_in_another_lang
 def test_nothing_among_questions_is_said_in_another_language(
     question_site: Path,
     open_page: OpenPage,
-    browser_name: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """What the author wrote stays; everything around it is told."""
-    if browser_name == "firefox":
-        pytest.skip("the words are the same in both browsers")
     monkeypatch.setattr(extension, "words", lambda _: BRACKETS)
     monkeypatch.setattr(question_pages, "PAGE", question_pages.PAGE.replace("<body>", WORDS_BODY))
     site = Path(shutil.copytree(question_site, tmp_path / "site"))
@@ -202,11 +195,9 @@ def test_nothing_among_questions_is_said_in_another_language(
 
 @pytest.mark.parametrize("width", [360, 1280])
 def test_a_page_from_right_to_left_keeps_the_track_and_its_room(
-    widget_site: Path, open_page: OpenPage, browser_name: str, width: int
+    widget_site: Path, open_page: OpenPage, width: int
 ) -> None:
     """+ is to the right for everybody: the picture is the same, and nothing gets wider."""
-    if browser_name == "firefox":
-        pytest.skip("directions are the same in both browsers")
     page = open_page(widget_site / "meeting.html", viewport={"width": width, "height": 900})
     live(page)
     open_all(page)

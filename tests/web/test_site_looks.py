@@ -10,7 +10,7 @@ from playwright.sync_api import Page
 from tests.web.conftest import OpenPage
 from tests.web.pages_of import pages
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser, pytest.mark.slow]
 
 MOST_SHIFT = 0.01  # cumulative layout shift: a tenth of what counts as good
 
@@ -23,11 +23,7 @@ COUNT_SHIFTS = """
 
 
 @pytest.mark.parametrize("width", [1280, 360])
-def test_nothing_jumps_while_a_page_is_read_in(
-    site: Path, open_page: OpenPage, browser_name: str, width: int
-) -> None:
-    if browser_name == "firefox":
-        pytest.skip("Firefox does not measure layout shifts")
+def test_nothing_jumps_while_a_page_is_read_in(site: Path, open_page: OpenPage, width: int) -> None:
     page = open_page(site / "index.html", viewport={"width": width, "height": 800})
     page.add_init_script(COUNT_SHIFTS)
     for name in pages(site):
@@ -48,12 +44,8 @@ VIEWS = (
 )
 
 
-def test_every_text_can_be_told_from_what_lies_behind_it(
-    site: Path, open_page: OpenPage, browser_name: str
-) -> None:
+def test_every_text_can_be_told_from_what_lies_behind_it(site: Path, open_page: OpenPage) -> None:
     """On a desktop and a phone, in light and dark, and on paper from a dark screen."""
-    if browser_name == "firefox":
-        pytest.skip("colours are the same, and Firefox ESR cannot be told to prefer dark")
     page = open_page(site / "index.html")
     at_once(page)
     pale = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")

@@ -25,7 +25,10 @@ SOURCES = (
     ("sim/pages", "*.j2", "jinja2.ext.babel_extract", ("tr",)),
     ("sim/web/src", "*.js", "javascript", ("tr",)),
 )
-OPTIONS = {".j2": {"trim_blocks": "true"}, ".js": {"parse_template_string": True}}
+OPTIONS: dict[str, dict[str, Any]] = {
+    ".j2": {"trim_blocks": "true"},
+    ".js": {"parse_template_string": True},
+}
 HEAD = """\
 # Interface words of Newton's Carts: {name}.
 # The English sentence is the key. What stands in {{braces}} stays as it is, at the place where it
@@ -50,7 +53,7 @@ def sentences() -> dict[str, list[str]]:
 def _everywhere() -> Iterator[tuple[str, str]]:
     for folder, pattern, method, functions in SOURCES:
         for path in sorted((ROOT / folder).rglob(pattern)):
-            options: dict[str, Any] = OPTIONS.get(path.suffix, {})
+            options = OPTIONS.get(path.suffix, {})
             for _, message, _, _ in extract_from_file(
                 method, path, keywords=dict.fromkeys(functions), options=options
             ):
