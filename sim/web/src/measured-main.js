@@ -6,23 +6,20 @@ import { measuredElement } from "./measured/element.js";
 import { startRuntime } from "./runtime.js";
 
 const own =
-	/** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ??
-	document.baseURI;
+  /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ?? document.baseURI;
 const MEASURED = "newtons-carts-measured";
 
 const missing = missingFeatures();
 if (missing.length) {
-	for (const note of document.querySelectorAll("carts-measured .carts-note")) {
-		/** @type {HTMLElement} */ (note).hidden = false;
-		note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
-	}
+  for (const note of document.querySelectorAll("carts-measured .carts-note")) {
+    /** @type {HTMLElement} */ (note).hidden = false;
+    note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
+  }
 } else {
-	const base = new URL("runtime/", own).href;
-	const client = new Client((more) =>
-		startRuntime({ base, packages: [MEASURED, ...more] }),
-	);
-	customElements.define("carts-measured", measuredElement(client));
-	if (typeof requestIdleCallback === "function") {
-		requestIdleCallback(() => client.wake(), { timeout: 1000 });
-	} else setTimeout(() => client.wake(), 200);
+  const base = new URL("runtime/", own).href;
+  const client = new Client((more) => startRuntime({ base, packages: [MEASURED, ...more] }));
+  customElements.define("carts-measured", measuredElement(client));
+  if (typeof requestIdleCallback === "function") {
+    requestIdleCallback(() => client.wake(), { timeout: 1000 });
+  } else setTimeout(() => client.wake(), 200);
 }

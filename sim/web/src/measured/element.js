@@ -18,274 +18,260 @@ const PACKAGES = ["numpy", "scipy"]; // for the fit; reading and the model by ha
 
 /** The element class for a client. @param {import("../client.js").Client} client */
 export function measuredElement(client) {
-	return class CartsMeasured extends HTMLElement {
-		/** @type {Facts | null} */
-		#facts = null;
-		/** @type {Kept} */
-		#kept = /** @type {Kept} */ ({});
-		/** @type {Read | null} */
-		#read = null;
-		/** The last fit. @type {Report | null} */
-		report = null;
-		/** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
-		complete = Promise.resolve();
-		/** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
-		#owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
-		#generation = 0;
+  return class CartsMeasured extends HTMLElement {
+    /** @type {Facts | null} */
+    #facts = null;
+    /** @type {Kept} */
+    #kept = /** @type {Kept} */ ({});
+    /** @type {Read | null} */
+    #read = null;
+    /** The last fit. @type {Report | null} */
+    report = null;
+    /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
+    complete = Promise.resolve();
+    /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
+    #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
+    #generation = 0;
 
-		connectedCallback() {
-			if (this.#facts) return;
-			/** @type {Facts} */
-			const facts = JSON.parse(
-				need(this, ".carts-measured-baked").textContent ?? "",
-			);
-			this.#facts = facts;
-			this.keeper = keeper(facts.id);
-			this.picture = new Picture(this);
-			this.hands = new Hands(this, () => this.#moved());
-			this.settings = new Settings(this, (again) => this.#changed(again));
-			this.source = new Source(
-				need(this, ".carts-measured-source"),
-				(name, texts) => this.#take(name, texts),
-				() => this.#keep(),
-				(text) => this.#refuse([{ line: null, reason: text, hint: "" }]),
-			);
-			this.#wire();
-			if (facts.read) this.#show(facts.read, null);
-			this.complete = this.#restore();
-		}
+    connectedCallback() {
+      if (this.#facts) return;
+      /** @type {Facts} */
+      const facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
+      this.#facts = facts;
+      this.keeper = keeper(facts.id);
+      this.picture = new Picture(this);
+      this.hands = new Hands(this, () => this.#moved());
+      this.settings = new Settings(this, (again) => this.#changed(again));
+      this.source = new Source(
+        need(this, ".carts-measured-source"),
+        (name, texts) => this.#take(name, texts),
+        () => this.#keep(),
+        (text) => this.#refuse([{ line: null, reason: text, hint: "" }]),
+      );
+      this.#wire();
+      if (facts.read) this.#show(facts.read, null);
+      this.complete = this.#restore();
+    }
 
-		disconnectedCallback() {
-			this.picture?.player.pause();
-		}
+    disconnectedCallback() {
+      this.picture?.player.pause();
+    }
 
-		#wire() {
-			const on = (/** @type {string} */ name, /** @type {() => void} */ act) =>
-				this.querySelector(`.carts-measured-${name}`)?.addEventListener(
-					"click",
-					act,
-				);
-			on("own", () => this.#take("", []));
-			on("save", () => this.source?.save(this.#name, this.#texts));
-			on("fit", () => void this.fit());
-			on("scene", () =>
-				download("real-carts.yml", this.report?.scene ?? "", "text/yaml"),
-			);
-			on("tracker", () => void this.#tracker());
-			const early = () => void client.need(PACKAGES).catch(() => {});
-			const model = need(this, ".carts-measured-model");
-			model.addEventListener("pointerdown", early, { once: true });
-			model.addEventListener("focusin", early, { once: true });
-		}
+    #wire() {
+      const on = (/** @type {string} */ name, /** @type {() => void} */ act) =>
+        this.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
+      on("own", () => this.#take("", []));
+      on("save", () => this.source?.save(this.#name, this.#texts));
+      on("fit", () => void this.fit());
+      on("scene", () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml"));
+      on("tracker", () => void this.#tracker());
+      const early = () => void client.need(PACKAGES).catch(() => {});
+      const model = need(this, ".carts-measured-model");
+      model.addEventListener("pointerdown", early, { once: true });
+      model.addEventListener("focusin", early, { once: true });
+    }
 
-		/** What was done here before, or the lesson's readings. */
-		async #restore() {
-			const facts = /** @type {Facts} */ (this.#facts);
-			this.#kept = { ...empty(facts), ...(await this.keeper?.get()) };
-			this.settings?.fill(this.#kept);
-			if (this.source && this.#kept.cells.length)
-				this.source.grid.cells = this.#kept.cells;
-			if (!this.#texts.length) return this.#whenLive();
-			const { hand, fitted } = this.#kept;
-			await this.#reading();
-			if (fitted) await this.#fit();
-			else if (hand && this.hands && this.#read?.kind === "length") {
-				this.hands.value = hand;
-				await this.#byHand();
-			}
-		}
+    /** What was done here before, or the lesson's readings. */
+    async #restore() {
+      const facts = /** @type {Facts} */ (this.#facts);
+      this.#kept = { ...empty(facts), ...(await this.keeper?.get()) };
+      this.settings?.fill(this.#kept);
+      if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
+      if (!this.#texts.length) return this.#whenLive();
+      const { hand, fitted } = this.#kept;
+      await this.#reading();
+      if (fitted) await this.#fit();
+      else if (hand && this.hands && this.#read?.kind === "length") {
+        this.hands.value = hand;
+        await this.#byHand();
+      }
+    }
 
-		/** Without readings nothing is asked: Python being there is all there is to wait for. */
-		#whenLive() {
-			const live = () => {
-				if (client.state === "ready") this.dataset.state = "live";
-			};
-			client.addEventListener("state", live);
-			live();
-		}
+    /** Without readings nothing is asked: Python being there is all there is to wait for. */
+    #whenLive() {
+      const live = () => {
+        if (client.state === "ready") this.dataset.state = "live";
+      };
+      client.addEventListener("state", live);
+      live();
+    }
 
-		get #texts() {
-			if (this.#kept.texts?.length) return this.#kept.texts;
-			return this.#facts?.text ? [this.#facts.text] : [];
-		}
+    get #texts() {
+      if (this.#kept.texts?.length) return this.#kept.texts;
+      return this.#facts?.text ? [this.#facts.text] : [];
+    }
 
-		get #name() {
-			return this.#kept.name || this.#facts?.name || "";
-		}
+    get #name() {
+      return this.#kept.name || this.#facts?.name || "";
+    }
 
-		/** @param {string} name @param {string[]} texts none: the lesson's own */
-		#take(name, texts) {
-			this.#kept = { ...this.#kept, name, texts, fitted: false, hand: null };
-			this.settings?.clear();
-			this.complete = this.#reading();
-		}
+    /** @param {string} name @param {string[]} texts none: the lesson's own */
+    #take(name, texts) {
+      this.#kept = { ...this.#kept, name, texts, fitted: false, hand: null };
+      this.settings?.clear();
+      this.complete = this.#reading();
+    }
 
-		/** @param {boolean} again whether the readings are others now */
-		#changed(again) {
-			this.#kept.fitted = false;
-			if (again) this.complete = this.#reading();
-			else this.#moved();
-		}
+    /** @param {boolean} again whether the readings are others now */
+    #changed(again) {
+      this.#kept.fitted = false;
+      if (again) this.complete = this.#reading();
+      else this.#moved();
+    }
 
-		#moved() {
-			if (this.#read?.kind === "length") this.complete = this.#byHand();
-		}
+    #moved() {
+      if (this.#read?.kind === "length") this.complete = this.#byHand();
+    }
 
-		#keep() {
-			this.#kept = {
-				...this.#kept,
-				...this.settings?.kept,
-				cells: this.source?.grid.cells ?? [],
-			};
-			void this.keeper?.put(structuredClone(this.#kept));
-		}
+    #keep() {
+      this.#kept = {
+        ...this.#kept,
+        ...this.settings?.kept,
+        cells: this.source?.grid.cells ?? [],
+      };
+      void this.keeper?.put(structuredClone(this.#kept));
+    }
 
-		/** @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
-		async #ask(what, more = {}) {
-			const { header } = await client.ask(this.#owners[what] ?? {}, () => ({
-				kind: "measured",
-				do: what,
-				texts: this.#texts,
-				...this.settings?.asked,
-				...more,
-			}));
-			this.dataset.state = "live";
-			return header;
-		}
+    /** @param {string} what @param {Record<string, unknown>} more @returns {Promise<any>} */
+    async #ask(what, more = {}) {
+      const { header } = await client.ask(this.#owners[what] ?? {}, () => ({
+        kind: "measured",
+        do: what,
+        texts: this.#texts,
+        ...this.settings?.asked,
+        ...more,
+      }));
+      this.dataset.state = "live";
+      return header;
+    }
 
-		/** Asks for something and shows it, if nothing newer was asked for meanwhile. */
-		/** @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
-		async #newest(what, more, show) {
-			this.#generation += 1;
-			const generation = this.#generation;
-			try {
-				const found = await this.#ask(what, more);
-				if (generation !== this.#generation) return false;
-				this.#refuse(found.refused ?? []);
-				if (found.refused) return false;
-				show(found);
-				return true;
-			} catch (error) {
-				this.#note(/** @type {Error} */ (error).message);
-				return false;
-			}
-		}
+    /** Asks for something and shows it, if nothing newer was asked for meanwhile. */
+    /** @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
+    async #newest(what, more, show) {
+      this.#generation += 1;
+      const generation = this.#generation;
+      try {
+        const found = await this.#ask(what, more);
+        if (generation !== this.#generation) return false;
+        this.#refuse(found.refused ?? []);
+        if (found.refused) return false;
+        show(found);
+        return true;
+      } catch (error) {
+        this.#note(/** @type {Error} */ (error).message);
+        return false;
+      }
+    }
 
-		async #reading() {
-			this.#keep();
-			if (!this.#texts.length) return;
-			await this.#newest("read", {}, (found) => this.#show(found, found));
-			this.dispatchEvent(new CustomEvent("carts-measured"));
-		}
+    async #reading() {
+      this.#keep();
+      if (!this.#texts.length) return;
+      await this.#newest("read", {}, (found) => this.#show(found, found));
+      this.dispatchEvent(new CustomEvent("carts-measured"));
+    }
 
-		/** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
-		#show(read, drawn) {
-			this.#read = read;
-			this.report = read.report ?? null;
-			const missing = drawn ? (this.settings?.missing(read) ?? []) : [];
-			if (missing.length) {
-				const reason = `This file does not say its units. Choose ${missing.join(" and ")}.`;
-				this.#refuse([{ line: null, reason, hint: "" }]);
-			}
-			const motion =
-				read.kind === "length" && !missing.length && drawn !== null;
-			this.picture?.readings(this.#name, read, motion);
-			if (!motion) return;
-			this.hands?.reach(read.tracks, read.names);
-			this.settings?.named(read.names);
-			if (this.hands) this.hands.value = drawn.parameters;
-			this.picture?.draw(read, drawn);
-		}
+    /** Points, and where units are known the model. @param {Read} read @param {Drawn | null} drawn */
+    #show(read, drawn) {
+      this.#read = read;
+      this.report = read.report ?? null;
+      const missing = drawn ? (this.settings?.missing(read) ?? []) : [];
+      if (missing.length) {
+        const reason = `This file does not say its units. Choose ${missing.join(" and ")}.`;
+        this.#refuse([{ line: null, reason, hint: "" }]);
+      }
+      const motion = read.kind === "length" && !missing.length && drawn !== null;
+      this.picture?.readings(this.#name, read, motion);
+      if (!motion) return;
+      this.hands?.reach(read.tracks, read.names);
+      this.settings?.named(read.names);
+      if (this.hands) this.hands.value = drawn.parameters;
+      this.picture?.draw(read, drawn);
+    }
 
-		/** The model as the sliders say. */
-		async #byHand() {
-			if (!this.hands) return;
-			this.#kept.hand = this.hands.value;
-			this.#kept.fitted = false;
-			this.#keep();
-			await this.#newest("model", { hand: this.hands.value }, (drawn) => {
-				this.picture?.forget();
-				this.picture?.draw(/** @type {Read} */ (this.#read), drawn);
-			});
-		}
+    /** The model as the sliders say. */
+    async #byHand() {
+      if (!this.hands) return;
+      this.#kept.hand = this.hands.value;
+      this.#kept.fitted = false;
+      this.#keep();
+      await this.#newest("model", { hand: this.hands.value }, (drawn) => {
+        this.picture?.forget();
+        this.picture?.draw(/** @type {Read} */ (this.#read), drawn);
+      });
+    }
 
-		/** Fits the model and shows what it says; then once more with all effects compared. */
-		fit() {
-			this.complete = this.#fit();
-			return this.complete;
-		}
+    /** Fits the model and shows what it says; then once more with all effects compared. */
+    fit() {
+      this.complete = this.#fit();
+      return this.complete;
+    }
 
-		async #fit() {
-			this.picture?.busy("Starting numpy and scipy …");
-			try {
-				await client.need(PACKAGES);
-				await this.#ask("ready");
-			} catch (error) {
-				this.picture?.busy("");
-				return this.#note(/** @type {Error} */ (error).message);
-			}
-			for (const compare of [false, true]) {
-				this.picture?.busy(compare ? "Comparing effects …" : "Fitting …");
-				performance.mark("carts:measured-asked");
-				const shown = await this.#newest("fit", { compare }, (found) =>
-					this.#fitted(found),
-				);
-				if (!shown) break;
-				performance.mark(
-					compare ? "carts:measured-compared" : "carts:measured-fit",
-				);
-				if (!compare) continue;
-				this.#kept.fitted = true;
-				this.#keep();
-				this.dispatchEvent(new CustomEvent("carts-fitted"));
-			}
-			this.picture?.busy("");
-		}
+    async #fit() {
+      this.picture?.busy("Starting numpy and scipy …");
+      try {
+        await client.need(PACKAGES);
+        await this.#ask("ready");
+      } catch (error) {
+        this.picture?.busy("");
+        return this.#note(/** @type {Error} */ (error).message);
+      }
+      for (const compare of [false, true]) {
+        this.picture?.busy(compare ? "Comparing effects …" : "Fitting …");
+        performance.mark("carts:measured-asked");
+        const shown = await this.#newest("fit", { compare }, (found) => this.#fitted(found));
+        if (!shown) break;
+        performance.mark(compare ? "carts:measured-compared" : "carts:measured-fit");
+        if (!compare) continue;
+        this.#kept.fitted = true;
+        this.#keep();
+        this.dispatchEvent(new CustomEvent("carts-fitted"));
+      }
+      this.picture?.busy("");
+    }
 
-		/** @param {Drawn & {report: Report}} found */
-		#fitted(found) {
-			this.report = found.report;
-			if (this.hands) this.hands.value = found.parameters;
-			this.#kept.hand = found.parameters;
-			this.picture?.draw(/** @type {Read} */ (this.#read), found);
-			this.picture?.told(found.report);
-		}
+    /** @param {Drawn & {report: Report}} found */
+    #fitted(found) {
+      this.report = found.report;
+      if (this.hands) this.hands.value = found.parameters;
+      this.#kept.hand = found.parameters;
+      this.picture?.draw(/** @type {Read} */ (this.#read), found);
+      this.picture?.told(found.report);
+    }
 
-		async #tracker() {
-			const found = await this.#ask("tracker");
-			if (found.text)
-				download("model-run.txt", found.text, "text/plain;charset=utf-8");
-		}
+    async #tracker() {
+      const found = await this.#ask("tracker");
+      if (found.text) download("model-run.txt", found.text, "text/plain;charset=utf-8");
+    }
 
-		/** @param {import("./types.js").Fault[]} faults */
-		#refuse(faults) {
-			this.picture?.refuse(this.#name, faults);
-		}
+    /** @param {import("./types.js").Fault[]} faults */
+    #refuse(faults) {
+      this.picture?.refuse(this.#name, faults);
+    }
 
-		/** @param {string} text */
-		#note(text) {
-			const note = need(this, ".carts-note");
-			note.hidden = false;
-			note.textContent = `Python cannot do this here: ${text}`;
-			if (client.state === "failed") this.dataset.state = "failed";
-		}
-	};
+    /** @param {string} text */
+    #note(text) {
+      const note = need(this, ".carts-note");
+      note.hidden = false;
+      note.textContent = `Python cannot do this here: ${text}`;
+      if (client.state === "failed") this.dataset.state = "failed";
+    }
+  };
 }
 
 /** @param {Facts} facts @returns {Kept} */
 function empty(facts) {
-	return {
-		name: "",
-		texts: [],
-		cells: [],
-		units: facts.units ?? { length: "", time: "", force: "" },
-		from: "",
-		until: "",
-		law: facts.law,
-		effect: "none",
-		distance: "",
-		masses: ["", ""],
-		hand: null,
-		fitted: false,
-	};
+  return {
+    name: "",
+    texts: [],
+    cells: [],
+    units: facts.units ?? { length: "", time: "", force: "" },
+    from: "",
+    until: "",
+    law: facts.law,
+    effect: "none",
+    distance: "",
+    masses: ["", ""],
+    hand: null,
+    fitted: false,
+  };
 }

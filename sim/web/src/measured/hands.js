@@ -10,110 +10,96 @@ const RATIO = [0.1, 10];
 const LONGEST = 0.4; // s, of a contact
 
 export class Hands {
-	/** @param {HTMLElement} root @param {() => void} changed */
-	constructor(root, changed) {
-		/** @type {Map<string, {slide: HTMLInputElement, box: HTMLInputElement}>} */
-		this.rows = new Map();
-		for (const row of root.querySelectorAll(".carts-measured-hand")) {
-			const slide = /** @type {HTMLInputElement} */ (
-				need(row, "input[type=range]")
-			);
-			const box = /** @type {HTMLInputElement} */ (
-				need(row, "input[type=number]")
-			);
-			this.rows.set(/** @type {HTMLElement} */ (row).dataset.hand ?? "", {
-				slide,
-				box,
-			});
-			slide.addEventListener("input", () => {
-				box.value = shown(slide.valueAsNumber);
-				changed();
-			});
-			box.addEventListener("change", () => {
-				if (!Number.isFinite(box.valueAsNumber))
-					box.value = shown(slide.valueAsNumber);
-				slide.value = box.value;
-				changed();
-			});
-		}
-	}
+  /** @param {HTMLElement} root @param {() => void} changed */
+  constructor(root, changed) {
+    /** @type {Map<string, {slide: HTMLInputElement, box: HTMLInputElement}>} */
+    this.rows = new Map();
+    for (const row of root.querySelectorAll(".carts-measured-hand")) {
+      const slide = /** @type {HTMLInputElement} */ (need(row, "input[type=range]"));
+      const box = /** @type {HTMLInputElement} */ (need(row, "input[type=number]"));
+      this.rows.set(/** @type {HTMLElement} */ (row).dataset.hand ?? "", {
+        slide,
+        box,
+      });
+      slide.addEventListener("input", () => {
+        box.value = shown(slide.valueAsNumber);
+        changed();
+      });
+      box.addEventListener("change", () => {
+        if (!Number.isFinite(box.valueAsNumber)) box.value = shown(slide.valueAsNumber);
+        slide.value = box.value;
+        changed();
+      });
+    }
+  }
 
-	/** What the sliders may be set to, from the readings. @param {Track[]} tracks @param {string[]} names */
-	reach(tracks, names) {
-		const times = tracks.flatMap((track) => track.t);
-		const [begin, end] = [Math.min(...times), Math.max(...times)];
-		const speeds = tracks.map((track) => fastest(track));
-		const most = FASTER * Math.max(...speeds, 1e-3);
-		const [a = "A", b = "B"] = names;
-		this.#set("touch", begin, end);
-		this.#set("va", -most, most, `velocity of ${a} before`);
-		this.#set("vb", -most, most, `velocity of ${b} before`);
-		this.#set(
-			"ratio",
-			Number(RATIO[0]),
-			Number(RATIO[1]),
-			`mass of ${b} ÷ mass of ${a}`,
-		);
-		this.#set("e", 0, 1);
-		this.#set("duration", 0.001, Math.min(LONGEST, (end - begin) / 2));
-	}
+  /** What the sliders may be set to, from the readings. @param {Track[]} tracks @param {string[]} names */
+  reach(tracks, names) {
+    const times = tracks.flatMap((track) => track.t);
+    const [begin, end] = [Math.min(...times), Math.max(...times)];
+    const speeds = tracks.map((track) => fastest(track));
+    const most = FASTER * Math.max(...speeds, 1e-3);
+    const [a = "A", b = "B"] = names;
+    this.#set("touch", begin, end);
+    this.#set("va", -most, most, `velocity of ${a} before`);
+    this.#set("vb", -most, most, `velocity of ${b} before`);
+    this.#set("ratio", Number(RATIO[0]), Number(RATIO[1]), `mass of ${b} ÷ mass of ${a}`);
+    this.#set("e", 0, 1);
+    this.#set("duration", 0.001, Math.min(LONGEST, (end - begin) / 2));
+  }
 
-	/** @param {string} key @param {number} low @param {number} high @param {string} label */
-	#set(key, low, high, label = "") {
-		const row = this.rows.get(key);
-		if (!row) return;
-		for (const input of [row.slide, row.box]) input.disabled = false;
-		const step = 10 ** Math.floor(Math.log10((high - low) / 400));
-		Object.assign(row.slide, { min: low, max: high, step });
-		if (label) {
-			row.slide.setAttribute("aria-label", label);
-			const text = row.slide
-				.closest(".carts-measured-hand")
-				?.querySelector("label");
-			if (text) text.textContent = label;
-		}
-	}
+  /** @param {string} key @param {number} low @param {number} high @param {string} label */
+  #set(key, low, high, label = "") {
+    const row = this.rows.get(key);
+    if (!row) return;
+    for (const input of [row.slide, row.box]) input.disabled = false;
+    const step = 10 ** Math.floor(Math.log10((high - low) / 400));
+    Object.assign(row.slide, { min: low, max: high, step });
+    if (label) {
+      row.slide.setAttribute("aria-label", label);
+      const text = row.slide.closest(".carts-measured-hand")?.querySelector("label");
+      if (text) text.textContent = label;
+    }
+  }
 
-	/** @param {Hand} hand */
-	set value(hand) {
-		const values = { ...hand, va: hand.v[0], vb: hand.v[1] };
-		for (const [key, { slide, box }] of this.rows) {
-			const value = Number(values[/** @type {keyof typeof values} */ (key)]);
-			slide.value = String(value);
-			box.value = shown(value);
-		}
-	}
+  /** @param {Hand} hand */
+  set value(hand) {
+    const values = { ...hand, va: hand.v[0], vb: hand.v[1] };
+    for (const [key, { slide, box }] of this.rows) {
+      const value = Number(values[/** @type {keyof typeof values} */ (key)]);
+      slide.value = String(value);
+      box.value = shown(value);
+    }
+  }
 
-	/** @returns {Hand} */
-	get value() {
-		const read = (/** @type {string} */ key) =>
-			this.rows.get(key)?.box.valueAsNumber ?? 0;
-		return {
-			touch: read("touch"),
-			x: 0,
-			distance: 0,
-			v: [read("va"), read("vb")],
-			ratio: read("ratio"),
-			e: read("e"),
-			duration: read("duration"),
-		};
-	}
+  /** @returns {Hand} */
+  get value() {
+    const read = (/** @type {string} */ key) => this.rows.get(key)?.box.valueAsNumber ?? 0;
+    return {
+      touch: read("touch"),
+      x: 0,
+      distance: 0,
+      v: [read("va"), read("vb")],
+      ratio: read("ratio"),
+      e: read("e"),
+      duration: read("duration"),
+    };
+  }
 }
 
 /** Four figures; a number box takes a point and a plain minus only. @param {number} value */
 function shown(value) {
-	return String(Number(value.toPrecision(4)));
+  return String(Number(value.toPrecision(4)));
 }
 
 /** m/s over a fifth of the film, so that noise does not count. @param {Track} track */
 function fastest({ t, value }) {
-	const apart = Math.max(1, Math.floor(t.length / 5));
-	let found = 0;
-	for (let k = apart; k < t.length; k += 1) {
-		const speed =
-			(Number(value[k]) - Number(value[k - apart])) /
-			(Number(t[k]) - Number(t[k - apart]));
-		found = Math.max(found, Math.abs(speed));
-	}
-	return found;
+  const apart = Math.max(1, Math.floor(t.length / 5));
+  let found = 0;
+  for (let k = apart; k < t.length; k += 1) {
+    const speed =
+      (Number(value[k]) - Number(value[k - apart])) / (Number(t[k]) - Number(t[k - apart]));
+    found = Math.max(found, Math.abs(speed));
+  }
+  return found;
 }

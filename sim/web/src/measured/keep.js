@@ -6,21 +6,21 @@ import { openAll, place } from "../storage.js";
 
 /** @param {string} id of the block */
 export function keeper(id) {
-	const { site, page } = place();
-	const key = `${page}/${id}`;
-	const opened = openAll(`${site}-measured`);
-	return {
-		/** @returns {Promise<Kept | null>} */
-		get: async () => (await opened).get(key).catch(() => null),
-		/** @param {Kept} kept @returns {Promise<boolean>} whether the browser says that it is kept */
-		put: async (kept) => {
-			try {
-				const store = await opened;
-				await store.put(key, kept, true);
-				return store.kind === "kept";
-			} catch {
-				return false;
-			}
-		},
-	};
+  const { site, page } = place();
+  const key = `${page}/${id}`;
+  const opened = openAll(`${site}-measured`);
+  return {
+    /** @returns {Promise<Kept | null>} */
+    get: async () => (await opened).get(key).catch(() => null),
+    /** @param {Kept} kept @returns {Promise<boolean>} whether the browser says that it is kept */
+    put: async (kept) => {
+      try {
+        const store = await opened;
+        await store.put(key, kept, true);
+        return store.kind === "kept";
+      } catch {
+        return false;
+      }
+    },
+  };
 }

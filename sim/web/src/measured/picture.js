@@ -15,146 +15,128 @@ const QUARTER = 0.25; // a collision is over before it is seen
 const FINE = 0.01; // m; smaller residuals are told with two decimals of a millimetre
 
 export class Picture {
-	#begin = 0;
+  #begin = 0;
 
-	/** @param {HTMLElement} root */
-	constructor(root) {
-		this.root = root;
-		this.figure = new Figure(this.#part("figure"), this.#part("left"));
-		this.stage = new Stage(this.#part("stage"));
-		this.player = new Player(() => this.#frame());
-		this.player.speed = QUARTER;
-		this.player.slow = false;
-		this.scrub = /** @type {HTMLInputElement} */ (this.#part("scrub"));
-		this.scrub.addEventListener("input", () => {
-			this.player.pause();
-			this.player.seek(this.scrub.valueAsNumber);
-		});
-		this.#part("play").addEventListener("click", () => this.player.toggle());
-	}
+  /** @param {HTMLElement} root */
+  constructor(root) {
+    this.root = root;
+    this.figure = new Figure(this.#part("figure"), this.#part("left"));
+    this.stage = new Stage(this.#part("stage"));
+    this.player = new Player(() => this.#frame());
+    this.player.speed = QUARTER;
+    this.player.slow = false;
+    this.scrub = /** @type {HTMLInputElement} */ (this.#part("scrub"));
+    this.scrub.addEventListener("input", () => {
+      this.player.pause();
+      this.player.seek(this.scrub.valueAsNumber);
+    });
+    this.#part("play").addEventListener("click", () => this.player.toggle());
+  }
 
-	/** @param {string} name @returns {HTMLElement} */
-	#part(name) {
-		return need(this.root, `.carts-measured-${name}`);
-	}
+  /** @param {string} name @returns {HTMLElement} */
+  #part(name) {
+    return need(this.root, `.carts-measured-${name}`);
+  }
 
-	/** Hides what belongs to an earlier fit. */
-	forget() {
-		this.#part("result").hidden = true;
-		this.#part("back").hidden = true;
-	}
+  /** Hides what belongs to an earlier fit. */
+  forget() {
+    this.#part("result").hidden = true;
+    this.#part("back").hidden = true;
+  }
 
-	/** What was read, and whether a model can be laid over it. @param {string} name @param {Read} read @param {boolean} motion */
-	readings(name, read, motion) {
-		this.forget();
-		say(this.#part("said"), [name, ...read.read].filter(Boolean).join("; "));
-		this.#part("legend").replaceChildren(...legend(read));
-		this.#part("model").hidden = !motion;
-		this.#part("world").hidden = !motion;
-		this.#part("left").toggleAttribute("hidden", !motion && !read.forces);
-		if (read.kind === "force") this.#forces(read);
-		else if (!motion) this.#points(read);
-	}
+  /** What was read, and whether a model can be laid over it. @param {string} name @param {Read} read @param {boolean} motion */
+  readings(name, read, motion) {
+    this.forget();
+    say(this.#part("said"), [name, ...read.read].filter(Boolean).join("; "));
+    this.#part("legend").replaceChildren(...legend(read));
+    this.#part("model").hidden = !motion;
+    this.#part("world").hidden = !motion;
+    this.#part("left").toggleAttribute("hidden", !motion && !read.forces);
+    if (read.kind === "force") this.#forces(read);
+    else if (!motion) this.#points(read);
+  }
 
-	/** @param {Read} read */
-	#points(read) {
-		this.figure.show(read.tracks, "x in m", null);
-		showTable(need(this.root, ".carts-measured-table table"), read, null);
-		say(this.#part("spread"), "");
-	}
+  /** @param {Read} read */
+  #points(read) {
+    this.figure.show(read.tracks, "x in m", null);
+    showTable(need(this.root, ".carts-measured-table table"), read, null);
+    say(this.#part("spread"), "");
+  }
 
-	/** Two sensors against each other. @param {Read} read */
-	#forces(read) {
-		const { forces } = read;
-		const tracks = forces
-			? forces.F.map((F) => ({ t: forces.t, value: F }))
-			: read.tracks;
-		this.figure.show(tracks, "F in N", null);
-		if (forces) {
-			const sum = forces.t.map(
-				(_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]),
-			);
-			this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
-		}
-		showTable(need(this.root, ".carts-measured-table table"), read, null);
-		say(this.#part("spread"), forces ? "Below: the sum of both forces." : "");
-		if (read.report) showResult(this.#part("result"), read.report);
-	}
+  /** Two sensors against each other. @param {Read} read */
+  #forces(read) {
+    const { forces } = read;
+    const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
+    this.figure.show(tracks, "F in N", null);
+    if (forces) {
+      const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
+      this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
+    }
+    showTable(need(this.root, ".carts-measured-table table"), read, null);
+    say(this.#part("spread"), forces ? "Below: the sum of both forces." : "");
+    if (read.report) showResult(this.#part("result"), read.report);
+  }
 
-	/** The model over the readings. @param {Read} read @param {Drawn} drawn */
-	draw(read, drawn) {
-		this.figure.show(
-			read.tracks,
-			"x in m",
-			drawn.curve,
-			drawn.parameters.touch,
-		);
-		this.figure.rest(read.tracks, drawn.residuals, "left in mm", 1000);
-		this.stage.show(
-			read.tracks,
-			drawn.curve,
-			drawn.parameters.distance,
-			read.names,
-		);
-		showTable(
-			need(this.root, ".carts-measured-table table"),
-			read,
-			drawn.residuals,
-		);
-		const spread = fixed(1000 * drawn.spread, drawn.spread < FINE ? 2 : 0);
-		say(
-			this.#part("spread"),
-			`Below: residuals (measured minus model). Their root mean square is ${spread} mm.`,
-		);
-		this.#begin = Number(drawn.curve.t[0]);
-		this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
-		this.scrub.max = String(this.player.until);
-		this.#frame();
-	}
+  /** The model over the readings. @param {Read} read @param {Drawn} drawn */
+  draw(read, drawn) {
+    this.figure.show(read.tracks, "x in m", drawn.curve, drawn.parameters.touch);
+    this.figure.rest(read.tracks, drawn.residuals, "left in mm", 1000);
+    this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
+    showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
+    const spread = fixed(1000 * drawn.spread, drawn.spread < FINE ? 2 : 0);
+    say(
+      this.#part("spread"),
+      `Below: residuals (measured minus model). Their root mean square is ${spread} mm.`,
+    );
+    this.#begin = Number(drawn.curve.t[0]);
+    this.player.until = Number(drawn.curve.t.at(-1)) - this.#begin;
+    this.scrub.max = String(this.player.until);
+    this.#frame();
+  }
 
-	#frame() {
-		const t = this.#begin + this.player.time;
-		this.stage.at(t);
-		this.figure.at(t);
-		this.scrub.value = String(this.player.time);
-		this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);
-		say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
-		say(this.#part("play"), this.player.playing ? "Pause" : "Play");
-	}
+  #frame() {
+    const t = this.#begin + this.player.time;
+    this.stage.at(t);
+    this.figure.at(t);
+    this.scrub.value = String(this.player.time);
+    this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);
+    say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
+    say(this.#part("play"), this.player.playing ? "Pause" : "Play");
+  }
 
-	/** What a fit says. @param {import("./types.js").Report} report */
-	told(report) {
-		showResult(this.#part("result"), report);
-		this.#part("back").hidden = false;
-		const fence = /** @type {HTMLTextAreaElement} */ (this.#part("fence"));
-		fence.value = report.fence;
-	}
+  /** What a fit says. @param {import("./types.js").Report} report */
+  told(report) {
+    showResult(this.#part("result"), report);
+    this.#part("back").hidden = false;
+    const fence = /** @type {HTMLTextAreaElement} */ (this.#part("fence"));
+    fence.value = report.fence;
+  }
 
-	/** @param {string} name of the readings @param {import("./types.js").Fault[]} faults */
-	refuse(name, faults) {
-		this.#part("faults").replaceChildren(
-			...faults.map(({ line, reason, hint }) => {
-				const row = document.createElement("li");
-				const where = line === null ? "" : `${Source.place(name, line)}: `;
-				row.textContent = `${where}${reason}${hint ? ` (${hint})` : ""}`;
-				return row;
-			}),
-		);
-	}
+  /** @param {string} name of the readings @param {import("./types.js").Fault[]} faults */
+  refuse(name, faults) {
+    this.#part("faults").replaceChildren(
+      ...faults.map(({ line, reason, hint }) => {
+        const row = document.createElement("li");
+        const where = line === null ? "" : `${Source.place(name, line)}: `;
+        row.textContent = `${where}${reason}${hint ? ` (${hint})` : ""}`;
+        return row;
+      }),
+    );
+  }
 
-	/** @param {string} text */
-	busy(text) {
-		say(this.#part("busy"), text);
-	}
+  /** @param {string} text */
+  busy(text) {
+    say(this.#part("busy"), text);
+  }
 }
 
 /** @param {Read} read @returns {HTMLElement[]} */
 function legend(read) {
-	return read.names.flatMap((name, k) => {
-		const mark = document.createElement("span");
-		mark.className = `carts-measured-key carts-b${k}`;
-		const text = document.createElement("span");
-		text.textContent = read.kind === "length" ? name : `force on ${name}`;
-		return [mark, text];
-	});
+  return read.names.flatMap((name, k) => {
+    const mark = document.createElement("span");
+    mark.className = `carts-measured-key carts-b${k}`;
+    const text = document.createElement("span");
+    text.textContent = read.kind === "length" ? name : `force on ${name}`;
+    return [mark, text];
+  });
 }

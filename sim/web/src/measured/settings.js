@@ -6,147 +6,140 @@ import { html, need } from "../dom.js";
 /** @typedef {import("./types.js").Read} Read */
 
 const WORDS = {
-	time: "what times are in",
-	length: "what lengths are in",
-	force: "what forces are in",
+  time: "what times are in",
+  length: "what lengths are in",
+  force: "what forces are in",
 };
 const LETTERS = { time: "t in", length: "x in", force: "F in" };
 
 export class Settings {
-	/** @type {HTMLInputElement[]} */
-	#masses = [];
-	/** @type {string[]} */
-	#names = ["A", "B"];
+  /** @type {HTMLInputElement[]} */
+  #masses = [];
+  /** @type {string[]} */
+  #names = ["A", "B"];
 
-	/** @param {HTMLElement} root @param {(again: boolean) => void} changed again: the readings are others now */
-	constructor(root, changed) {
-		const find = (/** @type {string} */ name) =>
-			/** @type {HTMLInputElement} */ (need(root, `.carts-measured-${name}`));
-		this.from = find("from");
-		this.until = find("until");
-		this.law = find("law");
-		this.effect = find("effect");
-		this.distance = find("distance");
-		this.place = need(root, ".carts-measured-masses");
-		/** @type {HTMLSelectElement[]} */
-		this.units = [...root.querySelectorAll(".carts-measured-unit")].map(
-			(select) => /** @type {HTMLSelectElement} */ (select),
-		);
-		this.changed = changed;
-		for (const input of [...this.units, this.from, this.until]) {
-			input.addEventListener("change", () => changed(true));
-		}
-		for (const input of [this.law, this.effect, this.distance]) {
-			input.addEventListener("change", () => changed(false));
-		}
-	}
+  /** @param {HTMLElement} root @param {(again: boolean) => void} changed again: the readings are others now */
+  constructor(root, changed) {
+    const find = (/** @type {string} */ name) =>
+      /** @type {HTMLInputElement} */ (need(root, `.carts-measured-${name}`));
+    this.from = find("from");
+    this.until = find("until");
+    this.law = find("law");
+    this.effect = find("effect");
+    this.distance = find("distance");
+    this.place = need(root, ".carts-measured-masses");
+    /** @type {HTMLSelectElement[]} */
+    this.units = [...root.querySelectorAll(".carts-measured-unit")].map(
+      (select) => /** @type {HTMLSelectElement} */ (select),
+    );
+    this.changed = changed;
+    for (const input of [...this.units, this.from, this.until]) {
+      input.addEventListener("change", () => changed(true));
+    }
+    for (const input of [this.law, this.effect, this.distance]) {
+      input.addEventListener("change", () => changed(false));
+    }
+  }
 
-	/** Boxes for the masses of two carts. @param {string[]} names */
-	named(names) {
-		if (this.#masses.length && names.join() === this.#names.join()) return;
-		const before = this.#masses.map((box) => box.value);
-		this.#names = names;
-		this.#masses = names.map((_, k) => {
-			const box = /** @type {HTMLInputElement} */ (html("input"));
-			Object.assign(box, {
-				type: "number",
-				step: "any",
-				min: "0",
-				value: before[k] ?? "",
-			});
-			box.addEventListener("change", () => this.changed(false));
-			return box;
-		});
-		this.place.replaceChildren(
-			html("span", "", "weighed: "),
-			...names.flatMap((name, k) => {
-				const label = html("label", "", `${name} `);
-				label.append(/** @type {HTMLInputElement} */ (this.#masses[k]), " kg");
-				return [label, " "];
-			}),
-			html("span", "carts-quiet", "if you have a balance"),
-		);
-	}
+  /** Boxes for the masses of two carts. @param {string[]} names */
+  named(names) {
+    if (this.#masses.length && names.join() === this.#names.join()) return;
+    const before = this.#masses.map((box) => box.value);
+    this.#names = names;
+    this.#masses = names.map((_, k) => {
+      const box = /** @type {HTMLInputElement} */ (html("input"));
+      Object.assign(box, {
+        type: "number",
+        step: "any",
+        min: "0",
+        value: before[k] ?? "",
+      });
+      box.addEventListener("change", () => this.changed(false));
+      return box;
+    });
+    this.place.replaceChildren(
+      html("span", "", "weighed: "),
+      ...names.flatMap((name, k) => {
+        const label = html("label", "", `${name} `);
+        label.append(/** @type {HTMLInputElement} */ (this.#masses[k]), " kg");
+        return [label, " "];
+      }),
+      html("span", "carts-quiet", "if you have a balance"),
+    );
+  }
 
-	/** Another film has another clock. */
-	clear() {
-		this.from.value = "";
-		this.until.value = "";
-	}
+  /** Another film has another clock. */
+  clear() {
+    this.from.value = "";
+    this.until.value = "";
+  }
 
-	/** @param {Kept} kept */
-	fill(kept) {
-		for (const select of this.units) {
-			const kind = /** @type {"time"} */ (select.dataset.kind);
-			if (kept.units[kind]) select.value = kept.units[kind];
-		}
-		this.from.value = kept.from;
-		this.until.value = kept.until;
-		this.law.value = kept.law;
-		this.effect.value = kept.effect;
-		this.distance.value = kept.distance;
-		this.named(this.#names);
-		for (const [k, box] of this.#masses.entries())
-			box.value = kept.masses[k] ?? "";
-	}
+  /** @param {Kept} kept */
+  fill(kept) {
+    for (const select of this.units) {
+      const kind = /** @type {"time"} */ (select.dataset.kind);
+      if (kept.units[kind]) select.value = kept.units[kind];
+    }
+    this.from.value = kept.from;
+    this.until.value = kept.until;
+    this.law.value = kept.law;
+    this.effect.value = kept.effect;
+    this.distance.value = kept.distance;
+    this.named(this.#names);
+    for (const [k, box] of this.#masses.entries()) box.value = kept.masses[k] ?? "";
+  }
 
-	/** @returns {import("./types.js").Units} */
-	get chosen() {
-		const units = { time: "", length: "", force: "" };
-		for (const select of this.units) {
-			units[/** @type {"time"} */ (select.dataset.kind)] = select.value;
-		}
-		return units;
-	}
+  /** @returns {import("./types.js").Units} */
+  get chosen() {
+    const units = { time: "", length: "", force: "" };
+    for (const select of this.units) {
+      units[/** @type {"time"} */ (select.dataset.kind)] = select.value;
+    }
+    return units;
+  }
 
-	/** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string[]} in words */
-	missing(read) {
-		const kinds = /** @type {("time" | "length" | "force")[]} */ ([
-			"time",
-			read.kind,
-		]);
-		return kinds
-			.filter((kind) => !this.chosen[kind])
-			.filter((kind) =>
-				read.read.some(
-					(note) =>
-						note.startsWith(LETTERS[kind]) && note.includes("as you say"),
-				),
-			)
-			.map((kind) => WORDS[kind]);
-	}
+  /** What the file leaves open and the reader has not chosen. @param {Read} read @returns {string[]} in words */
+  missing(read) {
+    const kinds = /** @type {("time" | "length" | "force")[]} */ (["time", read.kind]);
+    return kinds
+      .filter((kind) => !this.chosen[kind])
+      .filter((kind) =>
+        read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say")),
+      )
+      .map((kind) => WORDS[kind]);
+  }
 
-	/** Of these, what is kept. */
-	get kept() {
-		return {
-			units: this.chosen,
-			from: this.from.value,
-			until: this.until.value,
-			law: this.law.value,
-			effect: this.effect.value,
-			distance: this.distance.value,
-			masses: this.#masses.map((box) => box.value),
-		};
-	}
+  /** Of these, what is kept. */
+  get kept() {
+    return {
+      units: this.chosen,
+      from: this.from.value,
+      until: this.until.value,
+      law: this.law.value,
+      effect: this.effect.value,
+      distance: this.distance.value,
+      masses: this.#masses.map((box) => box.value),
+    };
+  }
 
-	/** Of these, what Python is told. */
-	get asked() {
-		const number = (/** @type {HTMLInputElement} */ box) =>
-			Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null;
-		/** @type {Record<string, number>} */
-		const masses = {};
-		for (const [k, name] of this.#names.entries()) {
-			const box = this.#masses[k];
-			if (box && box.valueAsNumber > 0) masses[name] = box.valueAsNumber;
-		}
-		return {
-			units: this.chosen,
-			from: number(this.from),
-			until: number(this.until),
-			law: this.law.value,
-			effect: this.effect.value,
-			distance: number(this.distance),
-			masses,
-		};
-	}
+  /** Of these, what Python is told. */
+  get asked() {
+    const number = (/** @type {HTMLInputElement} */ box) =>
+      Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null;
+    /** @type {Record<string, number>} */
+    const masses = {};
+    for (const [k, name] of this.#names.entries()) {
+      const box = this.#masses[k];
+      if (box && box.valueAsNumber > 0) masses[name] = box.valueAsNumber;
+    }
+    return {
+      units: this.chosen,
+      from: number(this.from),
+      until: number(this.until),
+      law: this.law.value,
+      effect: this.effect.value,
+      distance: number(this.distance),
+      masses,
+    };
+  }
 }

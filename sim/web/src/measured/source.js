@@ -10,81 +10,68 @@ const TYPED = "typed readings";
 /** @typedef {(name: string, texts: string[]) => void} Take */
 
 export class Source {
-	/**
-	 * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-	 * @param {(text: string) => void} tell
-	 */
-	constructor(root, take, changed, tell) {
-		this.root = root;
-		this.take = take;
-		this.tell = tell;
-		this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
-		this.paste = /** @type {HTMLTextAreaElement} */ (
-			need(root, ".carts-measured-paste textarea")
-		);
-		const file = /** @type {HTMLInputElement} */ (
-			need(root, ".carts-measured-file")
-		);
-		for (const input of root.querySelectorAll(
-			"button, textarea, select, input",
-		)) {
-			/** @type {HTMLInputElement} */ (input).disabled = false;
-		}
-		this.on("open", () => file.click());
-		this.on("take", () => this.take("pasted readings", [this.paste.value]));
-		this.on("typed-take", () => this.take(TYPED, [this.grid.text]));
-		this.on("more", () => this.grid.grow());
-		file.addEventListener("change", () => {
-			void this.files([...(file.files ?? [])]);
-			file.value = "";
-		});
-		root.addEventListener("dragover", (event) => event.preventDefault());
-		root.addEventListener("drop", (event) => {
-			event.preventDefault();
-			void this.files([...(event.dataTransfer?.files ?? [])]);
-		});
-	}
+  /**
+   * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
+   * @param {(text: string) => void} tell
+   */
+  constructor(root, take, changed, tell) {
+    this.root = root;
+    this.take = take;
+    this.tell = tell;
+    this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
+    this.paste = /** @type {HTMLTextAreaElement} */ (need(root, ".carts-measured-paste textarea"));
+    const file = /** @type {HTMLInputElement} */ (need(root, ".carts-measured-file"));
+    for (const input of root.querySelectorAll("button, textarea, select, input")) {
+      /** @type {HTMLInputElement} */ (input).disabled = false;
+    }
+    this.on("open", () => file.click());
+    this.on("take", () => this.take("pasted readings", [this.paste.value]));
+    this.on("typed-take", () => this.take(TYPED, [this.grid.text]));
+    this.on("more", () => this.grid.grow());
+    file.addEventListener("change", () => {
+      void this.files([...(file.files ?? [])]);
+      file.value = "";
+    });
+    root.addEventListener("dragover", (event) => event.preventDefault());
+    root.addEventListener("drop", (event) => {
+      event.preventDefault();
+      void this.files([...(event.dataTransfer?.files ?? [])]);
+    });
+  }
 
-	/** @param {string} name @param {() => void} act */
-	on(name, act) {
-		this.root
-			.querySelector(`.carts-measured-${name}`)
-			?.addEventListener("click", act);
-	}
+  /** @param {string} name @param {() => void} act */
+  on(name, act) {
+    this.root.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
+  }
 
-	/** @param {File[]} files one with both carts, or one for each */
-	async files(files) {
-		if (!files.length) return;
-		if (files.length > 2)
-			return this.tell("Choose one file with both carts, or one for each.");
-		if (files.some((file) => file.size > MOST)) {
-			return this.tell(
-				"This file is too large to be readings of two carts: at most 4 MB.",
-			);
-		}
-		const texts = await Promise.all(
-			files.map(async (file) => decoded(await file.arrayBuffer())),
-		);
-		this.take(files.map((file) => file.name).join(" and "), texts);
-	}
+  /** @param {File[]} files one with both carts, or one for each */
+  async files(files) {
+    if (!files.length) return;
+    if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
+    if (files.some((file) => file.size > MOST)) {
+      return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
+    }
+    const texts = await Promise.all(files.map(async (file) => decoded(await file.arrayBuffer())));
+    this.take(files.map((file) => file.name).join(" and "), texts);
+  }
 
-	/** @param {string} name @param {string[]} texts */
-	save(name, texts) {
-		const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
-		for (const text of texts) download(one, text, "text/plain;charset=utf-8");
-	}
+  /** @param {string} name @param {string[]} texts */
+  save(name, texts) {
+    const one = name && !/\band\b| /.test(name) ? name : "readings.txt";
+    for (const text of texts) download(one, text, "text/plain;charset=utf-8");
+  }
 
-	/** What a line of a text is called where it stands. @param {string} name @param {number} line */
-	static place(name, line) {
-		if (name !== TYPED) return `line ${line}`;
-		return line > 1 ? `row ${line - 1}` : "the table";
-	}
+  /** What a line of a text is called where it stands. @param {string} name @param {number} line */
+  static place(name, line) {
+    if (name !== TYPED) return `line ${line}`;
+    return line > 1 ? `row ${line - 1}` : "the table";
+  }
 }
 
 /** The bytes as text; what is not UTF-8 keeps a sign that Python refuses. @param {ArrayBuffer} bytes */
 function decoded(bytes) {
-	const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
-	const mark = start[0] === 0xff && start[1] === 0xfe ? "utf-16le" : "";
-	const wide = start[0] === 0xfe && start[1] === 0xff ? "utf-16be" : mark;
-	return new TextDecoder(wide || "utf-8").decode(bytes);
+  const start = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
+  const mark = start[0] === 0xff && start[1] === 0xfe ? "utf-16le" : "";
+  const wide = start[0] === 0xfe && start[1] === 0xff ? "utf-16be" : mark;
+  return new TextDecoder(wide || "utf-8").decode(bytes);
 }
