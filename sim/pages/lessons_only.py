@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import logging
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -82,8 +82,11 @@ def fill_in(config: Any) -> None:
     config.validation.links.anchors = logging.WARNING
 
 
-def ready_page(name: str, title: str, about: str, lessons: Iterable[Path]) -> str | None:
-    """The Markdown of a page that such a site need not write, or None if there is none."""
+def ready_page(name: str, title: str, about: str, lessons: Mapping[str, Path]) -> str | None:
+    """The Markdown of a page that such a site need not write, or None if there is none.
+
+    `lessons`: their files by their address in the site.
+    """
     if name == CLASS_RESULTS:
         return _CLASS_PAGE
     if name == HOME:
@@ -103,13 +106,13 @@ def named_pages(nav: Any) -> Iterator[str]:
             yield from named_pages(item)
 
 
-def _home(title: str, about: str, lessons: Iterable[Path]) -> Iterator[str]:
+def _home(title: str, about: str, lessons: Mapping[str, Path]) -> Iterator[str]:
     yield from ("---", "hide: [navigation, toc]", "---", "", f"# {_plain(title)}", "")
     yield from ([_plain(about), ""] if about else [])
-    for path in lessons:
+    for address, path in lessons.items():
         head = _head(path.read_text(encoding="utf-8", errors="replace"))
         name = _plain(str(head.get("title") or path.stem))
-        yield f"## [{name}](worksheets/{path.name})"
+        yield f"## [{name}]({address})"
         yield ""
         words = [_plain(str(head["description"]))] if head.get("description") else []
         words += [f"{head['minutes']} minutes."] if isinstance(head.get("minutes"), int) else []

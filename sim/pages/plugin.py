@@ -132,8 +132,10 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         for file in [f for f in files if Path(f.abs_src_path or "").is_relative_to(self.folder)]:
             files.remove(file)
         about = config.site_description or ""
+        inside = {path.relative_to(self.folder).as_posix(): path for path in self.lessons}
+        lessons = {f"{self.config.lessons}/{name}": path for name, path in inside.items()}
         for name in sorted(self.named | {lessons_only.HOME}):
-            text = lessons_only.ready_page(name, config.site_name, about, self.lessons)
+            text = lessons_only.ready_page(name, config.site_name, about, lessons)
             if text is not None:
                 files.append(File.generated(config, name, content=text))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -58,7 +59,8 @@ def test_the_installed_runtime_is_the_one_that_the_checkout_packs(
     from sim.pages import runtime
     from tests.hosting.conftest import CACHE
 
-    packed = runtime.pack(tmp_path, packages=frozenset(), cache=CACHE, report=lambda _: None)
+    teacher = frozenset({runtime.TEACHER})
+    packed = runtime.pack(tmp_path, packages=teacher, cache=CACHE, report=lambda _: None)
     folder = made / "site" / "assets" / "carts" / "runtime"
     assert {p.name: p.read_bytes() for p in packed.folder.iterdir()} == {
         p.name: p.read_bytes() for p in folder.iterdir()
@@ -72,3 +74,28 @@ def test_lessons_of_ours_can_be_taken_over_with_their_banks(
     bank = "worksheets/banks/forces-and-motion.yml"
     assert (made / bank).read_bytes() == (ROOT / bank).read_bytes()
     assert installed.carts("check", cwd=made).strip() == "no findings"
+
+
+@pytest.mark.parametrize("kind", ["stick", "hosted"])
+def test_two_builds_are_equal_in_other_folders_time_zones_and_languages(
+    installed: Installed, made: Path, tmp_path: Path, kind: str
+) -> None:
+    other = tmp_path / "elsewhere" / "on another computer"
+    shutil.copytree(made / "worksheets", other / "worksheets")
+    settings = (made / "mkdocs.yml").read_text(encoding="utf-8")
+    (other / "mkdocs.yml").write_text(
+        f"{settings}\nsite_url: https://school.example/physics/\n", encoding="utf-8"
+    )
+    where = [
+        {"TZ": "UTC", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "1"},
+        {"TZ": "Pacific/Kiritimati", "LC_ALL": "tr_TR.UTF-8", "PYTHONHASHSEED": "2"},
+    ]
+    shutil.copytree(other, tmp_path / "two")
+    option = ["--hosted"] if kind == "hosted" else []
+    zips = []
+    for folder, environment in zip((other, tmp_path / "two"), where, strict=True):
+        more = {**environment, "SOURCE_DATE_EPOCH": "1700000000"}
+        out = tmp_path / f"{environment['PYTHONHASHSEED']}.zip"
+        installed.carts("pack", *option, "--out", str(out), cwd=folder, **more)
+        zips.append(out.read_bytes())
+    assert zips[0] == zips[1]
