@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 from sim.bridge.protocol import answer
 from sim.scene import read_fence
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import FENCES, LIVE, live, on_scene, widget_site
+from tests.web.widget_site import FENCES, LIVE, MEETING, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -125,6 +125,25 @@ def test_a_stepping_method_plays_and_the_exact_run_stays_behind(
     assert left is not None
     assert places == pytest.approx([left["x"] + scale * x for x in carts], abs=0.5)
     assert on_scene(page, FINAL) == exact
+
+
+@pytest.mark.one_browser
+def test_a_table_ends_where_the_numbers_blow_up_and_the_plan_prints_whole(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    stiff = {**MEETING, "id": "stiff", "contact": {"restitution": 1, "stiffness": "9000 N/m"}}
+    page = live(open_page(write_page(widget_site, "stiff", stiff)), "stiff")
+    page.locator("#stiff .carts-how > summary").click()
+    page.locator("#stiff .carts-how-method").select_option("euler")
+    told = page.locator("#stiff .carts-how-told")
+    expect(told).to_contain_text("the numbers blow up")
+    page.locator("#stiff .carts-graph summary").first.click()
+    last = page.locator("#stiff .carts-graph table").first.locator("tbody tr").last
+    blown = float(re.findall(r"at ([\d.]+) s", told.inner_text())[0])
+    assert float(last.locator("td").first.inner_text()) <= blown + 0.01
+    page.emulate_media(media="print")
+    plan = page.locator("#stiff .carts-how-plan")
+    assert plan.evaluate("(el) => el.scrollHeight <= el.clientHeight + 1")
 
 
 def choose_exact(page: Page) -> None:

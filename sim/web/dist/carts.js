@@ -4930,10 +4930,11 @@ ${lines2.join("\n")}
       need(this.details, "tbody").replaceChildren(...rows);
     }
   };
-  function tableTimes({ header }) {
+  function tableTimes({ header, trajectory }) {
     const times = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
-    return [...times].sort((a2, b2) => a2 - b2);
+    const last = Number(trajectory.t[trajectory.t.length - 1]);
+    return [...times].filter((t3) => t3 <= last).sort((a2, b2) => a2 - b2);
   }
   function heading(text) {
     const cell = html("th", "", text);

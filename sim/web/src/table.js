@@ -64,11 +64,12 @@ export class Table {
   }
 }
 
-/** @param {Run} run @returns {number[]} round times and the times of the events */
-function tableTimes({ header }) {
+/** @param {Run} run @returns {number[]} round times and the times of the events, as far as the run got */
+function tableTimes({ header, trajectory }) {
   const times = new Set([...ticks(span(0, header.until, ROWS)), header.until]);
   for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
-  return [...times].sort((a, b) => a - b);
+  const last = Number(trajectory.t[trajectory.t.length - 1]);
+  return [...times].filter((t) => t <= last).sort((a, b) => a - b);
 }
 
 /** @param {string} text */
