@@ -119,8 +119,10 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             for uri, content in self.build.assets().items():
                 files.append(File.generated(config, uri, content=content))
         for file in list(files):
-            # Source maps; and a list of addresses where the site has none.
-            if file.src_uri.endswith(".map") or file.src_uri == "sitemap.xml":
+            # Source maps; a list of addresses where the site has none; and on a disk the word
+            # lists of other languages, which the search could not load there.
+            words = self.build.audience == "offline" and "/javascripts/lunr/" in file.src_uri
+            if words or file.src_uri.endswith(".map") or file.src_uri == "sitemap.xml":
                 files.remove(file)
             elif re.fullmatch(r"assets/javascripts/workers/search\..*\.js", file.src_uri):
                 script = search_from_disk(file.content_string)
