@@ -30,7 +30,7 @@ def test_an_authors_mistake_reads_as_in_carts_check(
     text = (GOLDEN / f"{name}.md").read_text(encoding="utf-8")
     lesson = Lesson(f"{name}.md", (Path("scenes"),), (Path("banks"),))
     expected = check_lesson(text, lesson, SiteIds())
-    assert list(Desk(banks=True).look(text, lesson, Site()).findings) == expected
+    assert list(Desk().look(text, lesson, Site()).findings) == expected
 
 
 def look(text: str, **more: Any) -> dict[str, Any]:

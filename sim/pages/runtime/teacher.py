@@ -16,7 +16,10 @@ from pathlib import Path
 from .node import RuntimePackError
 from .ours import TEACHER, Ours, text_bytes
 
-LAYERS = ("lesson", "pages/question", "pages/widget", "pages/map", "pages/language", "pages/teach")
+LAYERS = (
+    *("lesson", "measured"),
+    *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach")),
+)
 MODULES = (
     *("__init__", "bake", "fence_scan", "findings", "lesson_text", "map_block", "scene_block"),
     *("templates", "yaml_errors", "yaml_source"),
@@ -29,7 +32,8 @@ BUILD_ONLY = (
 )
 BEGINS = (
     *("sim.pages.teach.answer", "sim.pages.widget", "sim.pages.question.render"),
-    *("sim.pages.map.render", "sim.pages.map_block", "sim.pages.map.bake"),
+    *("sim.pages.measured.render", "sim.pages.measured.block", "sim.pages.map.render"),
+    *("sim.pages.map_block", "sim.pages.map.bake"),
     *(
         f"markdown.extensions.{name}"
         for name in (

@@ -20,7 +20,6 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import speaking
 from sim.pages.lesson_text import text_findings
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
-from sim.pages.question.quiz import find_bank
 from sim.pages.scene_block import Lesson, SiteIds, load_block, read_scene_block
 from sim.scene import Problem
 
@@ -72,10 +71,8 @@ class _LaterError(Exception):
 
 @dataclass(slots=True)
 class Desk:
-    """Makes previews, and remembers what it made. `banks`: whether all banks of questions are here;
-    a page does not have them."""
+    """Makes previews, and remembers what it made."""
 
-    banks: bool = False
     made: dict[str, str | list[Problem]] = field(default_factory=dict)
     until: float = math.inf
 
@@ -158,7 +155,7 @@ class Desk:
 
         source = load_block(block, lesson.file, first_line=1)
         bank = source.plain.get("bank")
-        if isinstance(bank, str) and not self.banks and not find_bank(bank, lesson):
+        if isinstance(bank, str) and not lesson.bank_folders:
             return Shown("kept")
         read = read_quiz_block(block, lesson, ids, first_line=1)
         items.quizzes.append(read)

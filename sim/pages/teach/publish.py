@@ -8,6 +8,7 @@ no text at all: the words that open a form stand in it. Its teacher opens the fi
 from __future__ import annotations
 
 import base64
+import contextlib
 import gzip
 import hashlib
 import json
@@ -20,7 +21,8 @@ from typing import Any
 from sim.pages.check import scene_folders
 from sim.pages.fence_scan import KINDS
 from sim.pages.findings import AuthorError
-from sim.pages.scene_block import Lesson, load_block, with_scene_file
+from sim.pages.measured.block import read_measured_block
+from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
@@ -73,7 +75,7 @@ def published(
         "text": None if closed else withhold(text),
         "hash": hashlib.sha256(text.encode("utf-8")).hexdigest(),
         "withheld": not closed and withhold(text) != text,
-        "files": {} if closed else _scene_files(text, Lesson(file, folders), root),
+        "files": {} if closed else _named_files(text, Lesson(file, folders), root),
         "lesson": {
             "file": file,
             "scenes": [f.relative_to(root).as_posix() for f in folders if f.is_relative_to(root)],
@@ -108,22 +110,26 @@ def _script(stem: str, told: Mapping[str, Any]) -> Published:
     return Published(f"{FOLDER}{stem}.{digest}.js", script)
 
 
-def _scene_files(text: str, lesson: Lesson, root: Path) -> dict[str, str]:
-    """The scene files that blocks name, by their path."""
+def _named_files(text: str, lesson: Lesson, root: Path) -> dict[str, str]:
+    """The scene files and readings that blocks name, by their path."""
     found = {}
     for block in blocks(text):
         if block.name not in KINDS:
             continue
         try:
             source = load_block(block, lesson.file, first_line=1)
-            name = source.plain.get("file")
-            if not isinstance(name, str):
-                continue
-            with_scene_file(source, lesson)  # refuses what must not be read
+            if block.name == "measured":
+                read_measured_block(block, lesson, SiteIds(), first_line=1)
+            else:
+                with_scene_file(source, lesson)
         except AuthorError:
-            continue
-        path = next(f / name for f in lesson.scene_folders if (f / name).is_file())
-        found[path.relative_to(root).as_posix()] = path.read_text(encoding="utf-8")
+            continue  # it is refused, so nothing is read for it
+        name = source.plain.get("data" if block.name == "measured" else "file")
+        places = [f / part / str(name) for f in lesson.scene_folders for part in (".", "data")]
+        path = next((place for place in places if place.is_file()), None)
+        if path and isinstance(name, str):
+            with contextlib.suppress(UnicodeDecodeError):
+                found[path.relative_to(root).as_posix()] = path.read_bytes().decode("utf-8")
     return found
 
 

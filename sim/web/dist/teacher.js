@@ -956,8 +956,13 @@
 
   // src/teach/page.js
   var STAYS2 = ".md-content__button, .carts-teach-door, .md-source-file, .carts-print-head";
-  var OURS = "carts-scene, carts-map, carts-cost, carts-hard, carts-question, carts-quiz";
-  var NAMES = { "carts-scene": "scene", "carts-question": "question", "carts-map": "map" };
+  var OURS = "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz";
+  var NAMES = {
+    "carts-scene": "scene",
+    "carts-question": "question",
+    "carts-map": "map",
+    "carts-measured": "bench"
+  };
   var LessonPage = class {
     /** The elements of blocks by the key of their HTML. @type {Map<string, HTMLElement>} */
     #made = /* @__PURE__ */ new Map();
@@ -1286,7 +1291,14 @@
   };
 
   // src/teach/piece.js
-  var KINDS = { scene: "Scene", question: "Question", quiz: "Form", map: "Map", cost: "Costs" };
+  var KINDS = {
+    scene: "Scene",
+    question: "Question",
+    quiz: "Form",
+    map: "Map",
+    cost: "Costs",
+    measured: "Real carts"
+  };
   var PieceEditor = class {
     #fields;
     #filled = false;

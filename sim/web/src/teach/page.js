@@ -7,8 +7,14 @@ import { html } from "../dom.js";
 import { drawFormulas } from "./formulas.js";
 
 const STAYS = ".md-content__button, .carts-teach-door, .md-source-file, .carts-print-head";
-const OURS = "carts-scene, carts-map, carts-cost, carts-hard, carts-question, carts-quiz";
-const NAMES = { "carts-scene": "scene", "carts-question": "question", "carts-map": "map" };
+const OURS =
+  "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz";
+const NAMES = {
+  "carts-scene": "scene",
+  "carts-question": "question",
+  "carts-map": "map",
+  "carts-measured": "bench",
+};
 
 /** @typedef {import("./types.js").Look} Look */
 

@@ -8,7 +8,14 @@ import { Gutter } from "./gutter.js";
 /** @typedef {import("./types.js").Finding} Finding */
 
 /** @type {Record<string, string>} */
-const KINDS = { scene: "Scene", question: "Question", quiz: "Form", map: "Map", cost: "Costs" };
+const KINDS = {
+  scene: "Scene",
+  question: "Question",
+  quiz: "Form",
+  map: "Map",
+  cost: "Costs",
+  measured: "Real carts",
+};
 
 export class PieceEditor {
   #fields;

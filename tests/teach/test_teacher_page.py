@@ -1,0 +1,220 @@
+"""Teacher mode in browsers: open, change, see it, save; nothing changed is nothing lost."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from sim.pages.runtime import TEACHER
+from sim.pages.teach.withheld import withhold
+from tests.web.boot_site import build_site, write_page
+from tests.web.conftest import OpenPage, launch
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+ROOT = Path(__file__).parents[2]
+GOLDEN = ROOT / "tests" / "golden" / "author-errors"
+LESSON = "newtons-third-law"
+WAIT = 60_000  # ms; on a busy computer
+
+
+def open_teacher(open_page: OpenPage, site: Path, name: str = LESSON, **context: Any) -> Page:
+    """The page of a lesson with teacher mode opened by its link."""
+    page = open_page(site / "worksheets" / f"{name}.html", folder=site, **context)
+    page.click(".carts-teach-door a")
+    page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
+    return page
+
+
+def settled(page: Page) -> None:
+    """Wait until Python has seen what was typed."""
+    page.wait_for_timeout(400)  # a value is taken over in a pause
+    page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
+
+
+def saved(page: Page, button: str = ".carts-teach-save") -> bytes:
+    with page.expect_download() as caught:
+        page.click(button)
+    return Path(caught.value.path()).read_bytes()
+
+
+def source(name: str = LESSON) -> str:
+    return (ROOT / "worksheets" / f"{name}.md").read_bytes().decode()
+
+
+def field(page: Page, label: str) -> Any:
+    return page.locator(".carts-teach-piece[open]").get_by_label(label, exact=True).first
+
+
+def test_a_teacher_changes_a_scene_and_sees_it_and_takes_it_home(
+    lessons: Path, open_page: OpenPage, browser_name: str
+) -> None:
+    page = open_teacher(open_page, lessons)
+    complaints: list[str] = []
+    page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
+    untouched = page.locator("carts-scene").nth(1)
+    untouched.evaluate("element => { element.dataset.same = 'yes'; }")
+    assert saved(page).decode() == withhold(source())
+
+    page.get_by_role("button", name="Change this scene").first.click()
+    field(page, "mass").fill("0.8 kg")
+    settled(page)
+    assert saved(page).decode() == withhold(source()).replace("mass: 0.5 kg", "mass: 0.8 kg", 1)
+    expect(page.locator("#third-equal svg").first).to_contain_text("0.8 kg")
+    expect(page.locator("#third-equal")).to_have_attribute("data-state", "live", timeout=WAIT)
+    assert untouched.get_attribute("data-same") == "yes"  # the others were not made anew
+
+    field(page, "mass").fill("-1 kg")
+    settled(page)
+    line = source()[: source().index("mass: 0.5 kg")].count("\n") + 1
+    mistake = page.locator(".carts-teach-mistakes li:visible")
+    expect(mistake).to_contain_text("mass must be greater than 0")
+    assert re.fullmatch(rf".*:{line}:\d+", mistake.get_attribute("data-place") or "")
+    expect(field(page, "mass")).to_have_attribute("aria-invalid", "true")
+
+    page.click(".carts-teach-undo")
+    page.click(".carts-teach-undo")
+    settled(page)
+    assert saved(page).decode() == withhold(source())
+    expect(page.locator("#third-equal svg").first).to_contain_text("0.5 kg")
+    assert complaints == []
+
+
+def test_text_between_and_questions_follow_too_and_a_draft_survives(
+    lessons: Path, browser: Browser, open_page: OpenPage
+) -> None:
+    page = open_teacher(open_page, lessons)
+    page.get_by_role("button", name="Change this question").first.click()
+    field(page, "Question").fill("Who, *then*, is: right?")
+    settled(page)
+    expect(page.locator("#third-first-idea em").first).to_have_text("then")
+    first = page.locator(".carts-teach-piece").filter(has_text="Text Newton's third law").first
+    first.locator("summary").click()
+    area = first.get_by_label("Text in Markdown")
+    area.fill(area.input_value().replace("# Newton's third law", "# A law, \\(a = b\\)", 1))
+    settled(page)
+    expect(page.locator("article h1 .katex")).to_have_count(1)
+    changed = saved(page)
+    expect(page.locator(".carts-teach-state")).to_have_text("Draft kept in this browser.")
+
+    page.reload()
+    page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)  # by its #teacher
+    expect(page.locator(".carts-teach-status")).to_contain_text("is back")
+    assert saved(page) == changed
+    page.get_by_role("button", name="Published lesson").click()
+    page.get_by_role("button", name="Yes, go back").click()
+    settled(page)
+    assert saved(page).decode() == withhold(source())
+    expect(page.locator("article h1")).to_contain_text("Newton's third law")
+
+
+@pytest.fixture(scope="module")
+def chromium(driver: Any) -> Any:
+    started = launch(driver, "chromium")
+    yield started
+    started.close()
+
+
+def test_every_lesson_is_saved_as_it_is_on_disk_with_the_teachers_own_file(
+    lessons: Path, chromium: Browser
+) -> None:
+    page = chromium.new_page()
+    for path in sorted((ROOT / "worksheets").glob("*.md")):
+        page.goto((lessons / "worksheets" / f"{path.stem}.html").as_uri() + "?teacher")
+        page.wait_for_selector(".carts-teach:is([data-state=ready], [data-state=asks])")
+        asks = page.get_attribute(".carts-teach", "data-state") == "asks"
+        assert asks == ("mode: exam" in path.read_text(encoding="utf-8"))
+        page.set_input_files(".carts-teach-own input", path)
+        page.wait_for_selector(".carts-teach:not(:has(.carts-teach-own))")
+        settled(page)
+        assert saved(page) == path.read_bytes()
+        assert page.get_attribute(".carts-teach", "data-mistakes") == "0"
+
+
+def test_an_authors_mistake_reads_in_the_page_as_in_carts_check(
+    tmp_path: Path, chromium: Browser
+) -> None:
+    site = build_site(tmp_path / "site", packages=frozenset({TEACHER}))
+    page = chromium.new_page()
+    page.goto(write_page(site, packages=TEACHER).as_uri())
+    page.evaluate("() => window.booted")
+    names = [p.relative_to(GOLDEN).as_posix() for p in GOLDEN.rglob("*") if p.is_file()]
+    files = {n: (GOLDEN / n).read_text(encoding="utf-8") for n in names if n.endswith(".yml")}
+    for path in sorted(GOLDEN.glob("*.md")):
+        lesson = {"file": path.name, "scenes": ["scenes"], "banks": ["banks"], "names": names}
+        request = {"kind": "teach", "do": "look", "text": path.read_text(encoding="utf-8")}
+        request |= {"lesson": lesson, "files": files}
+        answer = page.evaluate("(request) => window.runtime.request(request)", request)
+        header = answer["header"]
+        while header["more"]:
+            answer = page.evaluate("(request) => window.runtime.request(request)", request)
+            header = answer["header"]
+        rows = [
+            f"{f['file']}:{f['line']}:{f['col']}: {f['severity']}: {f['message']}\n"
+            + (f"  hint: {f['hint']}\n" if f["hint"] else "")
+            for f in header["findings"]
+        ]
+        assert "".join(rows) == path.with_suffix(".txt").read_text(encoding="utf-8"), path.name
+
+
+def test_what_is_for_teachers_or_exams_is_nowhere_in_the_site(lessons: Path) -> None:
+    import base64
+    import gzip
+
+    told = {}
+    for script in (lessons / "assets" / "carts" / "lessons").iterdir():
+        packed = re.search(r'="([^"]+)"', script.read_text(encoding="ascii"))
+        assert packed
+        data = json.loads(gzip.decompress(base64.b64decode(packed[1])))
+        told[data["file"]] = json.dumps(data, ensure_ascii=False)
+    assert len(told) == len(list((ROOT / "worksheets").rglob("*.md")))
+    assert "FALCON" in source("test-forces-and-motion")
+    assert not any("FALCON" in text or "HARBOUR" in text for text in told.values())
+    note = "Nearly everybody is with Ana or Ben"
+    assert note in source()
+    assert not any(note in text for text in told.values())
+    bank = (ROOT / "worksheets" / "banks" / "forces-and-motion.yml").read_text(encoding="utf-8")
+    asked = re.findall(r"ask: (.{30,60})$", bank, re.MULTILINE)
+    assert len(asked) > 3
+    assert not any(line in text for line in asked for text in told.values())
+
+
+def test_teacher_mode_loads_nothing_before_it_is_opened(lessons: Path, chromium: Browser) -> None:
+    page = chromium.new_page()
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto((lessons / "worksheets" / f"{LESSON}.html").as_uri())
+    page.wait_for_selector("carts-scene[data-state=live]", timeout=WAIT)
+    assert not [url for url in asked if "teacher" in url or "/lessons/" in url]
+
+
+def test_it_can_be_used_with_the_keyboard_at_phone_size_and_axe_finds_nothing(
+    lessons: Path, chromium: Browser
+) -> None:
+    page = chromium.new_page(viewport={"width": 360, "height": 740}, color_scheme="dark")
+    page.goto((lessons / "worksheets" / f"{LESSON}.html").as_uri())
+    page.focus(".carts-teach-door a")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
+    assert page.evaluate("document.activeElement.textContent") == "Change this lesson"
+    pieces = page.locator(".carts-teach-piece > summary")
+    for index in (0, 1, 4):
+        pieces.nth(index).focus()
+        page.keyboard.press("Enter")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.closest('.carts-teach-fields') !== null")
+    wide = page.evaluate("document.documentElement.scrollWidth")
+    assert wide <= 360
+    axe = (ROOT / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
+    page.evaluate(axe)
+    found = page.evaluate("axe.run('.carts-teach').then((result) => result.violations)")
+    assert [(v["id"], [n["html"] for n in v["nodes"]][:2]) for v in found] == []
+    page.get_by_role("button", name="Close").focus()
+    page.keyboard.press("Enter")
+    expect(page.locator(".carts-teach")).to_be_hidden()
+    assert "#teacher" not in page.url
