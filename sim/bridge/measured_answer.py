@@ -104,7 +104,7 @@ def _fitted(request: Mapping[str, Any]) -> tuple[Measured, Fit, dict[str, Any]]:
         raise FitError("these are forces: the model is fitted to positions")
     asked = Asked(law=_law(request), distance=request.get("distance"))
     effect = request.get("effect") or "none"
-    # A page asks twice: for the fit, which is soon there, and again with all effects compared.
+    # All effects are compared on request only: which one is missing is for the reader to find.
     every = bool(request.get("compare"))
     effects = [one for one in EFFECTS if one != "none" and (every or one == effect)]
     compared = compare(measured, fit(measured, asked), effects)

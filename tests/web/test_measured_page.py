@@ -23,7 +23,7 @@ STARTS = 60_000  # ms; Python with scipy on a loaded computer
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build_measured(tmp_path_factory.mktemp("measured"))
 
 
@@ -58,9 +58,9 @@ def known(page: Page, key: str) -> dict[str, float]:
 
 
 def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
-    site: Path, open_page: OpenPage, browser_name: str
+    benches: Path, open_page: OpenPage, browser_name: str
 ) -> None:
-    page = opened(open_page, site / "empty.html")
+    page = opened(open_page, benches / "empty.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     choose(page, "our film.txt", TRACKER)
     faults = page.locator(".carts-measured-faults")
@@ -74,10 +74,14 @@ def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
     page.locator(".carts-measured-fit").click()
     table = page.locator(".carts-measured-known")
     expect(table).to_contain_text("bounciness e", timeout=2 * STARTS)
-    expect(page.locator(".carts-measured-sentences")).to_contain_text("do not call for them")
+    sentences = page.locator(".carts-measured-sentences")
+    expect(sentences).to_contain_text("Weigh both carts")
+    assert "call for" not in sentences.inner_text()  # a student is to judge first
     for key, value in (("e", MADE.e), ("mass_ratio", MADE.ratio), ("mass", 0.75)):
         interval = known(page, key)
         assert interval["low"] <= value <= interval["high"]
+    page.locator(".carts-measured-compare").click()
+    expect(sentences).to_contain_text("do not call for them")
     back = read_measured([saved(page, ".carts-measured-tracker")])
     assert back.names == ("A", "B")
     assert "restitution" in saved(page, ".carts-measured-scene")
@@ -89,6 +93,7 @@ def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
     page.reload()
     expect(table).to_contain_text("bounciness e", timeout=2 * STARTS)
     assert known(page, "e")["low"] <= MADE.e <= known(page, "e")["high"]
+    expect(sentences).to_contain_text("do not call for them")
     expect(page.locator(".carts-measured-said")).to_contain_text("our film.txt")
     if browser_name == "chromium":  # Firefox's driver cannot show paper
         page.emulate_media(media="print")
@@ -97,17 +102,11 @@ def test_from_a_tracker_file_to_a_printed_page_with_e_and_its_uncertainty(
         expect(page.locator(".carts-measured-fit")).to_be_hidden()
 
 
-@pytest.fixture
-def chromium(browser_name: str) -> None:
-    if browser_name != "chromium":
-        pytest.skip("one browser is enough for this")
-
-
-@pytest.mark.usefixtures("chromium")
+@pytest.mark.one_browser
 def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
-    site: Path, open_page: OpenPage
+    benches: Path, open_page: OpenPage
 ) -> None:
-    page = opened(open_page, site / "film.html")
+    page = opened(open_page, benches / "film.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     left = page.locator(".carts-measured-spread")
     expect(left).to_contain_text("root mean square", timeout=STARTS)
@@ -135,11 +134,11 @@ def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
     assert place.get_attribute("transform") != at_start
 
 
-@pytest.mark.usefixtures("chromium")
+@pytest.mark.one_browser
 def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
-    site: Path, open_page: OpenPage
+    benches: Path, open_page: OpenPage
 ) -> None:
-    page = opened(open_page, site / "empty.html")
+    page = opened(open_page, benches / "empty.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     page.locator(".carts-measured-type summary").click()
     measured = film(MADE, rate=30)
@@ -167,11 +166,11 @@ def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
     expect(page.locator(".carts-measured-grid input").first).to_have_value("0.0000")
 
 
-@pytest.mark.usefixtures("chromium")
+@pytest.mark.one_browser
 def test_two_sensors_are_compared_and_the_lessons_file_can_be_saved(
-    site: Path, open_page: OpenPage
+    benches: Path, open_page: OpenPage
 ) -> None:
-    page = opened(open_page, site / "forces.html")
+    page = opened(open_page, benches / "forces.html")
     expect(page.locator(".carts-measured-result")).to_contain_text(
         "equal in size and opposite", timeout=STARTS
     )
@@ -179,11 +178,11 @@ def test_two_sensors_are_compared_and_the_lessons_file_can_be_saved(
     assert saved(page, ".carts-measured-save").startswith("t (s);F_A (N);F_B (N)")
 
 
-@pytest.mark.usefixtures("chromium")
+@pytest.mark.one_browser
 def test_hostile_names_are_shown_and_never_run_and_a_phone_is_wide_enough(
-    site: Path, open_page: OpenPage
+    benches: Path, open_page: OpenPage
 ) -> None:
-    page = opened(open_page, site / "film.html")
+    page = opened(open_page, benches / "film.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     hostile = "<img src=x onerror=window.hacked=1>"
     text = as_text(film(MADE)).replace("\tA\t", f"\t{hostile}\t")
@@ -197,9 +196,16 @@ def test_hostile_names_are_shown_and_never_run_and_a_phone_is_wide_enough(
     expect(page.locator(".carts-measured-said")).to_contain_text("real-carts.txt")
 
 
-@pytest.mark.usefixtures("chromium")
-def test_without_a_script_points_and_table_stand_there(site: Path, open_page: OpenPage) -> None:
-    page = open_page(site / "film.html", java_script_enabled=False)
+@pytest.mark.one_browser
+def test_without_a_script_points_and_table_stand_there(benches: Path, open_page: OpenPage) -> None:
+    page = open_page(benches / "film.html", java_script_enabled=False)
     expect(page.locator(".carts-measured-figure .carts-measured-dots")).to_have_count(2)
     page.locator(".carts-measured-table summary").click()
     expect(page.locator(".carts-measured-table tbody tr")).to_have_count(60)
+
+
+@pytest.mark.one_browser
+def test_the_lab_sheet_is_one_page(site: Path, open_page: OpenPage) -> None:
+    page = open_page(site / "teachers" / "lab-sheet.html", folder=site)
+    paper = page.pdf(format="A4")
+    assert len(re.findall(rb"/Type\s*/Page\b", paper)) == 1

@@ -262,8 +262,7 @@
           changed();
         });
         box.addEventListener("change", () => {
-          if (!Number.isFinite(box.valueAsNumber))
-            box.value = shown(slide.valueAsNumber);
+          if (!Number.isFinite(box.valueAsNumber)) box.value = shown(slide.valueAsNumber);
           slide.value = box.value;
           changed();
         });
@@ -279,12 +278,7 @@
       this.#set("touch", begin, end);
       this.#set("va", -most, most, `velocity of ${a} before`);
       this.#set("vb", -most, most, `velocity of ${b} before`);
-      this.#set(
-        "ratio",
-        Number(RATIO[0]),
-        Number(RATIO[1]),
-        `mass of ${b} ÷ mass of ${a}`
-      );
+      this.#set("ratio", Number(RATIO[0]), Number(RATIO[1]), `mass of ${b} ÷ mass of ${a}`);
       this.#set("e", 0, 1);
       this.#set("duration", 1e-3, Math.min(LONGEST, (end - begin) / 2));
     }
@@ -735,9 +729,7 @@
     return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
   }
   function dots(t, values, axis, up_, room = [TOP, BOTTOM]) {
-    return t.map(
-      (time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}h0`
-    ).join("");
+    return t.map((time, k) => `M${px(across(axis, time))} ${px(up(up_, Number(values[k]), ...room))}h0`).join("");
   }
   var Figure = class {
     /** @type {SVGElement | null} */
@@ -824,26 +816,13 @@
     const parts = [];
     for (const tick of ticks(t)) {
       const at = px(across(t, tick));
-      parts.push(
-        svg("path", { class: "carts-grid", d: `M${at} ${top}V${bottom}` })
-      );
-      parts.push(
-        text("carts-tick-x", at, bottom + 16, fixed(tick, axisDecimals(t)))
-      );
+      parts.push(svg("path", { class: "carts-grid", d: `M${at} ${top}V${bottom}` }));
+      parts.push(text("carts-tick-x", at, bottom + 16, fixed(tick, axisDecimals(t))));
     }
     for (const tick of ticks(x)) {
       const at = px(up(x, tick, top, bottom));
-      parts.push(
-        svg("path", { class: "carts-grid", d: `M${LEFT} ${at}H${RIGHT}` })
-      );
-      parts.push(
-        text(
-          "carts-tick-y",
-          LEFT - 6,
-          Number(at) + 4,
-          fixed(tick, axisDecimals(x))
-        )
-      );
+      parts.push(svg("path", { class: "carts-grid", d: `M${LEFT} ${at}H${RIGHT}` }));
+      parts.push(text("carts-tick-y", LEFT - 6, Number(at) + 4, fixed(tick, axisDecimals(x))));
     }
     const label = svg("text", {
       class: "carts-unit",
@@ -870,16 +849,11 @@
     place2.hidden = false;
     const parts = [html("p", "carts-heading", "What the readings say")];
     if (report.known) {
-      parts.push(
-        html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`)
-      );
+      parts.push(html("p", "carts-measured-law-words", `Fitted with ${report.law_words}.`));
       parts.push(table(report));
       for (const { name, reason } of report.untold) {
         const row = html("p", "carts-measured-untold");
-        row.append(
-          html("strong", "", `Not printed: ${name}.`),
-          ` ${upper(reason)}.`
-        );
+        row.append(html("strong", "", `Not printed: ${name}.`), ` ${upper(reason)}.`);
         parts.push(row);
       }
     }
@@ -915,12 +889,8 @@
   var upper = (text2) => text2.charAt(0).toUpperCase() + text2.slice(1);
   function showTable(place2, read, residuals) {
     const [letter, unit] = read.kind === "length" ? ["x", "m"] : ["F", "N"];
-    const heads = [
-      "t in s",
-      ...read.names.map((name) => `${letter} of ${name} in ${unit}`)
-    ];
-    if (residuals)
-      heads.push(...read.names.map((name) => `residual of ${name} in mm`));
+    const heads = ["t in s", ...read.names.map((name) => `${letter} of ${name} in ${unit}`)];
+    if (residuals) heads.push(...read.names.map((name) => `residual of ${name} in mm`));
     const head = html("tr");
     for (const text2 of heads) {
       const cell = html("th", "", text2);
@@ -932,16 +902,13 @@
       for (const [n, t] of track.t.entries()) {
         const row = rows.get(t) ?? Array.from({ length: heads.length - 1 }, () => "");
         row[k] = minus(Number(track.value[n]).toFixed(4));
-        if (residuals)
-          row[2 + k] = minus((1e3 * Number(residuals[k]?.[n])).toFixed(2));
+        if (residuals) row[2 + k] = minus((1e3 * Number(residuals[k]?.[n])).toFixed(2));
         rows.set(t, row);
       }
     }
     const body = [...rows].sort(([a], [b]) => a - b).map(([t, cells]) => {
       const row = html("tr");
-      row.append(
-        ...[minus(t.toFixed(4)), ...cells].map((cell) => html("td", "", cell))
-      );
+      row.append(...[minus(t.toFixed(4)), ...cells].map((cell) => html("td", "", cell)));
       return row;
     });
     place2.querySelector("thead")?.replaceChildren(head);
@@ -990,32 +957,26 @@
       const rows = [...this.body.children].map(
         (row) => [...row.querySelectorAll("input")].map((box) => box.value)
       );
-      while (rows.length && rows.at(-1)?.every((cell) => !cell.trim()))
-        rows.pop();
+      while (rows.length && rows.at(-1)?.every((cell) => !cell.trim())) rows.pop();
       return rows;
     }
     /** @param {string[][]} rows */
     set cells(rows) {
       this.grow(Math.max(0, rows.length - this.body.children.length));
-      const boxes = [...this.body.children].map((row) => [
-        ...row.querySelectorAll("input")
-      ]);
+      const boxes = [...this.body.children].map((row) => [...row.querySelectorAll("input")]);
       for (const [k, row] of boxes.entries()) {
         for (const [j, box] of row.entries()) box.value = rows[k]?.[j] ?? "";
       }
     }
     /** @returns {string} as a file would say it; what stands in line n is row n − 1 */
     get text() {
-      const rows = this.cells.map(
-        (row) => row.map((cell) => cell.trim()).join(";")
-      );
+      const rows = this.cells.map((row) => row.map((cell) => cell.trim()).join(";"));
       return ["t;x_A;x_B", ...rows].join("\n");
     }
     /** A block from a spreadsheet fills cells to the right and down. @param {ClipboardEvent} event */
     #paste(event) {
       const text2 = event.clipboardData?.getData("text/plain") ?? "";
-      if (!/[\t\n]/.test(text2.trim()) || !(event.target instanceof HTMLInputElement))
-        return;
+      if (!/[\t\n]/.test(text2.trim()) || !(event.target instanceof HTMLInputElement)) return;
       event.preventDefault();
       const block = text2.replace(/\r\n?/g, "\n").trimEnd().split("\n").slice(0, MOST).map((line) => line.split("	"));
       const row = event.target.closest("tr");
@@ -1023,9 +984,7 @@
         /** @type {Element} */
         row
       );
-      const left = [...row?.querySelectorAll("input") ?? []].indexOf(
-        event.target
-      );
+      const left = [...row?.querySelectorAll("input") ?? []].indexOf(event.target);
       const all = this.cells;
       for (const [k, cells] of block.entries()) {
         all[top + k] ??= COLUMNS.map(() => "");
@@ -1057,9 +1016,7 @@
         /** @type {HTMLInputElement} */
         need(root, ".carts-measured-file")
       );
-      for (const input of root.querySelectorAll(
-        "button, textarea, select, input"
-      )) {
+      for (const input of root.querySelectorAll("button, textarea, select, input")) {
         input.disabled = false;
       }
       this.on("open", () => file.click());
@@ -1083,16 +1040,11 @@
     /** @param {File[]} files one with both carts, or one for each */
     async files(files) {
       if (!files.length) return;
-      if (files.length > 2)
-        return this.tell("Choose one file with both carts, or one for each.");
+      if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
       if (files.some((file) => file.size > MOST2)) {
-        return this.tell(
-          "This file is too large to be readings of two carts: at most 4 MB."
-        );
+        return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
       }
-      const texts = await Promise.all(
-        files.map(async (file) => decoded(await file.arrayBuffer()))
-      );
+      const texts = await Promise.all(files.map(async (file) => decoded(await file.arrayBuffer())));
       this.take(files.map((file) => file.name).join(" and "), texts);
     }
     /** @param {string} name @param {string[]} texts */
@@ -1276,9 +1228,7 @@
       const tracks = forces ? forces.F.map((F) => ({ t: forces.t, value: F })) : read.tracks;
       this.figure.show(tracks, "F in N", null);
       if (forces) {
-        const sum = forces.t.map(
-          (_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k])
-        );
+        const sum = forces.t.map((_, k) => Number(forces.F[0]?.[k]) + Number(forces.F[1]?.[k]));
         this.figure.rest([{ t: forces.t, value: sum }], [sum], "sum in N", 1);
       }
       showTable(need(this.root, ".carts-measured-table table"), read, null);
@@ -1287,24 +1237,10 @@
     }
     /** The model over the readings. @param {Read} read @param {Drawn} drawn */
     draw(read, drawn) {
-      this.figure.show(
-        read.tracks,
-        "x in m",
-        drawn.curve,
-        drawn.parameters.touch
-      );
+      this.figure.show(read.tracks, "x in m", drawn.curve, drawn.parameters.touch);
       this.figure.rest(read.tracks, drawn.residuals, "left in mm", 1e3);
-      this.stage.show(
-        read.tracks,
-        drawn.curve,
-        drawn.parameters.distance,
-        read.names
-      );
-      showTable(
-        need(this.root, ".carts-measured-table table"),
-        read,
-        drawn.residuals
-      );
+      this.stage.show(read.tracks, drawn.curve, drawn.parameters.distance, read.names);
+      showTable(need(this.root, ".carts-measured-table table"), read, drawn.residuals);
       const spread = fixed(1e3 * drawn.spread, drawn.spread < FINE ? 2 : 0);
       say(
         this.#part("spread"),
@@ -1451,8 +1387,7 @@
       this.effect.value = kept.effect;
       this.distance.value = kept.distance;
       this.named(this.#names);
-      for (const [k, box] of this.#masses.entries())
-        box.value = kept.masses[k] ?? "";
+      for (const [k, box] of this.#masses.entries()) box.value = kept.masses[k] ?? "";
     }
     /** @returns {import("./types.js").Units} */
     get chosen() {
@@ -1469,15 +1404,10 @@
     missing(read) {
       const kinds = (
         /** @type {("time" | "length" | "force")[]} */
-        [
-          "time",
-          read.kind
-        ]
+        ["time", read.kind]
       );
       return kinds.filter((kind) => !this.chosen[kind]).filter(
-        (kind) => read.read.some(
-          (note) => note.startsWith(LETTERS[kind]) && note.includes("as you say")
-        )
+        (kind) => read.read.some((note) => note.startsWith(LETTERS[kind]) && note.includes("as you say"))
       ).map((kind) => WORDS[kind]);
     }
     /** Of these, what is kept. */
@@ -1534,9 +1464,7 @@
       #generation = 0;
       connectedCallback() {
         if (this.#facts) return;
-        const facts = JSON.parse(
-          need(this, ".carts-measured-baked").textContent ?? ""
-        );
+        const facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
         this.#facts = facts;
         this.keeper = keeper(facts.id);
         this.picture = new Picture(this);
@@ -1556,17 +1484,12 @@
         this.picture?.player.pause();
       }
       #wire() {
-        const on = (name, act) => this.querySelector(`.carts-measured-${name}`)?.addEventListener(
-          "click",
-          act
-        );
+        const on = (name, act) => this.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
         on("own", () => this.#take("", []));
         on("save", () => this.source?.save(this.#name, this.#texts));
         on("fit", () => void this.fit());
-        on(
-          "scene",
-          () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml")
-        );
+        on("compare", () => void this.fit(true));
+        on("scene", () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml"));
         on("tracker", () => void this.#tracker());
         const early = () => void client.need(PACKAGES).catch(() => {
         });
@@ -1582,12 +1505,11 @@
         );
         this.#kept = { ...empty(facts), ...await this.keeper?.get() };
         this.settings?.fill(this.#kept);
-        if (this.source && this.#kept.cells.length)
-          this.source.grid.cells = this.#kept.cells;
+        if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
         if (!this.#texts.length) return this.#whenLive();
         const { hand, fitted } = this.#kept;
         await this.#reading();
-        if (fitted) await this.#fit();
+        if (fitted) await this.#fit(fitted === "compared");
         else if (hand && this.hands && this.#read?.kind === "length") {
           this.hands.value = hand;
           await this.#byHand();
@@ -1610,13 +1532,13 @@
       }
       /** @param {string} name @param {string[]} texts none: the lesson's own */
       #take(name, texts) {
-        this.#kept = { ...this.#kept, name, texts, fitted: false, hand: null };
+        this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
         this.settings?.clear();
         this.complete = this.#reading();
       }
       /** @param {boolean} again whether the readings are others now */
       #changed(again) {
-        this.#kept.fitted = false;
+        this.#kept.fitted = "";
         if (again) this.complete = this.#reading();
         else this.#moved();
       }
@@ -1690,7 +1612,7 @@
       async #byHand() {
         if (!this.hands) return;
         this.#kept.hand = this.hands.value;
-        this.#kept.fitted = false;
+        this.#kept.fitted = "";
         this.#keep();
         await this.#newest("model", { hand: this.hands.value }, (drawn) => {
           this.picture?.forget();
@@ -1701,41 +1623,33 @@
           );
         });
       }
-      /** Fits the model and shows what it says; then once more with all effects compared. */
-      fit() {
-        this.complete = this.#fit();
+      /** Fits the model and shows what it says. @param {boolean} compare with every effect */
+      fit(compare = false) {
+        this.complete = this.#fit(compare);
         return this.complete;
       }
-      async #fit() {
+      /** @param {boolean} compare */
+      async #fit(compare) {
         this.picture?.busy("Starting numpy and scipy …");
         try {
           await client.need(PACKAGES);
           await this.#ask("ready");
+          this.picture?.busy("Fitting …");
+          performance.mark("carts:measured-asked");
+          const shown2 = await this.#newest("fit", { compare }, (found) => this.#fitted(found));
+          if (!shown2) return;
+          performance.mark("carts:measured-fit");
+          this.#kept.fitted = compare ? "compared" : "fitted";
+          this.#keep();
+          this.dispatchEvent(new CustomEvent("carts-fitted"));
         } catch (error) {
-          this.picture?.busy("");
-          return this.#note(
+          this.#note(
             /** @type {Error} */
             error.message
           );
+        } finally {
+          this.picture?.busy("");
         }
-        for (const compare of [false, true]) {
-          this.picture?.busy(compare ? "Comparing effects …" : "Fitting …");
-          performance.mark("carts:measured-asked");
-          const shown2 = await this.#newest(
-            "fit",
-            { compare },
-            (found) => this.#fitted(found)
-          );
-          if (!shown2) break;
-          performance.mark(
-            compare ? "carts:measured-compared" : "carts:measured-fit"
-          );
-          if (!compare) continue;
-          this.#kept.fitted = true;
-          this.#keep();
-          this.dispatchEvent(new CustomEvent("carts-fitted"));
-        }
-        this.picture?.busy("");
       }
       /** @param {Drawn & {report: Report}} found */
       #fitted(found) {
@@ -1751,8 +1665,7 @@
       }
       async #tracker() {
         const found = await this.#ask("tracker");
-        if (found.text)
-          download("model-run.txt", found.text, "text/plain;charset=utf-8");
+        if (found.text) download("model-run.txt", found.text, "text/plain;charset=utf-8");
       }
       /** @param {import("./types.js").Fault[]} faults */
       #refuse(faults) {
@@ -1780,7 +1693,7 @@
       distance: "",
       masses: ["", ""],
       hand: null,
-      fitted: false
+      fitted: ""
     };
   }
 
@@ -2241,9 +2154,7 @@
     }
   } else {
     const base = new URL("runtime/", own).href;
-    const client = new Client(
-      (more) => startRuntime({ base, packages: [MEASURED, ...more] })
-    );
+    const client = new Client((more) => startRuntime({ base, packages: [MEASURED, ...more] }));
     customElements.define("carts-measured", measuredElement(client));
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1e3 });

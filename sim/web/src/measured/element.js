@@ -63,6 +63,7 @@ export function measuredElement(client) {
       on("own", () => this.#take("", []));
       on("save", () => this.source?.save(this.#name, this.#texts));
       on("fit", () => void this.fit());
+      on("compare", () => void this.fit(true));
       on("scene", () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml"));
       on("tracker", () => void this.#tracker());
       const early = () => void client.need(PACKAGES).catch(() => {});
@@ -80,7 +81,7 @@ export function measuredElement(client) {
       if (!this.#texts.length) return this.#whenLive();
       const { hand, fitted } = this.#kept;
       await this.#reading();
-      if (fitted) await this.#fit();
+      if (fitted) await this.#fit(fitted === "compared");
       else if (hand && this.hands && this.#read?.kind === "length") {
         this.hands.value = hand;
         await this.#byHand();
@@ -107,14 +108,14 @@ export function measuredElement(client) {
 
     /** @param {string} name @param {string[]} texts none: the lesson's own */
     #take(name, texts) {
-      this.#kept = { ...this.#kept, name, texts, fitted: false, hand: null };
+      this.#kept = { ...this.#kept, name, texts, fitted: "", hand: null };
       this.settings?.clear();
       this.complete = this.#reading();
     }
 
     /** @param {boolean} again whether the readings are others now */
     #changed(again) {
-      this.#kept.fitted = false;
+      this.#kept.fitted = "";
       if (again) this.complete = this.#reading();
       else this.#moved();
     }
@@ -192,7 +193,7 @@ export function measuredElement(client) {
     async #byHand() {
       if (!this.hands) return;
       this.#kept.hand = this.hands.value;
-      this.#kept.fitted = false;
+      this.#kept.fitted = "";
       this.#keep();
       await this.#newest("model", { hand: this.hands.value }, (drawn) => {
         this.picture?.forget();
@@ -200,33 +201,31 @@ export function measuredElement(client) {
       });
     }
 
-    /** Fits the model and shows what it says; then once more with all effects compared. */
-    fit() {
-      this.complete = this.#fit();
+    /** Fits the model and shows what it says. @param {boolean} compare with every effect */
+    fit(compare = false) {
+      this.complete = this.#fit(compare);
       return this.complete;
     }
 
-    async #fit() {
+    /** @param {boolean} compare */
+    async #fit(compare) {
       this.picture?.busy("Starting numpy and scipy …");
       try {
         await client.need(PACKAGES);
         await this.#ask("ready");
-      } catch (error) {
-        this.picture?.busy("");
-        return this.#note(/** @type {Error} */ (error).message);
-      }
-      for (const compare of [false, true]) {
-        this.picture?.busy(compare ? "Comparing effects …" : "Fitting …");
+        this.picture?.busy("Fitting …");
         performance.mark("carts:measured-asked");
         const shown = await this.#newest("fit", { compare }, (found) => this.#fitted(found));
-        if (!shown) break;
-        performance.mark(compare ? "carts:measured-compared" : "carts:measured-fit");
-        if (!compare) continue;
-        this.#kept.fitted = true;
+        if (!shown) return;
+        performance.mark("carts:measured-fit");
+        this.#kept.fitted = compare ? "compared" : "fitted";
         this.#keep();
         this.dispatchEvent(new CustomEvent("carts-fitted"));
+      } catch (error) {
+        this.#note(/** @type {Error} */ (error).message);
+      } finally {
+        this.picture?.busy("");
       }
-      this.picture?.busy("");
     }
 
     /** @param {Drawn & {report: Report}} found */
@@ -272,6 +271,6 @@ function empty(facts) {
     distance: "",
     masses: ["", ""],
     hand: null,
-    fitted: false,
+    fitted: "",
   };
 }

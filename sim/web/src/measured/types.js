@@ -17,6 +17,6 @@
  *
  * What a reader has done here, as it is kept:
  * @typedef {{name: string, texts: string[], cells: string[][], units: Units, from: string, until: string,
- *   law: string, effect: string, distance: string, masses: string[], hand: Hand | null, fitted: boolean}} Kept
+ *   law: string, effect: string, distance: string, masses: string[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept
  */
 export {};
