@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import time
@@ -21,6 +22,13 @@ if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
 
     from sim.pages.site_build import SiteBuild
+
+
+NOT_OURS = {
+    *(errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOSPC, errno.EDQUOT),
+    *(errno.ENOTDIR, errno.EISDIR, errno.EEXIST, errno.ENAMETOOLONG),
+}
+"""What a disk refuses, as opposed to a mistake of ours."""
 
 
 @click.command("build")
@@ -79,19 +87,27 @@ def build_site(
 
     try:
         elsewhere = {"site_dir": str(site_dir)} if site_dir else {}
-        config: MkDocsConfig = load_config(str(root / "mkdocs.yml"), strict=strict, **elsewhere)
-        if "carts" not in config.plugins:
-            raise Abort("mkdocs.yml: error: the plugin “carts” is not listed under plugins:")
-        config.plugins["carts"].config["hosted"] = hosted
-        with messages_to_stderr(), pages_on_terminal(config):
-            config.plugins.on_startup(command="build", dirty=False)
-            build(config)
-            config.plugins.on_shutdown()
-            if seen:
-                plugin: Any = config.plugins["carts"]
-                seen(plugin.build)
+        with messages_to_stderr():
+            config: MkDocsConfig = load_config(str(root / "mkdocs.yml"), strict=strict, **elsewhere)
+            if "carts" not in config.plugins:
+                raise Abort("mkdocs.yml: error: the plugin “carts” is not listed under plugins:")
+            plugin: Any = config.plugins["carts"]
+            plugin.config["hosted"] = hosted
+            with pages_on_terminal(config):
+                config.plugins.on_startup(command="build", dirty=False)
+                build(config)
+                config.plugins.on_shutdown()
+        if seen:
+            seen(plugin.build)
     except (Abort, MkDocsException) as error:
         click.echo(str(error), err=True)
+        return None
+    except OSError as error:
+        if error.errno not in NOT_OURS:
+            raise
+        where = error.filename or config.site_dir
+        click.echo(f"{where}: {error.strerror}. The site needs a folder that is yours, with room: "
+                   "for example a copy of it in Documents.", err=True)  # fmt: skip
         return None
     return Path(config.site_dir).resolve()
 

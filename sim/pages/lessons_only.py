@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import yaml
 
@@ -112,7 +113,7 @@ def _home(title: str, about: str, lessons: Mapping[str, Path]) -> Iterator[str]:
     for address, path in lessons.items():
         head = _head(path.read_text(encoding="utf-8", errors="replace"))
         name = _plain(str(head.get("title") or path.stem))
-        yield f"## [{name}]({address})"
+        yield f"## [{name}]({quote(address)})"
         yield ""
         words = [_plain(str(head["description"]))] if head.get("description") else []
         words += [f"{head['minutes']} minutes."] if isinstance(head.get("minutes"), int) else []

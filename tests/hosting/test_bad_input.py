@@ -1,0 +1,179 @@
+"""What goes wrong at a school: each time a sentence that says what happened and what to do."""
+
+from __future__ import annotations
+
+import sys
+import zipfile
+from importlib import metadata
+from pathlib import Path
+
+import click
+import pytest
+from click.testing import CliRunner, Result
+
+from sim.cli import doctor, main, site_folder
+from sim.pages import runtime, site_files
+from tests.hosting.conftest import Installed
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A new site, the current folder; its pages carry no runtime."""
+    monkeypatch.setattr(runtime, "pack", lambda *_, **__: None)
+    monkeypatch.setattr(site_files, "scene_script", lambda: b"")
+    monkeypatch.chdir(tmp_path)
+    assert carts("new", "mine").exit_code == 0
+    monkeypatch.chdir(tmp_path / "mine")
+    return tmp_path / "mine"
+
+
+def carts(*arguments: str) -> Result:
+    return CliRunner().invoke(main, arguments)
+
+
+def edit(path: Path, old: str, new: str) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", ["Zwei Züge #2 50%", "a b", "100% sure?", "力学", "x" * 80])
+def test_a_lesson_may_have_any_name(root: Path, name: str) -> None:
+    lesson = root / "worksheets" / "first-lesson.md"
+    lesson.rename(lesson.with_stem(name))
+    result = carts("build")
+    assert result.exit_code == 0, result.output
+    assert (root / "site" / "worksheets" / f"{name}.html").is_file()
+
+
+def test_no_site_here_names_the_way_to_one(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(root / "worksheets")
+    for command in ("build", "pack", "serve"):
+        result = carts(command)
+        assert result.exit_code == 2
+        assert f"There is no mkdocs.yml here. Go to {root} first." in result.output
+    monkeypatch.chdir(root.parent)
+    assert "carts new my-lessons" in carts("build").output
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("plugins:", "plugins: [", "mkdocs.yml:"),
+        ("site_name: Mine", "- a list", "mkdocs.yml: error: this is no list of settings"),
+        ("site_id: mine", "site_id: M", "extra.carts.site_id is missing or not allowed"),
+        ("  - carts\n", "", "the plugin “carts” is not listed"),
+        (
+            "  - carts\n",
+            "  - carts:\n      hostd: true\n",
+            "Unrecognised configuration name: hostd",
+        ),
+        ("docs_dir: worksheets", "docs_dir: nowhere", "nowhere' isn't an existing directory"),
+    ],
+)
+def test_settings_that_are_wrong_are_named(root: Path, old: str, new: str, said: str) -> None:
+    if new == "- a list":
+        (root / "mkdocs.yml").write_text("- a list\n", encoding="utf-8")
+    else:
+        edit(root / "mkdocs.yml", old, new)
+    result = carts("build")
+    assert result.exit_code == 1
+    assert said in result.output
+    assert "Traceback" not in result.output
+
+
+def test_a_place_that_cannot_be_written_to_is_named(root: Path) -> None:
+    (root / "site").write_text("a file in the place of the folder", encoding="utf-8")
+    result = carts("build")
+    assert result.exit_code == 1
+    assert f"{root / 'site'}: Not a directory. The site needs a folder that is yours" in (
+        result.output
+    )
+
+
+@pytest.mark.parametrize(
+    ("written", "code", "said"),
+    [
+        ("0.1.0", 0, "made with this version"),
+        ("0.0.8", 0, "made with version 0.0.8, and 0.1.0 is installed"),
+        ("0.3.0", 1, "pip install --upgrade newtons-carts"),
+    ],
+)
+def test_a_site_of_another_version_is_told(
+    root: Path, written: str, code: int, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in (site_folder, doctor):
+        monkeypatch.setattr(module, "__version__", "0.1.0")
+    edit(root / "mkdocs.yml", f'made_with: "{metadata.version("newtons-carts")}"',
+         f'made_with: "{written}"')  # fmt: skip
+    looked, built = carts("doctor"), carts("build")
+    assert looked.exit_code == built.exit_code == code
+    assert said in looked.output
+    if code:
+        assert "made with newtons-carts 0.3.0, and 0.1.0 is installed" in built.output
+
+
+def test_the_doctor_names_an_old_python_and_what_is_missing(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert carts("doctor").output.endswith("Everything is here.\n")
+    monkeypatch.setattr(sys, "version_info", (3, 10, 2))
+    monkeypatch.setattr(doctor, "find_spec", lambda _: None)
+    (root / "worksheets" / "first-lesson.md").unlink()
+    edit(root / "mkdocs.yml", "site_id: mine", "other: mine")
+    result = carts("doctor")
+    assert result.exit_code == 1
+    for said in ("3.11.5 or later is needed", "Node.js is missing", "with 0 lessons",
+                 "the site has no site_id", "To be mended: 4"):  # fmt: skip
+        assert said in result.output, said
+
+
+def test_the_doctor_needs_no_site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = carts("doctor")
+    assert result.exit_code == 0
+    assert "no site here" in result.output
+
+
+def test_pip_refuses_a_python_that_is_too_old(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        (name,) = [n for n in archive.namelist() if n.endswith(".dist-info/METADATA")]
+        text = archive.read(name).decode()
+    assert f"Requires-Python: >={'.'.join(map(str, doctor.OLDEST))}" in text
+
+
+def test_a_runtime_that_came_only_in_part_is_told(installed: Installed, tmp_path: Path) -> None:
+    installed.carts("new", "mine", cwd=tmp_path)
+    (script,) = installed.folder.glob("lib/*/site-packages/sim/carried/runtime/python.zip.0.*")
+    whole = script.read_bytes()
+    try:
+        script.write_bytes(whole[:1000])
+        for command in ("build", "doctor"):
+            done = installed.run("carts", command, cwd=tmp_path / "mine")
+            assert done.returncode == 1
+            said = done.stdout + done.stderr
+            assert f"{script.name} of the installed newtons-carts is damaged" in said
+            assert "pip install --force-reinstall newtons-carts" in said
+            assert "Traceback" not in said
+    finally:
+        script.write_bytes(whole)
+    assert "all as they were" in installed.carts("doctor", cwd=tmp_path / "mine")
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_the_shell_is_told_how_to_finish_words(shell: str) -> None:
+    result = carts("completion", shell)
+    assert result.exit_code == 0
+    assert "_CARTS_COMPLETE" in result.output
+    completed = CliRunner().invoke(
+        main, [], prog_name="carts", complete_var="_CARTS_COMPLETE",
+        env={"_CARTS_COMPLETE": "bash_complete", "COMP_WORDS": "carts do", "COMP_CWORD": "1"},
+    )  # fmt: skip
+    assert completed.output == "plain,doctor\n"
+
+
+def test_versions_are_compared_by_their_numbers() -> None:
+    assert site_folder.newer("0.10.0", "0.9.9")
+    assert not site_folder.newer("", "0.1.0")
+    assert not site_folder.newer("0.1.0", "0.1.0")
+    assert isinstance(main, click.Group)
