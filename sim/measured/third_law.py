@@ -10,9 +10,8 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from statistics import median
 
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured, Track
@@ -96,16 +95,22 @@ def _at(track: Track, t: Sequence[float]) -> list[float]:
 
 def _zero(values: Sequence[float]) -> float:
     """What the sensor reads when nothing pushes: most readings lie around it."""
-    middle = median(values)
+    middle = _median(values)
     reach = max(abs(value - middle) for value in values)
-    return median([value for value in values if abs(value - middle) <= QUIET * reach])
+    return _median([value for value in values if abs(value - middle) <= QUIET * reach])
 
 
 def _noise(values: Sequence[float], peak: float) -> float:
     """Standard deviation: of what is quiet, or by the steps from reading to reading if larger."""
-    quiet = median([abs(value) for value in values if abs(value) <= QUIET * peak] or [0.0])
-    steps = median(abs(b - a) for a, b in itertools.pairwise(values))
+    quiet = _median([abs(value) for value in values if abs(value) <= QUIET * peak] or [0.0])
+    steps = _median(abs(b - a) for a, b in itertools.pairwise(values))
     return max(quiet / MIDDLE, steps / STEP)
+
+
+def _median(values: Iterable[float]) -> float:
+    """The middle one; the upper of two. (A page would load a module for it.)"""
+    ordered = sorted(values)
+    return ordered[len(ordered) // 2]
 
 
 def _slope(a: Sequence[float], b: Sequence[float]) -> tuple[float, float]:
