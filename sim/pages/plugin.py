@@ -70,7 +70,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
 
     def on_config(self, config: MkDocsConfig) -> MkDocsConfig:
         """Settings that the site needs, and a fresh start for what this build collects."""
-        root = Path(config.config_file_path).parent
+        root = Path(config.config_file_path).resolve().parent
         audience: Audience = "hosted" if self.config.hosted else "offline"
         if self.serving:
             audience = "preview"
@@ -131,7 +131,9 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
 
     def _ready_pages(self, files: Files, config: MkDocsConfig) -> None:
         """Nothing of the lessons' folder stands at the root (banks hold keys): our pages do."""
-        for file in [f for f in files if Path(f.abs_src_path or "").is_relative_to(self.folder)]:
+        for file in [
+            f for f in files if Path(f.abs_src_path or "/").resolve().is_relative_to(self.folder)
+        ]:
             files.remove(file)
         about = config.site_description or ""
         inside = {path.relative_to(self.folder).as_posix(): path for path in self.lessons}
