@@ -1,0 +1,50 @@
+"""The workflows of a fork and of a new site: what exists is called, secrets are nowhere."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from sim.cli.starter_files import site_files
+from tests.hosting.conftest import ROOT
+from tests.test_docs_blocks import called
+
+OF_A_FORK = (ROOT / ".github" / "workflows" / "lessons.yml").read_text(encoding="utf-8")
+OF_A_SITE = site_files("Mine", "mine")[".github/workflows/lessons.yml"]
+BOTH = pytest.mark.parametrize("text", [OF_A_FORK, OF_A_SITE], ids=["fork", "site"])
+
+
+def jobs(text: str) -> dict[str, Any]:
+    return dict(yaml.safe_load(text)["jobs"])
+
+
+@BOTH
+def test_every_step_calls_what_exists(text: str) -> None:
+    for step in jobs(text)["build"]["steps"]:
+        if "run" in step:
+            called(step["run"])
+
+
+@BOTH
+def test_what_builds_may_only_read_and_what_publishes_runs_nothing_of_the_fork(text: str) -> None:
+    assert yaml.safe_load(text)["permissions"] == {"contents": "read"}
+    assert "secrets." not in text and "pull_request_target" not in text
+    build, publish = jobs(text)["build"], jobs(text)["publish"]
+    assert "permissions" not in build
+    (checkout,) = [s for s in build["steps"] if s.get("uses", "").startswith("actions/checkout@")]
+    assert checkout["with"] == {"persist-credentials": False}
+    assert [step["uses"].partition("@")[0] for step in publish["steps"]] == ["actions/deploy-pages"]
+    assert "pull_request" in publish["if"]
+
+
+@BOTH
+def test_every_push_checks_publishes_and_attaches_the_zip(text: str) -> None:
+    runs = [shlex.split(step["run"]) for step in jobs(text)["build"]["steps"] if "run" in step]
+    done = [words[1:3] for words in runs if Path(words[0]).name == "carts"]
+    assert done == [["check", "--format"], ["pack", "--out"], ["build", "--hosted"]]
+    uses = [step.get("uses", "").partition("@")[0] for step in jobs(text)["build"]["steps"]]
+    assert "actions/upload-artifact" in uses and "actions/upload-pages-artifact" in uses

@@ -1,0 +1,78 @@
+"""The worked examples for developers do what their pages say."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+from sim.dynamics.report import report
+from sim.dynamics.run import run
+from sim.lesson import read as lesson_read
+from sim.pages.runtime.node import node_program
+from sim.pages.yaml_source import load
+from sim.scene import effects, read_fence
+
+DEVELOPERS = Path(__file__).parents[1] / "docs" / "developers"
+
+
+def code(page: str, language: str) -> list[str]:
+    text = (DEVELOPERS / page).read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```", text, re.M | re.S)
+
+
+def module(name: str, text: str) -> Any:
+    made = ModuleType(name)
+    sys.modules[name] = made
+    exec(compile(text, name, "exec"), vars(made))
+    return made
+
+
+def test_the_added_effect_moves_a_cart_as_its_formula_says(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    row, numerics = code("add-an-effect.md", "python")
+    name = "sim.dynamics.effects.wind"
+    monkeypatch.setitem(sys.modules, name, ModuleType(name))  # gone again afterwards
+    monkeypatch.setitem(effects.KINDS, "wind", module("row_of_wind", row).WIND)
+    module(name, numerics)
+    (scene,) = code("add-an-effect.md", "yaml")
+    plain = dict(load(scene).plain)
+    done = run(read_fence({"id": "wind", **plain}).scene)
+    b, w, m, t = 0.4, 0.8, 0.5, 4.0
+    v = w * (1 - math.exp(-b * t / m))
+    x = 0.5 + w * t - (m * w / b) * (1 - math.exp(-b * t / m))
+    final = report(done)["final"]
+    assert final["v"]["A"] == pytest.approx(v, rel=1e-12)
+    assert final["x"]["A"] == pytest.approx(x, rel=1e-12)
+
+
+def test_the_added_question_type_marks_alike_in_both_languages(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (text,) = code("add-a-question-type.md", "python")
+    monkeypatch.setitem(sys.modules, "kind_claim", ModuleType("kind_claim"))
+    claim = module("kind_claim", text).Claim
+    monkeypatch.setitem(lesson_read.KINDS, "claim", claim)
+    (vectors,) = map(json.loads, code("add-a-question-type.md", "json"))
+    question = lesson_read.read_question(vectors["question"])
+    (rule,) = code("add-a-question-type.md", "js")
+    facts = question.data(key=True)
+    for case in vectors["cases"]:
+        assert question.mark(case["value"]).as_row() == case["mark"]
+        if case["value"]:  # mark.js answers for empty ones before it asks a rule
+            given = f"{json.dumps(facts)}, {json.dumps(case['value'])}"
+            call = f"console.log(JSON.stringify(claim({given})))"
+            file = tmp_path / "rule.mjs"
+            file.write_text(f"{rule}\n{call}\n", encoding="utf-8")
+            done = subprocess.run(
+                [str(node_program()), str(file)], capture_output=True, text=True, check=True
+            )
+            assert json.loads(done.stdout) == case["mark"]
