@@ -114,6 +114,8 @@ class Desk:
             return self._quiz(block, lesson, ids, items)
         if block.name == "map":
             return self._map(block, lesson, ids, parts)
+        if block.name == "measured":
+            return self._measured(block, lesson, ids)
         if meant_elsewhere(block):
             load_block(block, lesson.file, first_line=1)
             return Shown("kept")
@@ -177,6 +179,13 @@ class Desk:
             raise AuthorError(map(read.places.finding, made))
         return Shown("shown", made)
 
+    def _measured(self, block: Block, lesson: Lesson, ids: SiteIds) -> Shown:
+        from sim.pages.measured.block import read_measured_block
+        from sim.pages.measured.render import render_measured
+
+        read = read_measured_block(block, lesson, ids, first_line=1)
+        return Shown("shown", render_measured(read))
+
     def _remembered(
         self, what: str, make: Callable[[], str | list[Problem]]
     ) -> str | list[Problem]:
@@ -193,7 +202,7 @@ class Desk:
 
 def meant_elsewhere(block: Block) -> bool:
     """Blocks that only the build can make: they compute for long, or read other files."""
-    return block.name in ("cost", "hard-cases", "evidence", "measured")
+    return block.name in ("cost", "hard-cases", "evidence")
 
 
 def _frame(lines: Sequence[str], parts: Sequence[Block], site: Site) -> str | None:
