@@ -12,6 +12,22 @@
     document.documentElement.dataset.offline = text;
   };
 
+  /**
+   * A newer version of the site that waits takes over when a page is opened and no other is open: so
+   * no page is ever answered from two versions.
+   */
+  async function renew() {
+    const waiting = (await workers.getRegistration(root))?.waiting;
+    if (!waiting || !workers.controller) return;
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = ({ data }) => {
+      if (data !== 1) return;
+      workers.addEventListener("controllerchange", () => location.reload(), { once: true });
+      waiting.postMessage("go");
+    };
+    workers.controller.postMessage("pages", [port2]);
+  }
+
   async function keep() {
     const options = /** @type {RegistrationOptions} */ ({ updateViaCache: "none" });
     await workers.register(new URL("sw.js", root), options);
@@ -24,6 +40,7 @@
     seen.observe({ type: "resource", buffered: true });
   }
 
+  renew().catch(() => {});
   const begin = () => keep().catch(() => state("refused")); // the site works without it
   if (document.readyState === "complete") begin();
   else addEventListener("load", begin);

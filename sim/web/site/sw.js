@@ -25,6 +25,7 @@
 
   worker.addEventListener("message", (/** @type {any} */ event) => {
     if (event.data === "go") worker.skipWaiting();
+    else if (event.data === "pages") pages().then((count) => event.ports[0].postMessage(count));
     else if (Array.isArray(event.data?.keep)) event.waitUntil(keepLater(event.data.keep));
   });
 
@@ -47,22 +48,15 @@
   /** @param {string} name */
   const addressOf = (name) => new URL(name.split("/").map(encodeURIComponent).join("/"), ROOT).href;
 
-  let going = false;
-
-  /**
-   * A page. Where a newer version waits and no other page of this one is open, the newer one takes over
-   * first, and the browser asks again.
-   * @param {string} name @param {Request} request
-   */
+  /** @param {string} name @param {Request} request */
   async function page(name, request) {
-    const { waiting } = worker.registration;
-    if (waiting && !going && (await worker.clients.matchAll({ type: "window" })).length < 2) {
-      going = true;
-      waiting.postMessage("go");
-      return new Response("", { headers: { Refresh: "0" } });
-    }
     if (name in FILES) return file(name);
     return fetch(request).catch(() => file("404.html"));
+  }
+
+  /** How many pages of this site are open. */
+  async function pages() {
+    return (await worker.clients.matchAll({ type: "window" })).length;
   }
 
   /** @param {string} name */
