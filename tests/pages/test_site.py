@@ -19,6 +19,7 @@ MOST_HTML_PER_MAP = 40_000
 MOST_RUNTIME = 14_000_000  # bytes on disk, once per site, without packages
 MOST_CLASSROOM = 300_000
 MOST_MEASURED = 150_000
+MOST_TEACHER = 1_400_000  # with YAML, Markdown and templates; loaded by teachers only
 MOST_PACKAGES = 22_000_000  # more: numpy because a page has a map, scipy because one has balls
 
 
@@ -189,7 +190,10 @@ def test_the_runtime_fits(site: Path) -> None:
     assert 0 < sum(p.stat().st_size for p in classroom) <= MOST_CLASSROOM
     measured = [p for p in files if p.name.startswith("newtons_carts_measured")]  # for few pages
     assert sum(p.stat().st_size for p in measured) <= MOST_MEASURED
-    size = sum(p.stat().st_size for p in files if p not in (*classroom, *measured))
+    teacher = [p for p in files if p.name.startswith("newtons_carts_teacher")]
+    assert 0 < sum(p.stat().st_size for p in teacher) <= MOST_TEACHER
+    few = (*classroom, *measured, *teacher)
+    size = sum(p.stat().st_size for p in files if p not in few)
     extra = sum(p.stat().st_size for p in packages)
     assert 0 < extra <= MOST_PACKAGES
     assert size - extra <= MOST_RUNTIME
