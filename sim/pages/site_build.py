@@ -128,7 +128,8 @@ class SiteBuild:
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
         needs = self.needs.get(name, Needs()) if name else Needs()
-        html = self.doors.with_door(html, name, assets, self.ids.used)
+        if any(other.scenes for other in self.needs.values()):  # else there is no Python to do it
+            html = self.doors.with_door(html, name, assets, self.ids.used)
         page = finish(
             html,
             audience=self.audience,
@@ -163,7 +164,7 @@ class SiteBuild:
         needed = self.needs.values()
         scenes = any(needs.scenes or needs.classroom or needs.measured for needs in needed)
         before = self.done
-        if scenes or self.doors.made:
+        if scenes:
             self._add_runtime(site, report)
         if before is not None and before == self.done:
             return  # a preview after an edit: all the rest is there
