@@ -913,7 +913,7 @@
     });
     place2.querySelector("thead")?.replaceChildren(head);
     place2.querySelector("tbody")?.replaceChildren(...body);
-    place2.parentElement?.querySelector(".carts-measured-rest")?.remove();
+    place2.closest("details")?.querySelector(".carts-measured-rest")?.remove();
   }
   var minus = (text2) => text2.replace("-", "−");
 

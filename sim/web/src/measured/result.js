@@ -85,7 +85,7 @@ export function showTable(place, read, residuals) {
     });
   place.querySelector("thead")?.replaceChildren(head);
   place.querySelector("tbody")?.replaceChildren(...body);
-  place.parentElement?.querySelector(".carts-measured-rest")?.remove();
+  place.closest("details")?.querySelector(".carts-measured-rest")?.remove();
 }
 
 /** @param {string} text */
