@@ -77,6 +77,6 @@ def test_a_mistake_in_the_preview(
     preview.close()
     chromium.goto((tmp_path / "site" / "worksheets" / "first-lesson.html").as_uri())
     box = chromium.locator(".carts-author-error")
-    expect(box).to_contain_text("worksheets/first-lesson.md:16:13: error: carts.A.mass")
+    expect(box).to_contain_text("worksheets/first-lesson.md:17:13: error: carts.A.mass")
     box.scroll_into_view_if_needed()
     take(chromium, "mistake.png")

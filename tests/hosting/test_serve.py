@@ -96,8 +96,8 @@ def test_a_mistake_is_on_the_page_and_in_the_terminal_and_goes_again(
 ) -> None:
     lesson, page = root / "worksheets" / "two.md", preview.site / "worksheets" / "two.html"
     for old, bad, place in (
-        ("mass: 0.5 kg", "mass: -1 kg", "worksheets/two.md:16:13: error: carts.A.mass"),
-        ("# Two", "# Two\n\n![](cart.png)", "worksheets/two.md:8:1: error: this picture"),
+        ("mass: 0.5 kg", "mass: -1 kg", "worksheets/two.md:17:13: error: carts.A.mass"),
+        ("# Two", "# Two\n\n![](cart.png)", "worksheets/two.md:9:1: error: this picture"),
     ):
         edit(lesson, old, bad)
         preview.make()

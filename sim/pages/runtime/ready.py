@@ -31,6 +31,7 @@ from .stdlib import core_folder
 from .teacher import own_files, read_teacher
 
 SETS: tuple[frozenset[str], ...] = (
+    frozenset(),
     frozenset({TEACHER}),
     frozenset({"numpy", TEACHER}),
     frozenset({"numpy", "scipy", TEACHER}),
