@@ -53,6 +53,8 @@ FILE = click.Path(dir_okay=False, path_type=Path)
               help="Unit of positions, where the file names none.")  # fmt: skip
 @click.option("--time", type=click.Choice(OFFERED["time"]), default="s", show_default=True,
               help="Unit of times, where the file names none.")  # fmt: skip
+@click.option("--force", type=click.Choice(OFFERED["force"]), default="N", show_default=True,
+              help="Unit of forces, where the file names none.")  # fmt: skip
 @click.option("--scene", "scene_file", type=FILE, help="Write the fitted scene to this file.")
 @click.option("--tracker", "tracker_file", type=FILE,
               help="Write the model's run to this file, as Tracker's text.")  # fmt: skip
@@ -70,6 +72,7 @@ def command(
     end: str | None,
     length: str,
     time: str,
+    force: str,
     scene_file: Path | None,
     tracker_file: Path | None,
 ) -> None:
@@ -88,7 +91,7 @@ def command(
         raise click.UsageError("One file with both carts, or two files with one cart each.")
     if friction and tilt:
         raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
-    units = Units(time=time, length=length)
+    units = Units(time=time, length=length, force=force)
     measured = _read(files, units)
     measured = _cut(measured, _quantity("--from", begin, TIME), _quantity("--until", end, TIME))
     try:

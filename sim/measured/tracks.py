@@ -21,13 +21,14 @@ from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
 FEWEST = 8
 """Readings of one cart. The model has eight unknowns for two."""
 
-_TIME = re.compile(r"(t|time|zeit|temps|tiempo|tempo|tid|czas|latest: time|run \d+: time)", re.I)
+_TIME = re.compile(r"(t|time|zeit|temps|tiempo|tempo|tid|czas)", re.I)
 _FORCE = re.compile(r"(.*\b)?(f|force|kraft|fuerza|forza)[\s_.-]*([a-z0-9]{0,8})", re.I)
 _POSITION = re.compile(
-    r"(?:x|pos|position|place|ort)[\s_.-]*(?P<after>[a-z0-9]{0,8})"
+    r"(?:x|pos|position|place|ort)[\s_.-]*(?:of\s+)?(?P<after>[a-z0-9]{0,8})"
     r"|(?P<before>[a-z][a-z0-9]{0,8})[\s_.-]+(?:x|pos|position)",
     re.I,
 )
+_COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
 _NOT_POSITION = re.compile(r"xx|x\W?(speed|vel)", re.I)
 
 
@@ -106,7 +107,11 @@ def _time_column(table: Table) -> Column:
     for column in table.columns:
         if _TIME.fullmatch(column.name) or kind_of_unit(column.unit) == "time":
             return column
-    return table.columns[0]
+    first = table.columns[0]
+    if _COUNTS.fullmatch(first.name):
+        reason = f"no column holds the time (“{shown(first.name)}” counts frames)"
+        raise refuse(table.heads_line, reason, "export t as well")
+    return first
 
 
 def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
@@ -137,7 +142,7 @@ def _names(columns: Sequence[Column]) -> list[str]:
     for k, column in enumerate(columns):
         match = _POSITION.fullmatch(column.name) or _FORCE.fullmatch(column.name)
         parts = [part for part in (match.groups() if match else ()) if part]
-        label = column.track or (parts[-1] if parts else "") or "AB"[k]
+        label = column.track or (parts[-1] if parts else "" if match else column.name) or "AB"[k]
         found.append(label.strip() or "AB"[k])
     if len(found) == 2 and found[0] == found[1]:
         found = [f"{name} {k}" for k, name in enumerate(found, 1)]

@@ -20,7 +20,7 @@ OFFERED: dict[Kind, tuple[str, ...]] = {
 }
 
 _HEAD = (
-    re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,8})[)\]]\s*"),
+    re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]{1,8})[)\]]\s*(?:run\W*\d*)?\s*", re.I),
     re.compile(r"(?P<name>[^/]+?)\s*/\s*(?P<unit>[A-Za-zµμ]{1,3})\s*"),
     re.compile(r"(?P<name>.+?)\s+in\s+(?P<unit>[A-Za-zµμ]{1,3})\s*"),
 )
@@ -40,7 +40,11 @@ class Units:
 
 
 def head(text: str) -> tuple[str, str]:
-    """Name and unit of a column's head: ("x", "cm") for “x (cm)”; an empty unit: none is there."""
+    """Name and unit of a column's head: ("x", "cm") for “x (cm)”; an empty unit: none is there.
+
+    What a logger says of the run (“Run 1: Force (N)”, “Force (N) Run #1”) is left out.
+    """
+    text = text.rpartition(":")[2] or text
     for pattern in _HEAD:
         if match := pattern.fullmatch(text.strip()):
             return match["name"].strip(), match["unit"].strip()

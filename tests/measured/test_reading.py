@@ -65,6 +65,11 @@ VARIANTS = {
     "remarks": "# filmed by us\n% 30 frames per second\nt\tx_A\tx_B\n" + rows("\t"),
     "empty lines": "\n\nt\tx_A\tx_B\n\n" + rows("\t", end="\n\n"),
     "trailing separators": "t\tx_A\tx_B\t\n" + rows("\t", tail="\t\t"),
+    "names of carts": "t\tcart 1\tcart 2\n" + rows("\t"),
+    "the page's own words": "t\tx of A\tx of B\n" + rows("\t"),
+    "a logger's heads": "Run 1: Time (s),Run 1: Position 1 (m),Run 1: Position 2 (m)\n" + rows(","),
+    "another logger's": '"Time (s) Run #1","Position 1 (m) Run #1","Position 2 (m) Run #1"\n'
+    + rows(","),
     "other names": "Zeit\tOrt 1\tOrt 2\n" + rows("\t"),
 }
 
@@ -95,6 +100,14 @@ def test_two_files_with_a_track_each_are_two_carts() -> None:
 def test_names_of_tracks_are_the_names_of_the_carts() -> None:
     assert read_measured([with_y()]).names == ("mass A", "mass B")
     assert read_measured([VARIANTS["CSV"]]).names == ("A", "B")
+
+
+def test_a_logger_s_two_forces_are_two_sensors() -> None:
+    for heads in (
+        "Latest: Time (s)\tLatest: Force (N)\tLatest: Force 2 (N)\n",
+        "Time (s) Run #1\tForce, A (N) Run #1\tForce, B (N) Run #1\n",
+    ):
+        assert read_measured([heads + rows("\t")]).kind == "force"
 
 
 def test_utf_16_is_read_by_its_mark() -> None:
@@ -158,6 +171,7 @@ REFUSED = {
     "one cart": ("t\tx_A\n" + "".join(f"{t}\t{a}\n" for t, a in zip(T, A, strict=True)),
                  len(T) + 1, "readings of 1 carts"),
     "no such columns": ("t\ta\tb\tc\n1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no column holds positions"),
+    "frames in the place of time": ("frame\tx_A\tx_B\n" + rows("\t"), 1, "counts frames"),
     "four numbers, no heads": ("1\t2\t3\t4\n2\t3\t4\t5\n", 1, "no line that names them"),
     "decimal commas between commas": (
         "t,x_A,x_B\n" + "".join(f"0,{k},0,{k},0,{k}\n" for k in range(100, 120)), 2, "comma"

@@ -1027,10 +1027,15 @@
         void this.files([...file.files ?? []]);
         file.value = "";
       });
-      root.addEventListener("dragover", (event) => event.preventDefault());
-      root.addEventListener("drop", (event) => {
+      const area = root.closest("carts-measured") ?? root;
+      area.addEventListener("dragover", (event) => event.preventDefault());
+      area.addEventListener("drop", (event) => {
         event.preventDefault();
-        void this.files([...event.dataTransfer?.files ?? []]);
+        const { dataTransfer } = (
+          /** @type {DragEvent} */
+          event
+        );
+        void this.files([...dataTransfer?.files ?? []]);
       });
     }
     /** @param {string} name @param {() => void} act */

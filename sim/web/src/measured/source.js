@@ -32,10 +32,12 @@ export class Source {
       void this.files([...(file.files ?? [])]);
       file.value = "";
     });
-    root.addEventListener("dragover", (event) => event.preventDefault());
-    root.addEventListener("drop", (event) => {
+    const area = root.closest("carts-measured") ?? root; // a file may be dropped anywhere on it
+    area.addEventListener("dragover", (event) => event.preventDefault());
+    area.addEventListener("drop", (event) => {
       event.preventDefault();
-      void this.files([...(event.dataTransfer?.files ?? [])]);
+      const { dataTransfer } = /** @type {DragEvent} */ (event);
+      void this.files([...(dataTransfer?.files ?? [])]);
     });
   }
 
