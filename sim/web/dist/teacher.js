@@ -1228,7 +1228,7 @@
     }
     if (field.kind === "area") {
       const area = document.createElement("textarea");
-      area.rows = Math.min(6, 1 + Math.ceil(field.value.length / 46));
+      area.rows = Math.min(6, Math.max(2, Math.ceil(field.value.length / 48)));
       return area;
     }
     const input = document.createElement("input");
@@ -1568,7 +1568,7 @@
         const editor = new PieceEditor({
           typed: (text) => this.#typed(k, text),
           set: (field, value, owner) => this.session.set(this.#blockOf(k), field, value, owner),
-          opened: () => this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "nearest" })
+          opened: () => this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "start" })
         });
         editor.piece = piece;
         editor.root.open = open2.has(piece.id || piece.line);

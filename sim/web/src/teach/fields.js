@@ -113,7 +113,7 @@ function controlFor(field) {
   }
   if (field.kind === "area") {
     const area = document.createElement("textarea");
-    area.rows = Math.min(6, 1 + Math.ceil(field.value.length / 46));
+    area.rows = Math.min(6, Math.max(2, Math.ceil(field.value.length / 48)));
     return area;
   }
   const input = document.createElement("input");

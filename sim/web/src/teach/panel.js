@@ -121,8 +121,7 @@ export class Panel {
       const editor = new PieceEditor({
         typed: (text) => this.#typed(k, text),
         set: (field, value, owner) => this.session.set(this.#blockOf(k), field, value, owner),
-        opened: () =>
-          this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "nearest" }),
+        opened: () => this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "start" }),
       });
       editor.piece = piece;
       editor.root.open = open.has(piece.id || piece.line);
