@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import re
 import sys
 import zipfile
 from importlib import metadata
@@ -12,6 +14,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim.cli import doctor, main, site_folder
+from sim.cli.build import build_site
 from sim.pages import runtime, site_files
 from tests.hosting.conftest import Installed
 
@@ -177,3 +180,37 @@ def test_versions_are_compared_by_their_numbers() -> None:
     assert not site_folder.newer("", "0.1.0")
     assert not site_folder.newer("0.1.0", "0.1.0")
     assert isinstance(main, click.Group)
+
+
+def test_a_wheel_has_a_runtime_for_everything_that_a_page_may_ask_for() -> None:
+    from sim.pages.runtime import pins, ready
+
+    extras = {runtime.CLASSROOM, runtime.TEACHER, runtime.MEASURED}
+    assert ready.SETS[-1] == {*pins.PACKAGES, *extras}
+    assert [len(one) for one in ready.SETS] == sorted(len(one) for one in ready.SETS)
+
+
+def test_long_work_has_a_bar_on_a_terminal_and_none_elsewhere(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from sim.cli import progress
+
+    shown: list[str] = []
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+        def write(self, text: str) -> int:
+            shown.append(text)
+            return len(text)
+
+    monkeypatch.setattr(progress, "QUIET", 0.0)
+    monkeypatch.setattr(progress, "AGAIN", 0.0)
+    assert "[" not in carts("build").output
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    assert build_site(root, hosted=False, strict=True) is not None
+    bars = [text for text in shown if re.fullmatch(r"\r\[#*\.*\] \d+ %\s*", text)]
+    percents = [int(bar.split("]")[1].strip(" %")) for bar in bars]
+    assert percents == sorted(percents) and percents[-1] == 100
+    assert shown[-1].strip() == ""  # the line is gone at the end

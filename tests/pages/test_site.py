@@ -212,7 +212,8 @@ def test_only_pages_with_balls_load_scipy(site: Path) -> None:
 
 def test_nothing_for_developers_only_is_shipped(site: Path) -> None:
     names = {path.suffix for path in site.rglob("*") if path.is_file()}
-    assert names <= {".html", ".css", ".csv", ".js", ".json", ".png", ".txt", ".woff2"}, names
+    known = {".html", ".css", ".csv", ".js", ".json", ".png", ".svg", ".txt", ".woff2"}
+    assert names <= known, names
 
 
 def test_the_licence_file_names_what_the_runtime_holds(site: Path) -> None:
