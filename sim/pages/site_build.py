@@ -123,7 +123,9 @@ class SiteBuild:
         self.doors.note(name, page.lesson.file, page.language)
         if key := practice_key(self.site_id, lesson, page.items):
             self.keys[name] = key
-        self.asked[name] = frozenset(page.packages | (_STATISTICS if classroom or measured else set()))
+        self.asked[name] = frozenset(
+            page.packages | (_STATISTICS if classroom or measured else set())
+        )
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
