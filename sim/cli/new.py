@@ -93,12 +93,12 @@ def _lesson(root: Path, name: str, title: str | None, like: str | None) -> dict[
         known = ", ".join(sorted(p.stem for p in ours.glob("*.md")))
         raise click.UsageError(f"There is no lesson “{like}” of ours. There are: {known}")
     text = source.read_text(encoding="utf-8")
-    banks = {
-        f"{WORKSHEETS}/{BANKS}/{bank}": (ours / BANKS / bank).read_text(encoding="utf-8")
-        for bank in starter.banks_of(text)
-        if not (root / WORKSHEETS / BANKS / bank).exists()
+    beside = {
+        f"{WORKSHEETS}/{file}": (ours / file).read_text(encoding="utf-8")
+        for file in starter.files_of(text)
+        if not (root / WORKSHEETS / file).exists()
     }
-    return {path: starter.copied(text, title, order), **banks}
+    return {path: starter.copied(text, title, order), **beside}
 
 
 def _write(root: Path, files: Mapping[str, str]) -> None:

@@ -41,7 +41,11 @@ def bank_text(name: str, title: str) -> str:
 
 
 def copied(text: str, title: str | None, order: int) -> str:
-    """One of this project's lessons as a lesson of another site: its place, perhaps its title."""
+    """One of this project's lessons as a lesson of another site: its place, perhaps its title.
+
+    Links to pages that only this project has become words.
+    """
+    text = re.sub(r"(?<!!)\[([^\]\n]+)\]\(\.\./[^)\s]*\)", r"\1", text)
     text = re.sub(r"^order: .*$", f"order: {order}", text, count=1, flags=re.MULTILINE)
     if title:
         text = re.sub(
@@ -51,9 +55,10 @@ def copied(text: str, title: str | None, order: int) -> str:
     return text
 
 
-def banks_of(text: str) -> list[str]:
-    """The names of the banks that a lesson draws from."""
-    return sorted(set(re.findall(r"^bank: *([\w.-]+)$", text, re.MULTILINE)))
+def files_of(text: str) -> list[str]:
+    """The banks and the readings that a lesson names, by their paths beside it."""
+    named = re.findall(r"^ *(bank|data): *([\w.-]+\.\w+) *$", text, re.MULTILINE)
+    return sorted({f"{'banks' if kind == 'bank' else 'data'}/{name}" for kind, name in named})
 
 
 def title_of(name: str) -> str:

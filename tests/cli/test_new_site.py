@@ -130,3 +130,18 @@ def test_a_site_of_lessons_alone_gets_the_markdown_and_the_look_of_this_one() ->
     assert extensions == dict(lessons_only.EXTENSIONS)
     assert ours["theme"]["palette"] == lessons_only.PALETTE
     assert set(lessons_only.FEATURES) <= set(ours["theme"]["features"])
+
+
+LESSONS = sorted(path.stem for path in (ROOT / "worksheets").glob("*.md"))
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_every_lesson_of_ours_can_be_taken_over_whole(
+    name: str, empty: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    new("mine", "--like", name)
+    monkeypatch.chdir(empty / "mine")
+    lesson = Path("worksheets") / f"{name}.md"
+    assert check_paths([Path("worksheets").resolve()], Path.cwd()) == []
+    ours = (ROOT / "worksheets" / lesson.name).read_text(encoding="utf-8")
+    assert lesson.read_text(encoding="utf-8").count("\n") == ours.count("\n")

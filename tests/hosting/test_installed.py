@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from sim.cli import COMMANDS
 from tests.hosting.conftest import ROOT, Installed
 
 LARGEST = 32_000_000  # bytes of the wheel, numpy and scipy for the page included
@@ -100,3 +101,14 @@ def test_two_builds_are_equal_in_other_folders_time_zones_and_languages(
         installed.carts("pack", "--hosted", "--out", str(out), cwd=folder, **more)
         zips.append(out.read_bytes())
     assert zips[0] == zips[1]
+
+
+def test_every_command_is_there_and_needs_nothing_more(installed: Installed, made: Path) -> None:
+    code = (
+        "from importlib import import_module; from sim.cli import COMMANDS\n"
+        "print(len([import_module(place).command for place, _ in COMMANDS.values()]))"
+    )
+    done = installed.run("python", "-c", code, cwd=made)
+    assert int(done.stdout) == len(COMMANDS), done.stderr
+    installed.carts("single", "worksheets/two-trains.md", "--out", "one.html", cwd=made)
+    assert (made / "one.html").stat().st_size > 5_000_000  # Python and all
