@@ -55,9 +55,9 @@ def text_box(text: str, lesson: Lesson, report: Callable[[Finding], None]) -> st
 
 
 def touched(changed: Iterable[Path], pages: Iterable[Path]) -> set[Path]:
-    """The pages to make again: the changed ones, and those that name a changed bank or scene."""
+    """The pages to make again: the changed ones, and those that name another changed file."""
     changed = set(changed)
-    names = [path.name for path in changed if path.suffix in (".yml", ".yaml")]
+    names = [path.name for path in changed if path.suffix != ".md"]
     return {
         page
         for page in pages
