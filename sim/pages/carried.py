@@ -66,4 +66,6 @@ def write_carried(folder: Path) -> None:
 
 
 if __name__ == "__main__":
+    if not (CHECKOUT / NPM / "katex").is_dir():
+        sys.exit("A wheel needs what npm and Node.js give: “make wheel” sets that up and builds it.")
     write_carried(Path(sys.argv[1]))
