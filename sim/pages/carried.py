@@ -67,5 +67,5 @@ def write_carried(folder: Path) -> None:
 
 if __name__ == "__main__":
     if not (CHECKOUT / NPM / "katex").is_dir():
-        sys.exit("A wheel needs what npm and Node.js give: “make wheel” sets that up and builds it.")
+        sys.exit("A wheel needs parts from npm and Node.js: “make wheel” sets them up.")
     write_carried(Path(sys.argv[1]))
