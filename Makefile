@@ -33,8 +33,7 @@ site: node_modules/ready
 #   make wheel         what pip installs, with the runtime inside, into build/wheel/
 wheel: node_modules/ready
 	@rm -rf build/wheel
-	@.venv/bin/pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w build/wheel .
-	@ls build/wheel/*.whl
+	@$(PY) -m hatchling build -t wheel -d build/wheel
 
 #   make test          every test, browsers included (at most 20 minutes on two cores)
 test: site browsers

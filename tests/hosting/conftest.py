@@ -65,10 +65,9 @@ class Installed:
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The wheel, built as `make wheel` does."""
     folder = tmp_path_factory.mktemp("wheel")
-    pip = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation"]
     subprocess.run(
-        [*pip, "--no-index", "-w", str(folder), str(ROOT)], check=True,
-        env={**os.environ, "CARTS_CACHE": str(CACHE)},
+        [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)],
+        cwd=ROOT, check=True, env={**os.environ, "CARTS_CACHE": str(CACHE)},
     )  # fmt: skip
     (made,) = folder.glob("*.whl")
     return made

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import re
 import sys
-import zipfile
 from importlib import metadata
 from pathlib import Path
 
@@ -16,7 +15,6 @@ from click.testing import CliRunner, Result
 from sim.cli import doctor, main, site_folder
 from sim.cli.build import build_site
 from sim.pages import runtime, site_files
-from tests.hosting.conftest import Installed
 
 
 @pytest.fixture
@@ -136,31 +134,6 @@ def test_the_doctor_needs_no_site(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     result = carts("doctor")
     assert result.exit_code == 0
     assert "no site here" in result.output
-
-
-def test_pip_refuses_a_python_that_is_too_old(wheel: Path) -> None:
-    with zipfile.ZipFile(wheel) as archive:
-        (name,) = [n for n in archive.namelist() if n.endswith(".dist-info/METADATA")]
-        text = archive.read(name).decode()
-    assert f"Requires-Python: >={'.'.join(map(str, doctor.OLDEST))}" in text
-
-
-def test_a_runtime_that_came_only_in_part_is_told(installed: Installed, tmp_path: Path) -> None:
-    installed.carts("new", "mine", cwd=tmp_path)
-    (script,) = installed.folder.glob("lib/*/site-packages/sim/carried/runtime/python.zip.0.*")
-    whole = script.read_bytes()
-    try:
-        script.write_bytes(whole[:1000])
-        for command in ("build", "doctor"):
-            done = installed.run("carts", command, cwd=tmp_path / "mine")
-            assert done.returncode == 1
-            said = done.stdout + done.stderr
-            assert f"{script.name} of the installed newtons-carts is damaged" in said
-            assert "pip install --force-reinstall newtons-carts" in said
-            assert "Traceback" not in said
-    finally:
-        script.write_bytes(whole)
-    assert "all as they were" in installed.carts("doctor", cwd=tmp_path / "mine")
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])

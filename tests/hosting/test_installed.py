@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import shutil
+import zipfile
 from pathlib import Path
 
 import pytest
 
-from sim.cli import COMMANDS
+from sim.cli import COMMANDS, doctor
 from tests.hosting.conftest import ROOT, Installed
 
 LARGEST = 32_000_000  # bytes of the wheel, numpy and scipy for the page included
@@ -112,3 +113,28 @@ def test_every_command_is_there_and_needs_nothing_more(installed: Installed, mad
     assert int(done.stdout) == len(COMMANDS), done.stderr
     installed.carts("single", "worksheets/two-trains.md", "--out", "one.html", cwd=made)
     assert (made / "one.html").stat().st_size > 5_000_000  # Python and all
+
+
+def test_pip_refuses_a_python_that_is_too_old(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        (name,) = [n for n in archive.namelist() if n.endswith(".dist-info/METADATA")]
+        text = archive.read(name).decode()
+    assert f"Requires-Python: >={'.'.join(map(str, doctor.OLDEST))}" in text
+
+
+def test_a_runtime_that_came_only_in_part_is_told(installed: Installed, tmp_path: Path) -> None:
+    installed.carts("new", "mine", cwd=tmp_path)
+    (script,) = installed.folder.glob("lib/*/site-packages/sim/carried/runtime/python.zip.0.*")
+    whole = script.read_bytes()
+    try:
+        script.write_bytes(whole[:1000])
+        for command in ("build", "doctor"):
+            done = installed.run("carts", command, cwd=tmp_path / "mine")
+            assert done.returncode == 1
+            said = done.stdout + done.stderr
+            assert f"{script.name} of the installed newtons-carts is damaged" in said
+            assert "pip install --force-reinstall newtons-carts" in said
+            assert "Traceback" not in said
+    finally:
+        script.write_bytes(whole)
+    assert "all as they were" in installed.carts("doctor", cwd=tmp_path / "mine")
