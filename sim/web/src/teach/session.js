@@ -58,11 +58,13 @@ export class Session {
     await this.#begin();
   }
 
-  async #begin() {
+  /** @param {boolean} published whether the text is the one that the page was built from */
+  async #begin(published = true) {
     try {
       let look = await this.#ask();
       this.#take(look);
-      for (this.page.adopt(look); look.more || (await this.#got(look)); this.page.adopt(look)) {
+      const show = async () => (published ? this.page.adopt(look) : await this.page.show(look));
+      for (await show(); look.more || (await this.#got(look)); await show()) {
         look = await this.#ask();
         this.#take(look);
       }
@@ -222,7 +224,7 @@ export class Session {
       this.base = own;
       this.history = new History(own);
       this.panel.status("Starting Python …");
-      return this.#begin();
+      return this.#begin((await hashOf(own)) === this.told.hash);
     }
     const { header } = await this.client.ask({}, () => ({
       kind: "teach",
