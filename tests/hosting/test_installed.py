@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
+import subprocess
+import time
+import urllib.request
 import zipfile
 from pathlib import Path
 
@@ -138,3 +142,32 @@ def test_a_runtime_that_came_only_in_part_is_told(installed: Installed, tmp_path
     finally:
         script.write_bytes(whole)
     assert "all as they were" in installed.carts("doctor", cwd=tmp_path / "mine")
+
+
+def test_the_installed_preview_shows_an_edit(installed: Installed, tmp_path: Path) -> None:
+    installed.carts("new", "mine", cwd=tmp_path)
+    root = tmp_path / "mine"
+    server = subprocess.Popen(
+        [str(installed.folder / "bin" / "carts"), "serve"], cwd=root, text=True,
+        env=installed.environment(PYTHONUNBUFFERED="1"), stdout=subprocess.PIPE,
+    )  # fmt: skip
+    try:
+        assert server.stdout is not None
+        lines = iter(server.stdout.readline, "")
+        address = next(m[0] for line in lines if (m := re.search(r"http://[\d.:]+/", line)))
+
+        def get(path: str) -> str:
+            with urllib.request.urlopen(address + path, timeout=60) as answer:
+                return str(answer.read(), "utf-8")
+
+        page = "worksheets/first-lesson.html"
+        (epoch,) = re.findall(r"livereload\((\d+), ", get(page))
+        time.sleep(0.5)  # the watcher takes its first look
+        lesson = root / "worksheets" / "first-lesson.md"
+        text = lesson.read_text(encoding="utf-8")
+        lesson.write_text(text.replace("# First lesson", "# Galumphing"), encoding="utf-8")
+        assert int(get(f"livereload/{epoch}/1")) > int(epoch)
+        assert "Galumphing" in get(page)
+    finally:
+        server.terminate()
+        server.wait()
