@@ -204,8 +204,21 @@ def test_without_a_script_points_and_table_stand_there(benches: Path, open_page:
     expect(page.locator(".carts-measured-table tbody tr")).to_have_count(60)
 
 
+def sheets(page: Page) -> int:
+    return len(re.findall(rb"/Type\s*/Page\b", page.pdf(format="A4")))
+
+
 @pytest.mark.one_browser
-def test_the_lab_sheet_is_one_page(site: Path, open_page: OpenPage) -> None:
+def test_the_lab_sheet_and_a_fitted_film_are_a_printed_page_each(
+    site: Path, open_page: OpenPage
+) -> None:
     page = open_page(site / "teachers" / "lab-sheet.html", folder=site)
-    paper = page.pdf(format="A4")
-    assert len(re.findall(rb"/Type\s*/Page\b", paper)) == 1
+    assert sheets(page) == 1
+    page.goto((site / "worksheets" / "real-carts.html").as_uri())
+    film_ = page.locator("#real-film")
+    expect(film_).to_have_attribute("data-state", "live", timeout=STARTS)
+    film_.locator(".carts-measured-fit").click()
+    expect(film_.locator(".carts-measured-known")).to_be_visible(timeout=2 * STARTS)
+    page.evaluate("window.print = () => {}")
+    film_.locator(".carts-measured-print").click()
+    assert sheets(page) == 1

@@ -66,6 +66,7 @@ export function measuredElement(client) {
       on("compare", () => void this.fit(true));
       on("scene", () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml"));
       on("tracker", () => void this.#tracker());
+      on("print", () => this.#print());
       const early = () => void client.need(PACKAGES).catch(() => {});
       const model = need(this, ".carts-measured-model");
       model.addEventListener("pointerdown", early, { once: true });
@@ -240,6 +241,13 @@ export function measuredElement(client) {
     async #tracker() {
       const found = await this.#ask("tracker");
       if (found.text) download("model-run.txt", found.text, "text/plain;charset=utf-8");
+    }
+
+    /** This bench on paper, without the lesson around it. */
+    #print() {
+      this.dataset.printing = "";
+      addEventListener("afterprint", () => delete this.dataset.printing, { once: true });
+      print();
     }
 
     /** @param {import("./types.js").Fault[]} faults */
