@@ -51,6 +51,7 @@ def test_the_pictures_are_taken(lessons: Path, chromium: Browser) -> None:
     mass = page.locator(".carts-teach-piece[open]").get_by_label("mass", exact=True).first
     mass.fill("1.5 kg")
     settled(page)
+    page.locator("carts-scene").first.evaluate("scene => scene.scrollIntoView()")
     page.screenshot(path=HOWTO / "teacher-mode.png")
     mass.fill("-1.5 kg")
     settled(page)
@@ -61,5 +62,6 @@ def test_the_pictures_are_taken(lessons: Path, chromium: Browser) -> None:
     phone = chromium.new_page(viewport={"width": 360, "height": 740}, color_scheme="dark")
     teacher(phone, lessons)
     settled(phone)
+    phone.locator("carts-scene").first.evaluate("scene => scene.scrollIntoView()")
     phone.screenshot(path=HOWTO / "teacher-mode-phone.png")
     chromium.close()

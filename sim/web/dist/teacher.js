@@ -1505,6 +1505,9 @@
       small.setAttribute("aria-expanded", String(!folded));
       small.textContent = folded ? "Show" : "Make room";
     }
+    get #unchanged() {
+      return this.session.told.text === null ? "As in your file." : "As published.";
+    }
     focus() {
       this.heading.focus();
     }
@@ -1515,7 +1518,7 @@
     /** Whether the draft is on this computer. @param {boolean} kept */
     kept(kept) {
       const words = kept ? "Draft kept in this browser." : "This browser keeps no drafts: save often.";
-      say(this.state, this.session.changed ? words : "As published.");
+      say(this.state, this.session.changed ? words : this.#unchanged);
       this.root.dataset.kept = String(kept);
     }
     /** The text was changed: what can be told before Python has looked. */
@@ -1552,7 +1555,7 @@
       const words = count === 1 ? "1 mistake" : `${count} mistakes`;
       if (count) this.status(`${words}: the page shows these parts as they were before.`);
       else if (this.note.textContent?.includes("the page shows these parts")) this.status("");
-      if (!this.state.textContent) say(this.state, "As published.");
+      if (!this.state.textContent) say(this.state, this.#unchanged);
       this.tools.draw();
     }
     /** @param {import("./types.js").Piece[]} pieces */
@@ -1752,6 +1755,7 @@
     /** Opens the panel; shows the published text first, so that the page's own elements are known. */
     async open() {
       this.show();
+      scrollTo(0, 0);
       if (this.told.text === null) return this.panel.askForFile();
       this.panel.status("Starting Python …");
       await this.#begin();

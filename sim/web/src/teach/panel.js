@@ -50,6 +50,10 @@ export class Panel {
     small.textContent = folded ? "Show" : "Make room";
   }
 
+  get #unchanged() {
+    return this.session.told.text === null ? "As in your file." : "As published.";
+  }
+
   focus() {
     this.heading.focus();
   }
@@ -64,7 +68,7 @@ export class Panel {
     const words = kept
       ? "Draft kept in this browser."
       : "This browser keeps no drafts: save often.";
-    say(this.state, this.session.changed ? words : "As published.");
+    say(this.state, this.session.changed ? words : this.#unchanged);
     this.root.dataset.kept = String(kept);
   }
 
@@ -104,7 +108,7 @@ export class Panel {
     const words = count === 1 ? "1 mistake" : `${count} mistakes`;
     if (count) this.status(`${words}: the page shows these parts as they were before.`);
     else if (this.note.textContent?.includes("the page shows these parts")) this.status("");
-    if (!this.state.textContent) say(this.state, "As published.");
+    if (!this.state.textContent) say(this.state, this.#unchanged);
     this.tools.draw();
   }
 

@@ -53,6 +53,7 @@ export class Session {
   /** Opens the panel; shows the published text first, so that the page's own elements are known. */
   async open() {
     this.show();
+    scrollTo(0, 0); // the link is at the foot, the panel begins with the first part
     if (this.told.text === null) return this.panel.askForFile();
     this.panel.status("Starting Python …");
     await this.#begin();
