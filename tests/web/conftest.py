@@ -58,10 +58,19 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = [item for item in items if id(item) not in left]
 
 
+_drivers: list[Playwright] = []  # at most one: a second in the same process refuses to start
+
+
 @pytest.fixture(scope="session")
 def driver() -> Iterator[Playwright]:
+    """Other folders of tests take this fixture over: whoever is first starts it for all."""
+    if _drivers:
+        yield _drivers[0]
+        return
     with sync_playwright() as started:
+        _drivers.append(started)
         yield started
+        _drivers.clear()
 
 
 @pytest.fixture(scope="session", params=["chromium", "firefox"])
