@@ -226,7 +226,7 @@ class Cluster:
         best = max(series[0], over)
         # A step that the end of the run leaves no time has no series beyond its start.
         rising = len(series) > 1 and series[1] > 0.0
-        if rising and 0.0 > rate and (turn := first_fall(slope(series), t)) is not None:
+        if rising and rate < 0.0 and (turn := first_fall(slope(series), t)) is not None:
             best = max(best, value(series, turn))
         return best
 
