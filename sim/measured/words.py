@@ -19,6 +19,9 @@ EFFECTS = {
     "friction": "friction on each cart",
     "tilt": "a tilt of the track",
 }
+FASTEST = 10.0
+"""m/s. Carts in a school are slower."""
+
 PROGRAM = (
     "The mass ratio comes out of the third law, which this model has built in. Weigh both carts: "
     "if the ratio from the balance is the same, your carts have confirmed it."
@@ -63,11 +66,18 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
             "e is above 1: the carts would part faster than they came. A bumper cannot do that. "
             "Check the length scale and the frame rate, or look for a spring that was wound up."
         )
+    fastest = max(map(abs, fit.parameters.v))
+    if fastest > FASTEST:
+        said.append(
+            f"A cart moves with {number(fastest, 0)} m/s here. Are lengths and times really "
+            "in the units that stand above?"
+        )
     row = next((one for one in compared if one.effect == fit.asked.effect), None)
     if row and row.alike > ALIKE:
         said.append(
             "The residuals are not random: neighbours are alike. The model lacks something that "
-            "these carts do, and the real uncertainty is larger than printed."
+            "these carts do (friction, a tilt, a second contact, a hand), and the real uncertainty "
+            "is larger than printed."
         )
     if fit.asked.effect == "friction":
         for name, rests in zip(names, fit.parameters.rests, strict=True):

@@ -214,6 +214,18 @@ def test_an_impossible_bounciness_is_told() -> None:
     assert any("e is above 1" in one for one in motion_report(measured, found)["sentences"])
 
 
+def test_centimetres_taken_for_metres_are_noticed() -> None:
+    measured = film(truth())
+    tracks = [
+        replace(track, value=tuple(100 * x for x in track.value)) for track in measured.tracks
+    ]
+    large = Measured("length", (tracks[0], tracks[1]), ())
+    said = motion_report(large, fit(large))["sentences"]
+    assert any("really in the units" in one for one in said)
+    said = motion_report(measured, fit(measured))["sentences"]
+    assert not any("really in the units" in one for one in said)
+
+
 def parted() -> Measured:
     scene = read_scene({"carts": {"A": {"mass": 1, "position": 0.3, "velocity": 0.1},
                                   "B": {"mass": 1, "position": 0.9, "velocity": 0.5}},

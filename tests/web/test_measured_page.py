@@ -160,9 +160,12 @@ def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
     page.locator(".carts-measured-typed-take").click()
     expect(faults).to_be_empty()
     expect(page.locator(".carts-measured-model")).to_be_visible()
+    page.locator(".carts-measured-paste summary").click()
+    page.locator(".carts-measured-paste textarea").fill("half a text")
     page.wait_for_timeout(300)
     page.reload()
     expect(page.locator(".carts-measured-model")).to_be_visible(timeout=STARTS)
+    expect(page.locator(".carts-measured-paste textarea")).to_have_value("half a text")
     expect(page.locator(".carts-measured-grid input").first).to_have_value("0.0000")
 
 

@@ -1012,6 +1012,7 @@
       this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
       this.paste = /** @type {HTMLTextAreaElement} */
       need(root, ".carts-measured-paste textarea");
+      this.paste.addEventListener("input", changed);
       const file = (
         /** @type {HTMLInputElement} */
         need(root, ".carts-measured-file")
@@ -1512,6 +1513,7 @@
         this.#kept = { ...empty(facts), ...await this.keeper?.get() };
         this.settings?.fill(this.#kept);
         if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
+        if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
         if (!this.#texts.length) return this.#whenLive();
         const { hand, fitted } = this.#kept;
         await this.#reading();
@@ -1555,7 +1557,8 @@
         this.#kept = {
           ...this.#kept,
           ...this.settings?.kept,
-          cells: this.source?.grid.cells ?? []
+          cells: this.source?.grid.cells ?? [],
+          pasted: this.source?.paste.value ?? ""
         };
         void this.keeper?.put(structuredClone(this.#kept));
       }

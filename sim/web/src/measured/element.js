@@ -79,6 +79,7 @@ export function measuredElement(client) {
       this.#kept = { ...empty(facts), ...(await this.keeper?.get()) };
       this.settings?.fill(this.#kept);
       if (this.source && this.#kept.cells.length) this.source.grid.cells = this.#kept.cells;
+      if (this.source) this.source.paste.value = this.#kept.pasted ?? "";
       if (!this.#texts.length) return this.#whenLive();
       const { hand, fitted } = this.#kept;
       await this.#reading();
@@ -130,6 +131,7 @@ export function measuredElement(client) {
         ...this.#kept,
         ...this.settings?.kept,
         cells: this.source?.grid.cells ?? [],
+        pasted: this.source?.paste.value ?? "",
       };
       void this.keeper?.put(structuredClone(this.#kept));
     }

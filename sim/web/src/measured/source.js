@@ -20,6 +20,7 @@ export class Source {
     this.tell = tell;
     this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
     this.paste = /** @type {HTMLTextAreaElement} */ (need(root, ".carts-measured-paste textarea"));
+    this.paste.addEventListener("input", changed);
     const file = /** @type {HTMLInputElement} */ (need(root, ".carts-measured-file"));
     for (const input of root.querySelectorAll("button, textarea, select, input")) {
       /** @type {HTMLInputElement} */ (input).disabled = false;

@@ -16,7 +16,7 @@
  * @typedef {{length: string, time: string, force: string}} Units an empty one: not chosen yet
  *
  * What a reader has done here, as it is kept:
- * @typedef {{name: string, texts: string[], cells: string[][], units: Units, from: string, until: string,
+ * @typedef {{name: string, texts: string[], cells: string[][], pasted?: string, units: Units, from: string, until: string,
  *   law: string, effect: string, distance: string, masses: string[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept
  */
 export {};
