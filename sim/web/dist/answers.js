@@ -160,6 +160,7 @@
   }
 
   // src/storage.js
+  var READINGS = "-measured";
   var STORE = "answers";
   var PATIENCE = 2e4;
   var STUDENT = "student";
@@ -433,6 +434,8 @@
       if (!this.all || !this.store) return;
       if (everybody) for (const [key] of await this.all.entries()) await this.all.remove(key);
       else for (const [key] of await this.store.entries()) await this.store.remove(key);
+      const readings = await openAll(`${this.site}${READINGS}`);
+      for (const [key] of await readings.entries()) await readings.remove(key);
       await writeStudent(this.all, "");
       this.#known.clear();
       this.#channel?.postMessage({ student: "" });

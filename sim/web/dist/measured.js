@@ -362,6 +362,7 @@
   }
 
   // src/storage.js
+  var READINGS = "-measured";
   var STORE = "answers";
   var PATIENCE = 2e4;
   var SETTLED = "settled";
@@ -526,7 +527,7 @@
   function keeper(id) {
     const { site, page: page2 } = place();
     const key = `${page2}/${id}`;
-    const opened2 = openAll(`${site}-measured`);
+    const opened2 = openAll(`${site}${READINGS}`);
     return {
       /** @returns {Promise<Kept | null>} */
       get: async () => (await opened2).get(key).catch(() => null),

@@ -9,6 +9,8 @@
 import { keepEarlier } from "./answers/entry.js";
 import { stamped } from "./answers/outline.js";
 
+/** What the name of a site gets where readings of real carts are kept, apart from its answers. */
+export const READINGS = "-measured";
 const STORE = "answers";
 // ms until a browser that never answers counts as one that keeps nothing; after a crash it is slow.
 const PATIENCE = 20_000;

@@ -1,6 +1,6 @@
 /** The answers of one page and one student: read once, written at every input, told to other tabs. */
 
-import { forStudent, openAll, place, readStudent, writeStudent } from "../storage.js";
+import { forStudent, openAll, place, READINGS, readStudent, writeStudent } from "../storage.js";
 import { isEmpty, keepEarlier, merged } from "./entry.js";
 import { isCurrent, outline } from "./outline.js";
 
@@ -110,6 +110,8 @@ export class Book extends EventTarget {
     if (!this.all || !this.store) return;
     if (everybody) for (const [key] of await this.all.entries()) await this.all.remove(key);
     else for (const [key] of await this.store.entries()) await this.store.remove(key);
+    const readings = await openAll(`${this.site}${READINGS}`); // of real carts: they have no owner
+    for (const [key] of await readings.entries()) await readings.remove(key);
     await writeStudent(this.all, "");
     this.#known.clear();
     this.#channel?.postMessage({ student: "" });

@@ -1,6 +1,6 @@
 /** What a reader opened, typed and set on this page is kept in the browser, apart from the answers. */
 
-import { openAll, place } from "../storage.js";
+import { openAll, place, READINGS } from "../storage.js";
 
 /** @typedef {import("./types.js").Kept} Kept */
 
@@ -8,7 +8,7 @@ import { openAll, place } from "../storage.js";
 export function keeper(id) {
   const { site, page } = place();
   const key = `${page}/${id}`;
-  const opened = openAll(`${site}-measured`);
+  const opened = openAll(`${site}${READINGS}`);
   return {
     /** @returns {Promise<Kept | null>} */
     get: async () => (await opened).get(key).catch(() => null),
