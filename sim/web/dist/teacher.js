@@ -1804,9 +1804,9 @@
       history.replaceState(null, "", address.href.replace(/#$/, ""));
       this.link.focus();
     }
-    /** The text was changed. @param {string} text @param {string} where */
-    change(text, where) {
-      if (this.history.change(text, where)) this.#changed();
+    /** The text was changed. @param {string} text @param {string} where @param {number} pause ms until Python looks */
+    change(text, where, pause = PAUSE2) {
+      if (this.history.change(text, where)) this.#changed(pause);
     }
     undo() {
       this.history.undo();
@@ -1822,12 +1822,12 @@
       void this.drafts.forget().catch(() => {
       });
     }
-    #changed() {
+    #changed(pause = PAUSE2) {
       this.panel.follow();
       void this.#keep();
       clearTimeout(this.#timer);
       this.settled = new Promise((resolve) => {
-        this.#timer = setTimeout(() => resolve(this.lookNow()), PAUSE2);
+        this.#timer = setTimeout(() => resolve(this.lookNow()), pause);
       });
     }
     async #keep() {
@@ -1913,7 +1913,7 @@
         );
         if (answer.refused) return answer.refused;
         if (sent.text !== this.text) continue;
-        this.change(answer.text, `${block} ${field.path.join(".")}`);
+        this.change(answer.text, `${block} ${field.path.join(".")}`, 0);
         return "";
       }
     }

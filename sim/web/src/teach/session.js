@@ -103,9 +103,9 @@ export class Session {
     this.link.focus();
   }
 
-  /** The text was changed. @param {string} text @param {string} where */
-  change(text, where) {
-    if (this.history.change(text, where)) this.#changed();
+  /** The text was changed. @param {string} text @param {string} where @param {number} pause ms until Python looks */
+  change(text, where, pause = PAUSE) {
+    if (this.history.change(text, where)) this.#changed(pause);
   }
 
   undo() {
@@ -124,12 +124,12 @@ export class Session {
     void this.drafts.forget().catch(() => {});
   }
 
-  #changed() {
+  #changed(pause = PAUSE) {
     this.panel.follow();
     void this.#keep();
     clearTimeout(this.#timer);
     this.settled = new Promise((resolve) => {
-      this.#timer = setTimeout(() => resolve(this.lookNow()), PAUSE);
+      this.#timer = setTimeout(() => resolve(this.lookNow()), pause);
     });
   }
 
@@ -214,7 +214,7 @@ export class Session {
       const answer = /** @type {any} */ (header);
       if (answer.refused) return answer.refused;
       if (sent.text !== this.text) continue;
-      this.change(answer.text, `${block} ${field.path.join(".")}`);
+      this.change(answer.text, `${block} ${field.path.join(".")}`, 0); // the field has waited
       return "";
     }
   }
