@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import fcntl
+import os
 import re
 from pathlib import Path
 
@@ -23,21 +25,30 @@ ROOT = Path(__file__).parents[1]
 @pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of this repository's own site, built for double click as `make site` does."""
-    from sim.cli.build import build_site
-
-    built = build_site(ROOT, hosted=False, strict=True, site_dir=tmp_path_factory.mktemp("site"))
-    assert built is not None, "the site cannot be built: see the messages above"
-    return built
+    return _built_once(tmp_path_factory, "site", hosted=False)
 
 
 @pytest.fixture(scope="session")
 def hosted_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same for a web server, as `carts build --hosted` does."""
+    return _built_once(tmp_path_factory, "hosted", hosted=True)
+
+
+def _built_once(factory: pytest.TempPathFactory, name: str, *, hosted: bool) -> Path:
+    """The site, built by the first worker of a run that needs it. Tests do not write into it."""
     from sim.cli.build import build_site
 
-    built = build_site(ROOT, hosted=True, strict=True, site_dir=tmp_path_factory.mktemp("hosted"))
-    assert built is not None, "the site cannot be built: see the messages above"
-    return built
+    own = factory.getbasetemp()
+    shared = own.parent if os.environ.get("PYTEST_XDIST_WORKER") else own
+    folder = shared / f"shared-{name}"
+    with (shared / f"{name}.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        done = shared / f"{name}.built"
+        if not done.exists():
+            built = build_site(ROOT, hosted=hosted, strict=True, site_dir=folder)
+            assert built is not None, "the site cannot be built: see the messages above"
+            done.touch()
+    return folder
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -59,7 +70,10 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """`make fuzz` runs the random tests only."""
+    """`make fuzz` runs the random tests only. Files that take long come first: the last of them
+    would else run alone, while the other worker has nothing left to do."""
+    slow = {item.path for item in items if item.get_closest_marker("slow")}
+    items.sort(key=lambda item: item.path not in slow)
     if config.getoption("--fuzz"):
         items[:] = [
             item

@@ -13,10 +13,13 @@ from tests.web.pages_of import listen, one_of_each_kind, pages, settle
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 
-def test_no_page_breaks_its_policy_from_disk(site: Path, open_page: OpenPage) -> None:
+def test_no_page_breaks_its_policy_from_disk(
+    site: Path, open_page: OpenPage, browser_name: str
+) -> None:
+    """All pages in one browser, of each kind one in the other: what differs is the kind."""
     page = open_page(site / "index.html")
     heard = listen(page)
-    for name in pages(site):
+    for name in pages(site) if browser_name == "chromium" else one_of_each_kind(site):
         page.goto((site / name).as_uri())
         settle(page)
     assert heard == []
@@ -26,17 +29,14 @@ def test_no_page_breaks_its_policy_from_disk(site: Path, open_page: OpenPage) ->
 def test_no_page_breaks_its_policy_from_a_server(
     built: str,
     open_page: OpenPage,
-    browser_name: str,
     site_server: Callable[[Path], str],
     request: pytest.FixtureRequest,
 ) -> None:
-    """All pages of the hosted build in one browser; of each kind one in the others."""
     folder = request.getfixturevalue(built)
     address = site_server(folder)
     page = open_page(f"{address}/index.html")
     heard = listen(page)
-    every = built == "hosted_site" and browser_name == "chromium"
-    for name in pages(folder) if every else one_of_each_kind(folder):
+    for name in one_of_each_kind(folder):
         page.goto(f"{address}/{name}")
         settle(page)
     assert heard == []

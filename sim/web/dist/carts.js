@@ -7818,6 +7818,8 @@ ${lines2.join("\n")}
     leaving = true;
   });
   addEventListener("pageshow", stay);
+  if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {
+  });
   var isLeaving = () => leaving;
   function staying() {
     return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();

@@ -1036,6 +1036,8 @@
     leaving = true;
   });
   addEventListener("pageshow", stay);
+  if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {
+  });
   var isLeaving = () => leaving;
   function staying() {
     return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();

@@ -1772,6 +1772,8 @@
     leaving = true;
   });
   addEventListener("pageshow", stay);
+  if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {
+  });
   var isLeaving = () => leaving;
   function staying() {
     return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();

@@ -24,6 +24,11 @@ addEventListener("pagehide", () => {
 });
 addEventListener("pageshow", stay); // back from the history: the page goes on where it was
 
+// Firefox keeps a page that is left for its history, frozen, and with it a worker that is just
+// starting; the worker of the next page then waits for that one for ever. A page that listens to
+// “unload” is not kept.
+if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {});
+
 /** @returns {boolean} */
 export const isLeaving = () => leaving;
 
