@@ -95,6 +95,9 @@ def build_site(
             plugin.config["hosted"] = hosted
             with pages_on_terminal(config):
                 config.plugins.on_startup(command="build", dirty=False)
+                for one in config.plugins.values():  # MkDocs keeps them from a preview before
+                    if hasattr(one, "search_index_prev"):
+                        one.search_index_prev = None
                 build(config)
                 config.plugins.on_shutdown()
         if seen:
