@@ -46,7 +46,9 @@ def settled(page: Page) -> None:
 
 def test_the_pictures_are_taken(lessons: Path, chromium: Browser) -> None:
     HOWTO.mkdir(parents=True, exist_ok=True)
-    page = chromium.new_page(viewport={"width": 1200, "height": 760})
+    page = chromium.new_page(
+        viewport={"width": 1200, "height": 760}, device_scale_factor=0.75
+    )  # a page without Python stays light
     teacher(page, lessons)
     mass = page.locator(".carts-teach-piece[open]").get_by_label("mass", exact=True).first
     mass.fill("1.5 kg")
