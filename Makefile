@@ -37,7 +37,7 @@ wheel: node_modules/ready
 
 #   make test          every test, browsers included (at most 20 minutes on two cores)
 test: site browsers
-	@$(PY) -m pytest -n 2 --dist loadfile
+	@$(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 
 #   make test-fast     the tests that need no browser and no site (two minutes)
 test-fast: node_modules/ready
