@@ -255,7 +255,11 @@ def test_a_link_restores_the_state_and_files_are_saved(
     play.evaluate(SAVED)  # Firefox's driver tells of no downloads
     for kind, start in (("csv", "t in s,"), ("svg", "<svg xm"), ("png", "\ufffdPNG\r\n\x1a")):
         play.locator(f"#play [data-take={kind}]").click()
-        play.wait_for_function("name => window.saved[name]", arg=f"play.{kind}")
+        play.evaluate(
+            """async (name) => { while (!window.saved[name])
+                await new Promise((resolve) => setTimeout(resolve, 50)); }""",
+            f"play.{kind}",
+        )
         assert play.evaluate(f"window.saved['play.{kind}']") == start
     other = open_page(widget_site / "play.html")
     other.goto("about:blank")
