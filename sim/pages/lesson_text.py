@@ -25,10 +25,11 @@ _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
-_ORDER = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?order:[ \t]*(\d{1,4})[ \t]*\n")
-_LANGUAGE = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?language:[ \t]*(\S[^\n#]*)")
+_AT_THE_TOP = r"\A---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
+_ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*(\d{1,4})[ \t]*\n")
+_LANGUAGE = re.compile(_AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
 LAST = 1000  # lessons without a place of their own come behind those with one
-_STATED = re.compile(r"\A---\s*\n(?:(?!---).*\n)*?minutes:[ \t]*(\d+)[ \t]*\n")
+_STATED = re.compile(_AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
 _Found = tuple[int, str, str, str]  # place in the text, code, message, hint
 _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 

@@ -12,7 +12,7 @@ import hashlib
 import json
 import re
 from base64 import b64encode
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from html import escape
 from html.parser import HTMLParser
@@ -100,7 +100,6 @@ def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
     return any(pattern.fullmatch(script) for pattern in trusted)
 
 
-_OURS = re.compile(r'<script src="[^"]*/?(?:carts|class|measured|answers|class-keys)\.js">')
 _THEME_SCRIPTS = '<script id="__config"'  # where the theme's scripts begin, below the page's text
 
 
@@ -136,48 +135,29 @@ def finish(
         ]
     page = _EMPTY_HEAD.sub(r"<td\1></td>", _RENAMED.sub(r"\1", page))
     page = _NEIGHBOURS.sub("", page).replace("<head>", first, 1)
-    if needs.scenes:
-        # Before the theme's own script: a scene answers to Play while that is still being read.
-        ours = f'<script src="{assets}carts.js"></script>\n'
-        place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
-        page = page.replace(place, ours + place, 1)
-    if needs.measured:
-        ours = f'<script src="{assets}measured.js"></script>\n'
-        place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
-        page = page.replace(place, ours + place, 1)
-    if needs.classroom:
-        names = ("class-keys.js", "class.js")
-        ours = "".join(f'<script src="{assets}{name}"></script>\n' for name in names)
-        place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
-        page = page.replace(place, ours + place, 1)
-    page = _with_answers(page, assets, needs.outline)
-    page = _in_language(page, assets, needs.language)
+    # Before the theme's own script: a scene answers to Play while that is still being read.
+    place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
+    page = page.replace(place, "".join(f"{line}\n" for line in _scripts(assets, needs)) + place, 1)
+    if needs.language != ENGLISH:
+        page = re.sub(r'<html lang="[\w-]*"', f'<html lang="{needs.language}"', page, count=1)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
     # The theme's search dialog has no name for screen readers.
     return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)
 
 
-def _with_answers(page: str, assets: str, outline: Mapping[str, Any] | None) -> str:
-    """The page with the script that keeps answers: every page has the panel “My answers”."""
-    facts = ""
-    if outline is not None:
-        text = json.dumps(outline, ensure_ascii=False, separators=(",", ":")).replace(
-            "<", "\\u003c"
-        )
-        facts = f'<script type="application/json" id="carts-lesson">{text}</script>\n'
-    ours = f'{facts}<script src="{assets}answers.js"></script>\n'
-    place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
-    return page.replace(place, ours + place, 1)
-
-
-def _in_language(page: str, assets: str, language: str) -> str:
-    """The page with the words of its language, before the scripts that say them."""
-    if language == ENGLISH:
-        return page
-    page = re.sub(r'<html lang="[\w-]*"', f'<html lang="{language}"', page, count=1)
-    words = f'<script src="{assets}words.{language}.js"></script>\n'
-    first = _OURS.search(page)
-    return page[: first.start()] + words + page[first.start() :] if first else page
+def _scripts(assets: str, needs: Needs) -> Iterator[str]:
+    """The scripts of ours that a page needs: the words of its language before those that say them,
+    and on every page the one that keeps answers and has the panel “My answers”."""
+    names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
+    names += ["carts.js"] if needs.scenes else []
+    names += ["measured.js"] if needs.measured else []
+    names += ["class-keys.js", "class.js"] if needs.classroom else []
+    yield from (f'<script src="{assets}{name}"></script>' for name in names)
+    if needs.outline is not None:
+        text = json.dumps(needs.outline, ensure_ascii=False, separators=(",", ":"))
+        text = text.replace("<", "\\u003c")
+        yield f'<script type="application/json" id="carts-lesson">{text}</script>'
+    yield f'<script src="{assets}answers.js"></script>'
 
 
 class _Blocked(HTMLParser):

@@ -16,13 +16,12 @@ from sim.pages.language.catalogue import (
     words,
     words_script,
 )
-from sim.pages.language.say import form_of, heard, mark, speaking, tr, tr_html
+from sim.pages.language.say import heard, mark, speaking, tr, tr_html
 
 __all__ = [
     "ENGLISH",
     "LANGUAGES",
     "UnknownLanguageError",
-    "form_of",
     "heard",
     "language_folder",
     "language_of",

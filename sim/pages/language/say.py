@@ -78,7 +78,7 @@ class _Form:
 @cache
 def _forms(keys: tuple[str, ...]) -> tuple[_Form, ...]:
     """Keys with places, those with most text of their own first."""
-    made = [_Form(key, form_of(key), _PLACE.sub("", key)) for key in keys if _PLACE.search(key)]
+    made = [_Form(key, _form_of(key), _PLACE.sub("", key)) for key in keys if _PLACE.search(key)]
     return tuple(sorted(made, key=lambda form: (-len(form.own), form.key)))
 
 
@@ -87,7 +87,7 @@ def _large(keys: tuple[str, ...]) -> tuple[_Form, ...]:
     return tuple(form for form in _forms(keys) if form.words >= ENOUGH)
 
 
-def form_of(key: str) -> re.Pattern[str]:
+def _form_of(key: str) -> re.Pattern[str]:
     """What a sentence looks like that fills the places of `key`; {a} holds a single word."""
     parts, named = [], set()
     for k, piece in enumerate(_PLACE.split(key)):

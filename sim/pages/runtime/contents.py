@@ -13,7 +13,7 @@ from .class_wheel import make_extra_wheel
 from .classic import classic_script
 from .lock import make_lock
 from .node import code_key, node_version
-from .ours import CLASSROOM, ENTRY, NAME, TEACHER, Ours
+from .ours import ENTRY, NAME, Ours
 from .packages import MORE, make_packages, more_of_stdlib
 from .payload import Payload, payload_from_json, write_payload
 from .snapshot import make_start
@@ -62,7 +62,9 @@ def make_contents(
         packages = make_packages(originals, core, stdlib, cache, report)
         wheels |= packages.wheels
         more += packages.used
+    ours_too = {NAME}
     for extra in extras:
+        ours_too.add(extra.name)
         made = make_extra_wheel(core, stdlib, start.wheel, extra, cache)
         wheels[extra.name] = made.wheel
         more += made.used
@@ -86,7 +88,6 @@ def make_contents(
         "lock": lock,
     }
     scripts = {part.src: folder / part.src for folder, p in payloads for part in p.parts}
-    ours_too = (NAME, CLASSROOM, TEACHER)
     versions |= {n: path.name.split("-")[1] for n, path in wheels.items() if n not in ours_too}
     return Contents(scripts, index, versions)
 
