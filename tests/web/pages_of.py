@@ -22,9 +22,16 @@ def listen(page: Page) -> list[str]:
 
 
 def settle(page: Page) -> None:
-    """Wait until all is loaded and Python runs in every scene, so that all has been heard."""
+    """Wait until all is loaded and Python runs where the page starts it: then all has been heard.
+
+    A page that is left earlier is no fault of its own: Firefox then complains of the files under
+    way that a service worker was to bring.
+    """
     expect(page.locator("html.js")).to_be_attached()
     page.wait_for_load_state()
+    expect(page.locator("html:is([data-python=starting], [data-python=failed])")).to_have_count(
+        0, timeout=60_000
+    )
     expect(page.locator("carts-scene:not([data-state=live])")).to_have_count(0, timeout=60_000)
 
 

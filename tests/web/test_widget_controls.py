@@ -2,76 +2,17 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import MEETING, live, on_scene, widget_site, write_page
+from tests.web.widget_site import PLAY, live, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
 __all__ = ["widget_site"]  # a fixture
-
-
-def test_the_element_keeps_its_promises(open_page: OpenPage, widget_site: Path) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
-    told = on_scene(
-        page,
-        """
-        await el.ready;
-        const heard = [];
-        el.addEventListener("carts-update", ({ detail }) => heard.push(detail));
-        await el.set({ "A.mass": 2, "contact.restitution": "0.5" });
-        const { trajectory, plan } = el;
-        const last = trajectory.t.length - 1;
-        const out = { heard, v: [trajectory.v.A[last], trajectory.v.B[last]], plan: plan.length };
-        out.kinds = [trajectory.t, trajectory.x.A, trajectory.F["A-B"]].map((c) =>
-          c instanceof Float64Array);
-        out.events = trajectory.events.length;
-        el.time = 1.25;
-        out.time = el.time;
-        out.measures = performance.getEntriesByName("carts:update").length;
-        return out;
-        """,
-    )
-    assert told["heard"] == [{"A.mass": 2, "contact.restitution": "0.5"}]
-    assert told["kinds"] == [True] * 3
-    assert told["plan"] > 1
-    assert told["events"] > 3
-    assert told["time"] == 1.25
-    assert told["measures"] == 1
-    assert page.locator("#meeting .carts-clock").inner_text().startswith("1.25")
-    # 2 kg at 0.6 m/s meets 1 kg at rest, e = 0.5: 0.3 and 0.6 m/s; then B comes back from the wall
-    assert min(told["v"]) < 0.3
-
-
-def test_a_value_that_makes_no_sense_is_refused_and_the_run_stays(
-    open_page: OpenPage, widget_site: Path
-) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
-    told = on_scene(
-        page,
-        """
-        const before = el.trajectory;
-        const errors = [];
-        for (const changes of [{ "A.mass": -1 }, { "A.mass": "1 s" }, { "Z.mass": 1 },
-          { "A.mass": "NaN" }, { "contact.restitution": 2 }]) {
-          await el.set(changes).catch((error) => errors.push(error.message));
-        }
-        const same = el.trajectory === before;
-        await el.set({ "A.velocity": 0.7 });
-        return { errors, same, after: el.trajectory.v.A[0] };
-        """,
-    )
-    assert len(told["errors"]) == 5
-    assert all(told["errors"])
-    assert told["same"]
-    assert told["after"] == pytest.approx(0.7)
 
 
 def test_a_slider_and_its_box_are_one(open_page: OpenPage, widget_site: Path) -> None:
@@ -166,33 +107,9 @@ def test_a_table_is_filled_when_it_is_opened(open_page: OpenPage, widget_site: P
     expect(table.locator("tbody tr").first.locator("td").nth(1)).to_have_text("1.00")
 
 
-PLAY: dict[str, Any] = {
-    **MEETING,
-    "id": "play",
-    "presets": {"elastic": {"contact.restitution": 1}, "heavy hits light": {"A.mass": "4 kg"}},
-    "controls": [
-        *MEETING["controls"],
-        {"set": "A.position", "from": "0.2 m", "to": "1 m", "step": "0.1 m"},
-    ],
-}
-
-
 @pytest.fixture
 def play(open_page: OpenPage, widget_site: Path) -> Page:
     return live(open_page(write_page(widget_site, "play", PLAY)), "play")
-
-
-SAVED = """() => {
-  window.saved = {};
-  HTMLAnchorElement.prototype.click = function () {
-    const name = this.download;
-    const blob = window.blobs.at(-1);
-    blob.slice(0, 7).text().then((text) => { window.saved[name] = text; });
-  };
-  window.blobs = [];
-  const make = URL.createObjectURL;
-  URL.createObjectURL = (blob) => { window.blobs.push(blob); return make.call(URL, blob); };
-}"""
 
 
 def value(page: Page, target: str) -> str:
@@ -242,63 +159,3 @@ def test_carts_and_arrows_are_pulled_at_the_start(play: Page) -> None:
     on_scene(play, "el.time = 0.5;", name="play")
     pull(cart, -0.3 * metre)
     assert value(play, "A.position") == "0.7"  # only at the start
-
-
-def test_a_link_restores_the_state_and_files_are_saved(
-    open_page: OpenPage, widget_site: Path, play: Page
-) -> None:
-    on_scene(play, "await el.set({ 'A.mass': 3 }); el.time = 1;", name="play")
-    play.locator("#play .carts-take summary").click()
-    play.locator("#play [data-take=link]").click()
-    address = play.locator("#play .carts-take textarea")
-    expect(address).to_have_value(re.compile(r"#carts:play\?A\.mass=3&t=1$"))
-    play.evaluate(SAVED)  # Firefox's driver tells of no downloads
-    for kind, start in (("csv", "t in s,"), ("svg", "<svg xm"), ("png", "\ufffdPNG\r\n\x1a")):
-        play.locator(f"#play [data-take={kind}]").click()
-        play.evaluate(
-            """async (name) => { while (!window.saved[name])
-                await new Promise((resolve) => setTimeout(resolve, 50)); }""",
-            f"play.{kind}",
-        )
-        assert play.evaluate(f"window.saved['play.{kind}']") == start
-    other = open_page(widget_site / "play.html")
-    other.goto("about:blank")
-    other.goto(address.input_value())
-    live(other, "play")
-    expect(other.locator('#play [data-set="A.mass"] .carts-number-box')).to_have_value("3.0")
-    other.goto("about:blank")
-    other.goto((widget_site / "play.html").as_uri() + "#carts:play?A.mass=-1")
-    live(other, "play")
-    expect(other.locator("#play .carts-note")).to_contain_text("does not fit this scene")
-
-
-def test_a_program_of_the_values_on_screen_can_be_taken_along(
-    open_page: OpenPage, widget_site: Path
-) -> None:
-    page = live(open_page(widget_site / "meeting.html"))
-    on_scene(page, "await el.set({ 'A.mass': 2.5 })")
-    page.locator("#meeting .carts-take summary").click()
-    page.evaluate(SAVED)  # Firefox's driver tells of no downloads
-    page.locator("#meeting [data-take=program]").click()
-    page.evaluate(
-        """async () => { while (!window.saved["meeting.py"])
-            await new Promise((resolve) => setTimeout(resolve, 50)); }"""
-    )  # the policy forbids the driver's own way of waiting
-    text = page.locator("#meeting .carts-take textarea").input_value()
-    assert "mass = [2.5, 1.0]" in text
-    compile(text, "meeting.py", "exec")
-
-
-def test_a_hosted_page_shows_its_link_as_a_code_for_phones(
-    open_page: OpenPage, widget_site: Path, site_server: Callable[[Path], str]
-) -> None:
-    address = site_server(widget_site)
-    page = live(open_page(f"{address}/meeting.html", folder=widget_site))
-    page.locator("#meeting .carts-take summary").click()
-    page.locator("#meeting [data-take=link]").click()
-    picture = page.get_by_role("img", name="QR code of the link")
-    expect(picture).to_be_visible()
-    box = picture.bounding_box()
-    assert box and box["width"] == box["height"] >= 100
-    page.locator("#meeting [data-take=block]").click()
-    expect(picture).to_have_count(0)

@@ -36,6 +36,15 @@ MEETING: dict[str, Any] = {
         {"set": "contact.restitution", "from": "0.1", "to": "1", "step": "0.05"},
     ],
 }
+PLAY: dict[str, Any] = {
+    **MEETING,
+    "id": "play",
+    "presets": {"elastic": {"contact.restitution": 1}, "heavy hits light": {"A.mass": "4 kg"}},
+    "controls": [
+        *MEETING["controls"],
+        {"set": "A.position", "from": "0.2 m", "to": "1 m", "step": "0.1 m"},
+    ],
+}
 ARROWS = {**MEETING, "id": "arrows", "predict": {"arrows": ["A-B"]}}
 CURVE = {**MEETING, "id": "curve", "predict": {"curve": "F.A"}}
 CHOICE = {

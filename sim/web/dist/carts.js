@@ -1,167 +1,5 @@
 "use strict";
 (() => {
-  // src/client.js
-  var RESTARTS = 3;
-  var Client = class extends EventTarget {
-    /** @type {State} */
-    state = "idle";
-    /** @type {(Error & {reason?: string}) | null} */
-    error = null;
-    /** @type {Runtime | null} */
-    #runtime = null;
-    /** @type {Job[]} */
-    #waiting = [];
-    /** @type {Job | null} */
-    #flying = null;
-    #restarts = 0;
-    #lastId = 0;
-    /** @type {string[]} packages that were asked for after the start */
-    #asked = [];
-    /** @type {string[]} those of them that Python has, and gets again after a restart */
-    #more = [];
-    /** @type {Promise<void>} when they are there */
-    #growing = Promise.resolve();
-    /** @param {Start} start */
-    constructor(start) {
-      super();
-      this.start = start;
-    }
-    /** Starts Python if nobody has yet. */
-    wake() {
-      if (this.state === "idle") void this.#boot();
-    }
-    /**
-     * Has packages that no scene of the page called for. A second Python starts with them and takes
-     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
-     * @param {string[]} names @returns {Promise<void>}
-     */
-    need(names) {
-      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
-      const before = this.#asked;
-      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
-      const needed = this.#growing.catch(() => {
-      }).then(() => this.#grow(this.#asked));
-      this.#growing = needed;
-      needed.catch(() => {
-        this.#asked = before;
-      });
-      return needed;
-    }
-    /** @param {string[]} names */
-    async #grow(names) {
-      this.wake();
-      await this.#settled();
-      if (this.state === "failed") throw this.error;
-      this.#use(await this.start(names));
-      this.#more = names;
-      this.#become("ready");
-      this.#next();
-    }
-    /** Resolves when Python is not just starting. @returns {Promise<void>} */
-    #settled() {
-      if (this.state !== "starting") return Promise.resolve();
-      return new Promise((resolve) => {
-        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
-      });
-    }
-    /**
-     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
-     * both promises then get the newer answer.
-     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
-     */
-    ask(owner, message) {
-      if (this.state === "failed") return Promise.reject(this.error);
-      this.wake();
-      return new Promise((resolve, reject) => {
-        const settle = { resolve, reject };
-        const older = this.#waiting.find((job) => job.owner === owner);
-        if (older) {
-          older.message = message;
-          older.settle.push(settle);
-        } else this.#waiting.push({ owner, message, settle: [settle] });
-        this.#next();
-      });
-    }
-    #next() {
-      if (this.#flying || !this.#runtime) return;
-      const job = this.#waiting.shift();
-      if (!job) return;
-      this.#flying = job;
-      const runtime = this.#runtime;
-      this.#lastId += 1;
-      const sent = { ...job.message(), id: this.#lastId };
-      const landed = () => {
-        if (runtime !== this.#runtime || this.#flying !== job) return false;
-        this.#flying = null;
-        return true;
-      };
-      runtime.request(sent).then(
-        (reply) => {
-          if (!landed()) return;
-          this.#restarts = 0;
-          for (const { resolve } of job.settle) resolve({ ...reply, sent });
-          this.#next();
-        },
-        (error) => {
-          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
-          if (!landed()) return;
-          for (const { reject } of job.settle) reject(error);
-          this.#next();
-        }
-      );
-    }
-    async #boot() {
-      this.#become("starting");
-      try {
-        this.#use(await this.start(this.#more));
-        this.#become("ready");
-        this.#next();
-      } catch (error) {
-        this.#fail(error);
-      }
-    }
-    /** @param {Runtime} runtime @param {unknown} reason */
-    #lost(runtime, reason) {
-      if (runtime !== this.#runtime) return;
-      this.#runtime = null;
-      runtime.stop();
-      this.#takeBack();
-      this.#restarts += 1;
-      if (this.#restarts > RESTARTS) this.#fail(reason);
-      else void this.#boot();
-    }
-    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
-    #use(runtime) {
-      const older = this.#runtime;
-      runtime.onlost = (reason) => this.#lost(runtime, reason);
-      this.#runtime = runtime;
-      older?.stop();
-      this.#takeBack();
-    }
-    /** The request under way waits again, in front: whoever could answer it is gone. */
-    #takeBack() {
-      const job = this.#flying;
-      this.#flying = null;
-      if (!job) return;
-      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
-      if (newer) newer.settle.unshift(...job.settle);
-      else this.#waiting.unshift(job);
-    }
-    /** @param {unknown} reason */
-    #fail(reason) {
-      this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
-      this.#become("failed");
-      for (const { settle } of this.#waiting.splice(0)) {
-        for (const { reject } of settle) reject(this.error);
-      }
-    }
-    /** @param {State} state */
-    #become(state) {
-      this.state = state;
-      this.dispatchEvent(new Event("state"));
-    }
-  };
-
   // src/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
@@ -1857,8 +1695,8 @@
     const script = need(element, "script.carts-baked");
     const baked = JSON.parse(script.textContent ?? "");
     const differs = JSON.parse(template.dataset.baked ?? "");
-    const frame3 = need(element, ".carts-frame");
-    frame3.replaceWith(template.content);
+    const frame2 = need(element, ".carts-frame");
+    frame2.replaceWith(template.content);
     script.textContent = JSON.stringify({ ...baked, ...differs });
     template.remove();
     const note = element.querySelector(".carts-found");
@@ -2150,9 +1988,14 @@
   function frame() {
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
+  var MEASURES = 200;
+  function waited(name2, at) {
+    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
+    performance.measure(name2, { start: at, end: performance.now() });
+  }
   async function drawn(scene, at, detail) {
     await frame();
-    performance.measure("carts:update", { start: at, end: performance.now() });
+    waited("carts:update", at);
     scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
   }
   function deferred() {
@@ -3007,10 +2850,10 @@
     }
     /** @param {PointerEvent} event */
     #point(event) {
-      const frame3 = this.pad.getBoundingClientRect();
-      const scale = 360 / frame3.width;
-      const k = Math.round(((event.clientX - frame3.left) * scale - LEFT2) / STEP3);
-      const height = (BOTTOM2 - (event.clientY - frame3.top) * scale) / PER_HEIGHT;
+      const frame2 = this.pad.getBoundingClientRect();
+      const scale = 360 / frame2.width;
+      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT2) / STEP3);
+      const height = (BOTTOM2 - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
     /** @param {number} k @param {number} height */
@@ -4426,7 +4269,7 @@ ${lines2.join("\n")}
     return graph;
   }
   function plot(clip, isForce) {
-    const frame3 = svg("svg", {
+    const frame2 = svg("svg", {
       class: "carts-plot",
       viewBox: `0 0 ${WIDTH3} ${HEIGHT}`,
       "aria-hidden": "true"
@@ -4444,7 +4287,7 @@ ${lines2.join("\n")}
       areas.append(svg("path", { class: "carts-impulse" }), svg("path", { class: "carts-impulse" }));
     const cursor = svg("g", { "data-part": "cursor", ...cut });
     cursor.append(svg("path", { class: "carts-cursor", d: `M0 ${TOP2}V${BOTTOM3}` }));
-    frame3.append(
+    frame2.append(
       defs,
       svg("g", { "data-part": "times" }),
       svg("g", { "data-part": "values" }),
@@ -4453,7 +4296,7 @@ ${lines2.join("\n")}
       svg("g", { "data-part": "curves", ...cut }),
       cursor
     );
-    return frame3;
+    return frame2;
   }
 
   // src/drag.js
@@ -4993,8 +4836,8 @@ ${lines2.join("\n")}
       this.button?.addEventListener("click", () => this.#toggle());
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
-        const frame3 = this.plot.getBoundingClientRect();
-        const x2 = (event.clientX - frame3.left) / frame3.width * WIDTH3;
+        const frame2 = this.plot.getBoundingClientRect();
+        const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH3;
         const part2 = Math.min(1, Math.max(0, (x2 - LEFT3) / (RIGHT2 - LEFT3)));
         const { low, high } = this.#plane.time;
         seek(low + part2 * (high - low));
@@ -7628,13 +7471,13 @@ ${lines2.join("\n")}
         const generation = this.#generation;
         const first = await this.#ask(settings, 0);
         if (generation !== this.#generation) return;
-        if (!first.header.ok) throw refusal3(first.header.problems ?? []);
+        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
         this.#settings = settings;
         showSettings(this, this.#facts?.controls ?? [], settings);
         const { axes, rows, columns, why, runs } = first.header;
         this.#draw({ axes, rows, columns, why, values: first.numbers });
-        await frame2();
-        performance.measure("carts:map", { start: at, end: performance.now() });
+        await frame();
+        waited("carts:map", at);
         this.#filling = this.#fill(settings, first.header.done, runs, generation);
       }
       /**
@@ -7751,13 +7594,168 @@ ${lines2.join("\n")}
       }
     };
   }
-  function refusal3([first]) {
-    if (!first) return new Error("This value does not work.");
-    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
-  }
-  function frame2() {
-    return new Promise((resolve) => requestAnimationFrame(resolve));
-  }
+
+  // src/client.js
+  var RESTARTS = 3;
+  var Client = class extends EventTarget {
+    /** @type {State} */
+    state = "idle";
+    /** @type {(Error & {reason?: string}) | null} */
+    error = null;
+    /** @type {Runtime | null} */
+    #runtime = null;
+    /** @type {Job[]} */
+    #waiting = [];
+    /** @type {Job | null} */
+    #flying = null;
+    #restarts = 0;
+    #lastId = 0;
+    /** @type {string[]} packages that were asked for after the start */
+    #asked = [];
+    /** @type {string[]} those of them that Python has, and gets again after a restart */
+    #more = [];
+    /** @type {Promise<void>} when they are there */
+    #growing = Promise.resolve();
+    /** @param {Start} start */
+    constructor(start) {
+      super();
+      this.start = start;
+    }
+    /** Starts Python if nobody has yet. */
+    wake() {
+      if (this.state === "idle") void this.#boot();
+    }
+    /**
+     * Has packages that no scene of the page called for. A second Python starts with them and takes
+     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+     * @param {string[]} names @returns {Promise<void>}
+     */
+    need(names) {
+      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
+      const before = this.#asked;
+      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
+      const needed = this.#growing.catch(() => {
+      }).then(() => this.#grow(this.#asked));
+      this.#growing = needed;
+      needed.catch(() => {
+        this.#asked = before;
+      });
+      return needed;
+    }
+    /** @param {string[]} names */
+    async #grow(names) {
+      this.wake();
+      await this.#settled();
+      if (this.state === "failed") throw this.error;
+      this.#use(await this.start(names));
+      this.#more = names;
+      this.#become("ready");
+      this.#next();
+    }
+    /** Resolves when Python is not just starting. @returns {Promise<void>} */
+    #settled() {
+      if (this.state !== "starting") return Promise.resolve();
+      return new Promise((resolve) => {
+        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
+      });
+    }
+    /**
+     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
+     * both promises then get the newer answer.
+     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
+     */
+    ask(owner, message) {
+      if (this.state === "failed") return Promise.reject(this.error);
+      this.wake();
+      return new Promise((resolve, reject) => {
+        const settle = { resolve, reject };
+        const older = this.#waiting.find((job) => job.owner === owner);
+        if (older) {
+          older.message = message;
+          older.settle.push(settle);
+        } else this.#waiting.push({ owner, message, settle: [settle] });
+        this.#next();
+      });
+    }
+    #next() {
+      if (this.#flying || !this.#runtime) return;
+      const job = this.#waiting.shift();
+      if (!job) return;
+      this.#flying = job;
+      const runtime = this.#runtime;
+      this.#lastId += 1;
+      const sent = { ...job.message(), id: this.#lastId };
+      const landed = () => {
+        if (runtime !== this.#runtime || this.#flying !== job) return false;
+        this.#flying = null;
+        return true;
+      };
+      runtime.request(sent).then(
+        (reply) => {
+          if (!landed()) return;
+          this.#restarts = 0;
+          for (const { resolve } of job.settle) resolve({ ...reply, sent });
+          this.#next();
+        },
+        (error) => {
+          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (!landed()) return;
+          for (const { reject } of job.settle) reject(error);
+          this.#next();
+        }
+      );
+    }
+    async #boot() {
+      this.#become("starting");
+      try {
+        this.#use(await this.start(this.#more));
+        this.#become("ready");
+        this.#next();
+      } catch (error) {
+        this.#fail(error);
+      }
+    }
+    /** @param {Runtime} runtime @param {unknown} reason */
+    #lost(runtime, reason) {
+      if (runtime !== this.#runtime) return;
+      this.#runtime = null;
+      runtime.stop();
+      this.#takeBack();
+      this.#restarts += 1;
+      if (this.#restarts > RESTARTS) this.#fail(reason);
+      else void this.#boot();
+    }
+    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
+    #use(runtime) {
+      const older = this.#runtime;
+      runtime.onlost = (reason) => this.#lost(runtime, reason);
+      this.#runtime = runtime;
+      older?.stop();
+      this.#takeBack();
+    }
+    /** The request under way waits again, in front: whoever could answer it is gone. */
+    #takeBack() {
+      const job = this.#flying;
+      this.#flying = null;
+      if (!job) return;
+      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+      if (newer) newer.settle.unshift(...job.settle);
+      else this.#waiting.unshift(job);
+    }
+    /** @param {unknown} reason */
+    #fail(reason) {
+      this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
+      this.#become("failed");
+      for (const { settle } of this.#waiting.splice(0)) {
+        for (const { reject } of settle) reject(this.error);
+      }
+    }
+    /** @param {State} state */
+    #become(state) {
+      this.state = state;
+      this.dispatchEvent(new Event("state"));
+    }
+  };
 
   // src/runtime-failure.js
   var MESSAGES = {
@@ -8204,6 +8202,23 @@ ${lines2.join("\n")}
     }
   };
 
+  // src/page-python.js
+  function pagePython(script, packages2) {
+    const base = new URL("runtime/", script).href;
+    const client = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
+    const tell = () => {
+      document.documentElement.dataset.python = client.state;
+    };
+    client.addEventListener("state", tell);
+    return client;
+  }
+  function startWhenIdle(client) {
+    document.documentElement.dataset.python = "starting";
+    if (typeof requestIdleCallback === "function") {
+      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
+    } else setTimeout(() => client.wake(), 200);
+  }
+
   // src/main.js
   var own = (
     /** @type {HTMLScriptElement | null} */
@@ -8218,16 +8233,11 @@ ${lines2.join("\n")}
   if (missing.length) {
     for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
   } else {
-    const base = new URL("runtime/", own).href;
-    const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
+    const client = pagePython(own, packages);
     customElements.define("carts-scene", sceneElement(client));
     customElements.define("carts-map", mapElement(client));
     customElements.define("carts-cost", costElement(client));
     customElements.define("carts-hard", hardElement(client));
-    if (document.querySelector("carts-scene")) {
-      if (typeof requestIdleCallback === "function") {
-        requestIdleCallback(() => client.wake(), { timeout: 1e3 });
-      } else setTimeout(() => client.wake(), 200);
-    }
+    if (document.querySelector("carts-scene")) startWhenIdle(client);
   }
 })();

@@ -799,6 +799,22 @@
     };
   }
 
+  // src/features.js
+  function missingFeatures() {
+    const needed = [
+      [tr("custom elements"), typeof customElements === "object"],
+      ["WebAssembly", typeof WebAssembly === "object"],
+      [tr("workers"), typeof Worker === "function"],
+      [tr("decompression"), typeof DecompressionStream === "function"],
+      [tr("array methods"), typeof Array.prototype.findLast === "function"],
+      [
+        tr("container queries"),
+        typeof CSS === "object" && CSS.supports("container-type: inline-size")
+      ]
+    ];
+    return needed.filter(([, there]) => !there).map(([name]) => name);
+  }
+
   // src/client.js
   var RESTARTS = 3;
   var Client = class extends EventTarget {
@@ -960,22 +976,6 @@
       this.dispatchEvent(new Event("state"));
     }
   };
-
-  // src/features.js
-  function missingFeatures() {
-    const needed = [
-      [tr("custom elements"), typeof customElements === "object"],
-      ["WebAssembly", typeof WebAssembly === "object"],
-      [tr("workers"), typeof Worker === "function"],
-      [tr("decompression"), typeof DecompressionStream === "function"],
-      [tr("array methods"), typeof Array.prototype.findLast === "function"],
-      [
-        tr("container queries"),
-        typeof CSS === "object" && CSS.supports("container-type: inline-size")
-      ]
-    ];
-    return needed.filter(([, there]) => !there).map(([name]) => name);
-  }
 
   // src/runtime-failure.js
   var MESSAGES = {
@@ -1422,6 +1422,23 @@
     }
   };
 
+  // src/page-python.js
+  function pagePython(script, packages) {
+    const base = new URL("runtime/", script).href;
+    const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
+    const tell = () => {
+      document.documentElement.dataset.python = client.state;
+    };
+    client.addEventListener("state", tell);
+    return client;
+  }
+  function startWhenIdle(client) {
+    document.documentElement.dataset.python = "starting";
+    if (typeof requestIdleCallback === "function") {
+      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
+    } else setTimeout(() => client.wake(), 200);
+  }
+
   // src/class-main.js
   var own = (
     /** @type {HTMLScriptElement | null} */
@@ -1434,11 +1451,8 @@
       place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
     }
   } else {
-    const base = new URL("runtime/", own).href;
-    const client = new Client((more) => startRuntime({ base, packages: [CLASSROOM, ...more] }));
+    const client = pagePython(own, () => [CLASSROOM]);
     customElements.define("carts-class", classElement(client));
-    if (typeof requestIdleCallback === "function") {
-      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
-    } else setTimeout(() => client.wake(), 200);
+    startWhenIdle(client);
   }
 })();

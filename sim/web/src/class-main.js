@@ -1,9 +1,8 @@
 /** The script of the page “Class results”: Python with questions and statistics, and its element. */
 
 import { classElement } from "./class/element.js";
-import { Client } from "./client.js";
 import { missingFeatures } from "./features.js";
-import { startRuntime } from "./runtime.js";
+import { pagePython, startWhenIdle } from "./page-python.js";
 
 const own =
   /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ?? document.baseURI;
@@ -15,10 +14,7 @@ if (missing.length) {
     place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
   }
 } else {
-  const base = new URL("runtime/", own).href;
-  const client = new Client((more) => startRuntime({ base, packages: [CLASSROOM, ...more] }));
+  const client = pagePython(own, () => [CLASSROOM]);
   customElements.define("carts-class", classElement(client));
-  if (typeof requestIdleCallback === "function") {
-    requestIdleCallback(() => client.wake(), { timeout: 1000 });
-  } else setTimeout(() => client.wake(), 200);
+  startWhenIdle(client);
 }

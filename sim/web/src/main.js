@@ -1,12 +1,11 @@
 /** The page's script: one worker for all scenes, started when the page is idle or first touched. */
 
-import { Client } from "./client.js";
 import { costElement } from "./cost-element.js";
 import { sceneElement } from "./element.js";
 import { excuse, missingFeatures } from "./features.js";
 import { hardElement } from "./hard-cases.js";
 import { mapElement } from "./map-element.js";
-import { startRuntime } from "./runtime.js";
+import { pagePython, startWhenIdle } from "./page-python.js";
 
 const own =
   /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src || document.baseURI;
@@ -22,15 +21,10 @@ const missing = missingFeatures();
 if (missing.length) {
   for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
 } else {
-  const base = new URL("runtime/", own).href;
-  const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
+  const client = pagePython(own, packages);
   customElements.define("carts-scene", sceneElement(client));
   customElements.define("carts-map", mapElement(client));
   customElements.define("carts-cost", costElement(client));
   customElements.define("carts-hard", hardElement(client));
-  if (document.querySelector("carts-scene")) {
-    if (typeof requestIdleCallback === "function") {
-      requestIdleCallback(() => client.wake(), { timeout: 1000 });
-    } else setTimeout(() => client.wake(), 200);
-  }
+  if (document.querySelector("carts-scene")) startWhenIdle(client);
 }

@@ -7,6 +7,7 @@ import { MapFigure } from "./map-figure.js";
 import { figures } from "./map-figures.js";
 import { showSettings } from "./map-settings.js";
 import { fillTable } from "./map-table.js";
+import { frame, refusal, waited } from "./waiting.js";
 
 /** @typedef {import("./map-types.js").MapFacts} MapFacts */
 /** @typedef {import("./map-types.js").Grid} Grid */
@@ -153,7 +154,7 @@ export function mapElement(client) {
       const { axes, rows, columns, why, runs } = first.header;
       this.#draw({ axes, rows, columns, why, values: first.numbers });
       await frame();
-      performance.measure("carts:map", { start: at, end: performance.now() });
+      waited("carts:map", at);
       this.#filling = this.#fill(settings, first.header.done, runs, generation);
     }
 
@@ -269,15 +270,4 @@ export function mapElement(client) {
       }
     }
   };
-}
-
-/** @param {import("./types.js").Problem[]} problems @returns {Error} what a reader can do about it */
-function refusal([first]) {
-  if (!first) return new Error("This value does not work.");
-  return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
-}
-
-/** Resolves in the next animation frame, when what was drawn is on the screen. @returns {Promise<unknown>} */
-function frame() {
-  return new Promise((resolve) => requestAnimationFrame(resolve));
 }

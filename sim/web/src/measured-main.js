@@ -1,9 +1,8 @@
 /** The script of pages with readings of real carts: Python with what reads and fits them, and its element. */
 
-import { Client } from "./client.js";
 import { missingFeatures } from "./features.js";
 import { measuredElement } from "./measured/element.js";
-import { startRuntime } from "./runtime.js";
+import { pagePython, startWhenIdle } from "./page-python.js";
 
 const own =
   /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ?? document.baseURI;
@@ -16,10 +15,7 @@ if (missing.length) {
     note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
   }
 } else {
-  const base = new URL("runtime/", own).href;
-  const client = new Client((more) => startRuntime({ base, packages: [MEASURED, ...more] }));
+  const client = pagePython(own, () => [MEASURED]);
   customElements.define("carts-measured", measuredElement(client));
-  if (typeof requestIdleCallback === "function") {
-    requestIdleCallback(() => client.wake(), { timeout: 1000 });
-  } else setTimeout(() => client.wake(), 200);
+  startWhenIdle(client);
 }

@@ -1,4 +1,4 @@
-/** Small promises: the next frame, and one that is settled from outside. */
+/** Small promises: the next frame, one that is settled from outside; how long a reader waited. */
 
 import { heard, tr } from "./language.js";
 
@@ -7,13 +7,22 @@ export function frame() {
   return new Promise((resolve) => requestAnimationFrame(resolve));
 }
 
+/** Measures of one name are kept up to here: the browser keeps each for ever, at some kB apiece. */
+const MEASURES = 200;
+
+/** Notes how long a reader has waited for what is on the screen now. @param {string} name @param {number} at */
+export function waited(name, at) {
+  if (performance.getEntriesByName(name).length >= MEASURES) performance.clearMeasures(name);
+  performance.measure(name, { start: at, end: performance.now() });
+}
+
 /**
  * Waits until a change is on the screen, measures how long that took, and tells whoever listens.
  * @param {HTMLElement} scene @param {number} at when the reader asked for it @param {object} detail the values now
  */
 export async function drawn(scene, at, detail) {
   await frame();
-  performance.measure("carts:update", { start: at, end: performance.now() });
+  waited("carts:update", at);
   scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
 }
 
