@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import json
 import time
+from array import array
 from base64 import b64decode
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
@@ -33,7 +34,7 @@ SLICE = 0.4
 Report = dict[str, Any]
 
 
-def class_answer(request: Mapping[str, Any]) -> dict[str, Any]:
+def class_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
     """The header of the answer; there are no numbers beside it."""
     ways: dict[str, Callable[[Mapping[str, Any]], dict[str, Any]]] = {
         "read": _read,
@@ -41,7 +42,7 @@ def class_answer(request: Mapping[str, Any]) -> dict[str, Any]:
         "save": _save,
         "ready": _ready,
     }
-    return ways[str(request.get("do"))](request)
+    return ways[str(request.get("do"))](request), array("d")
 
 
 def _read(request: Mapping[str, Any]) -> dict[str, Any]:

@@ -11,6 +11,7 @@ What cannot be read or fitted is answered with `refused`: rows of line, reason a
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
@@ -30,7 +31,7 @@ SHORTEST = 1e-4
 """s. A contact that a reader can set by hand."""
 
 
-def measured_answer(request: Mapping[str, Any]) -> dict[str, Any]:
+def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
     """The header of the answer; there are no numbers beside it."""
     ways: dict[str, Callable[[Mapping[str, Any]], dict[str, Any]]] = {
         "read": _read,
@@ -40,12 +41,13 @@ def measured_answer(request: Mapping[str, Any]) -> dict[str, Any]:
         "ready": _ready,
     }
     try:
-        return ways[str(request.get("do"))](request)
+        header = ways[str(request.get("do"))](request)
     except ReadingError as error:
         rows = [{"line": f.line, "reason": f.reason, "hint": f.hint} for f in error.faults]
-        return {"refused": rows, "source": error.source}
+        header = {"refused": rows, "source": error.source}
     except FitError as error:
-        return {"refused": [{"line": None, "reason": error.reason, "hint": error.hint}]}
+        header = {"refused": [{"line": None, "reason": error.reason, "hint": error.hint}]}
+    return header, array("d")
 
 
 def _measured(request: Mapping[str, Any]) -> Measured:

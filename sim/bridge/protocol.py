@@ -34,14 +34,18 @@ MOST_EVENTS_DRAWN = 20_000
 """A page stops a run here: more events than this can neither be drawn nor listed."""
 
 OTHERS = {
-    "map": "map_answer",
-    "cost": "cost_answer",
-    "how": "how_answer",
-    "hard": "hard_answer",
-    "energy": "energy_answer",
-    "model": "model_text",
+    "map": "sim.bridge.map_answer",
+    "cost": "sim.bridge.cost_answer",
+    "how": "sim.bridge.how_answer",
+    "hard": "sim.bridge.hard_answer",
+    "energy": "sim.bridge.energy_answer",
+    "model": "sim.bridge.model_text",
+    "class": "sim.bridge.class_answer",
+    "measured": "sim.bridge.measured_answer",
+    "teach": "sim.pages.teach.answer",
 }
-"""Module of each other kind of request; it holds a function KIND_answer."""
+"""Module of each other kind of request; it holds a function KIND_answer. The last three are in
+packages of their own, which only the pages load that ask for them."""
 
 Answer = tuple[dict[str, Any], "array[float]"]
 
@@ -51,12 +55,6 @@ def answer(request: Mapping[str, Any]) -> Answer:
     identity = request.get("id")
     if request.get("kind") in OTHERS:
         return _other(request)
-    if request.get("kind") == "class":
-        return _class(request)
-    if request.get("kind") == "measured":
-        return _measured(request)
-    if request.get("kind") == "teach":
-        return _teach(request)
     if request.get("kind") != "run":
         problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
         return refusal(identity, [problem])
@@ -83,31 +81,13 @@ def _other(request: Mapping[str, Any]) -> Answer:
     """What is loaded only where it is asked for."""
     try:
         kind = str(request.get("kind"))
-        asked = getattr(import_module(f"sim.bridge.{OTHERS[kind]}"), f"{kind}_answer")
+        asked = getattr(import_module(OTHERS[kind]), f"{kind}_answer")
         header, numbers = asked(request)
     except SceneError as error:
         return refusal(request.get("id"), error.problems)
     except UnsolvedError as error:
         problem = Problem((), "unsolved", error.message, error.hint)
         return refusal(request.get("id"), [problem])
-    return {"id": request.get("id"), "ok": True, **header}, numbers
-
-
-def _class(request: Mapping[str, Any]) -> Answer:
-    from sim.bridge.class_answer import class_answer  # in a package that only its page loads
-
-    return {"id": request.get("id"), "ok": True, **class_answer(request)}, array("d")
-
-
-def _measured(request: Mapping[str, Any]) -> Answer:
-    from sim.bridge.measured_answer import measured_answer  # in a package of its own as well
-
-    return {"id": request.get("id"), "ok": True, **measured_answer(request)}, array("d")
-
-
-def _teach(request: Mapping[str, Any]) -> Answer:
-    """What teacher mode asks: its package comes with the page that loads it, not with this one."""
-    header, numbers = import_module("sim.pages.teach.answer").teach_answer(request)
     return {"id": request.get("id"), "ok": True, **header}, numbers
 
 

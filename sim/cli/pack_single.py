@@ -19,7 +19,9 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     """Build the site and write its lessons, one file each, into the zip `out`."""
     from sim.cli.pack import size_of, write_zip
     from sim.pages import runtime
+    from sim.pages.all_inside import runtime_scripts
     from sim.pages.single_lesson import single_lesson
+    from sim.pages.site_build import SiteError
 
     builds: list[SiteBuild] = []
     files: dict[str, bytes] = {}
@@ -33,17 +35,13 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
         for name, packages in sorted(builds[0].asked.items()):
             if not name.startswith("worksheets/"):
                 continue
+            if builds[0].needs[name].measured:
+                packages |= {runtime.MEASURED}
             if packages not in packed:
-                facts = runtime.pack(
-                    Path(folder) / f"runtime-{len(packed)}",
-                    packages=packages,
-                    cache=runtime.default_cache(here.root),
-                    report=click.echo,
-                )
-                if facts.missing:
-                    raise click.ClickException(facts.missing)
-                parts = (facts.folder / part for part in sorted(facts.files))
-                packed[packages] = [part.read_text(encoding="utf-8") for part in parts]
+                try:
+                    packed[packages] = runtime_scripts(packages, here.root, click.echo)
+                except SiteError as error:
+                    raise click.ClickException(str(error)) from error
             page = (site / name).with_suffix(".html")
             text = single_lesson(page, site, packed[packages])
             files[page.name] = text.encode()

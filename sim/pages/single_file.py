@@ -6,14 +6,12 @@ script finds them there. The policy names each script by its hash and allows no 
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import html
-import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
-from sim.pages import licences, runtime, site_files
+from sim.pages import licences, site_files
+from sim.pages.all_inside import INSIDE, policy, runtime_scripts
 from sim.pages.bake import bake
 from sim.pages.carried import node_modules
 from sim.pages.findings import AuthorError
@@ -27,7 +25,6 @@ body { margin: 1rem auto; padding: 0 0.6rem; max-width: 62rem; line-height: 1.5;
 pre { white-space: pre-wrap; font-size: 0.8rem; }
 @media (prefers-color-scheme: dark) { body { background: #1e2129; color: #e6e6e6; } }
 """
-INSIDE = "self.__cartsInside = true;"
 
 PAGE = """\
 <!doctype html>
@@ -57,13 +54,13 @@ def single_file(
     try:
         css = site_files.site_files(modules)[site_files.ASSETS + "carts.css"].decode()
         carts = site_files.scene_script().decode()
-        scripts = [INSIDE, *_runtime(packages, root, report), carts]
-    except (site_files.MissingFilesError, *runtime.ERRORS) as error:
+        scripts = [INSIDE, *runtime_scripts(packages, root, report), carts]
+    except site_files.MissingFilesError as error:
         raise SiteError(str(error)) from error
     works = licences.notices(modules, scenes=True, packages=packages)
     style = LOOK + css
     return PAGE.format(
-        policy=_policy(style, scripts),
+        policy=policy([style], scripts),
         site_id=html.escape(site_id),
         id=fence.id,
         title=html.escape(fence.scene.title or "Carts"),
@@ -72,31 +69,3 @@ def single_file(
         licences=html.escape(licences.licence_file(works)),
         scripts="\n".join(f"<script>{script}</script>" for script in scripts),
     )
-
-
-def _runtime(packages: frozenset[str], root: Path, report: Callable[[str], None]) -> Iterator[str]:
-    """The scripts of the runtime: its table of contents, and every part that the table names."""
-    with tempfile.TemporaryDirectory() as folder:
-        cache = runtime.default_cache(root)
-        packed = runtime.pack(Path(folder), packages=packages, cache=cache, report=report)
-        if packed.missing:
-            raise SiteError(packed.missing)
-        for name in sorted(packed.files):
-            yield (packed.folder / name).read_text(encoding="utf-8")
-
-
-def _policy(style: str, scripts: list[str]) -> str:
-    def named(text: str) -> str:
-        digest = hashlib.sha256(text.encode()).digest()
-        return f"'sha256-{base64.b64encode(digest).decode()}'"
-
-    rules = {
-        "default-src": "'none'",
-        "script-src": " ".join(["'wasm-unsafe-eval'", *map(named, scripts)]),
-        "style-src": named(style),
-        "img-src": "data: blob:",
-        "worker-src": "blob:",
-        "base-uri": "'none'",
-        "form-action": "'none'",
-    }
-    return html.escape("; ".join(f"{key} {value}" for key, value in rules.items()), quote=True)

@@ -7,7 +7,6 @@ other files, are left out. Every style and script stands in the file and is allo
 from __future__ import annotations
 
 import base64
-import hashlib
 import html
 import mimetypes
 import re
@@ -15,9 +14,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from urllib.parse import unquote
 
+from sim.pages.all_inside import INSIDE, policy
 from sim.pages.site_files import ASSETS
 
-INSIDE = "self.__cartsInside = true;"
 _LOOK = """\
 html { font-size: 125%; } body { margin: 0; }
 main, details.carts-about { margin: 0 auto; max-width: 42rem; padding: 0 0.8rem; }
@@ -30,6 +29,7 @@ const follow = () => { document.body.dataset.mdColorScheme = dark.matches ? "sla
 dark.addEventListener("change", follow);
 follow();
 """
+_WITH_PYTHON = ("/carts.js", "/measured.js")
 _PAGE = """\
 <!doctype html>
 <html lang="{language}"><head><meta charset="utf-8">
@@ -61,14 +61,14 @@ def single_lesson(page: Path, site: Path, runtime: Iterable[str]) -> str:
     sources = [
         src for src in dict.fromkeys(ours) if "iframe-worker" not in src and "teacher" not in src
     ]
-    live = any(src.endswith("/carts.js") for src in sources)
+    live = any(src.endswith(_WITH_PYTHON) for src in sources)
     scripts = [_DARK, INSIDE, *(runtime if live else ())]
     scripts += [_beside(page, src).read_text(encoding="utf-8") for src in sources]
     data = re.findall(r'<script type="application/json" id="carts-lesson">.*?</script>', text, re.S)
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
     return _PAGE.format(
         language=_first(r'<html lang="([^"]*)"', text) or "en",
-        policy=_policy(styles, scripts),
+        policy=policy(styles, scripts, {"font-src": "data:"}),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),
         page_id=_first(r'name="carts-page" content="([^"]*)"', text),
         title=_first(r"<title>(.*?)</title>", text),
@@ -127,21 +127,3 @@ def _closed(script: str) -> str:
 def _first(pattern: str, text: str) -> str:
     found = re.search(pattern, text, re.DOTALL)
     return found[1] if found else ""
-
-
-def _policy(styles: list[str], scripts: list[str]) -> str:
-    def named(texts: list[str]) -> str:
-        hashes = (hashlib.sha256(text.encode()).digest() for text in texts)
-        return " ".join(f"'sha256-{base64.b64encode(h).decode()}'" for h in hashes)
-
-    rules = {
-        "default-src": "'none'",
-        "script-src": f"'wasm-unsafe-eval' {named(scripts)}",
-        "style-src": named(styles),
-        "img-src": "data: blob:",
-        "font-src": "data:",
-        "worker-src": "blob:",
-        "base-uri": "'none'",
-        "form-action": "'none'",
-    }
-    return html.escape("; ".join(f"{key} {value}" for key, value in rules.items()), quote=True)

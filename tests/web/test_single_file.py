@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
+import zipfile
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from playwright.sync_api import expect
 
+from sim.cli import main
 from sim.cli.single import command
+from sim.pages.runtime import default_cache
 from tests.web.boot_site import ROOT
 from tests.web.conftest import OpenPage
 from tests.web.widget_site import live, on_scene
@@ -57,6 +62,32 @@ def test_a_file_alone_in_a_folder_is_a_live_scene(open_page: OpenPage, tmp_path:
     on_scene(page, "await el.set({ 'A.mass': 3 })", name="light-meets-heavy")
     after = on_scene(page, "return el.trajectory.v.A.at(-1)", name="light-meets-heavy")
     assert before != after
+
+
+@pytest.mark.browser
+@pytest.mark.one_browser
+def test_a_lesson_of_real_carts_alone_in_a_folder_reads_its_film(
+    open_page: OpenPage, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CARTS_CACHE", str(default_cache(ROOT)))
+    monkeypatch.chdir(tmp_path)
+    made = CliRunner().invoke(main, ["new", "fork"])
+    assert made.exit_code == 0, made.output
+    lessons = tmp_path / "fork" / "worksheets"
+    ours = (ROOT / "worksheets" / "real-carts.md").read_text(encoding="utf-8")
+    block = re.search(r"^```measured\n.*?^```\n", ours, re.DOTALL | re.MULTILINE)
+    assert block is not None
+    (lessons / "film.md").write_text(f"# A film\n\n{block[0]}", encoding="utf-8")
+    shutil.copytree(ROOT / "worksheets" / "data", lessons / "data")
+    monkeypatch.chdir(tmp_path / "fork")
+    packed = CliRunner().invoke(main, ["pack", "--single", "--out", "../lessons.zip"])
+    assert packed.exit_code == 0, packed.output
+    with zipfile.ZipFile(tmp_path / "lessons.zip") as archive:
+        alone = Path(archive.extract("film.html", tmp_path / "alone"))
+    page = open_page(alone)
+    film = page.locator("carts-measured").first
+    expect(film).to_have_attribute("data-state", "live", timeout=60_000)
+    expect(film.locator(".carts-measured-figures path").first).to_be_attached()
 
 
 def test_a_lesson_with_mistakes_or_several_scenes_says_so(tmp_path: Path) -> None:

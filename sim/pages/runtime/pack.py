@@ -12,13 +12,13 @@ from sim import __version__
 from . import pins
 from .cache import Cache
 from .contents import Contents, make_contents
+from .extras import EXTRAS, read_extras
 from .node import RuntimePackError
-from .ours import CLASSROOM, MEASURED, TEACHER, Ours, read_classroom, read_measured, read_ours
+from .ours import Ours, read_ours
 from .payload import write_index
 from .ready import find_ready
 from .sources import MissingSourceError, core_files, in_ci, package_wheels
 from .stdlib import core_folder
-from .teacher import read_teacher
 
 Report = Callable[[str], None]
 
@@ -48,19 +48,17 @@ def pack(
 ) -> RuntimeFacts:
     """Write the runtime into `site_dir` and return what it is.
 
-    `packages`: those of "numpy" and "scipy" that pages need, CLASSROOM, TEACHER, MEASURED.
+    `packages`: those of "numpy" and "scipy" that pages need, and of EXTRAS.
     `source`: the folder of the package that runs in the page. Raises RuntimePackError. What can't
     be fetched is an error in an automatic build; elsewhere the pages are told to say so, and show
     their baked runs.
     """
-    if unknown := packages - {*pins.PACKAGES, CLASSROOM, TEACHER, MEASURED}:
+    if unknown := packages - {*pins.PACKAGES, *EXTRAS}:
         raise RuntimePackError(f"no such package for the page: {', '.join(sorted(unknown))}")
-    ours, classroom = read_ours(source, __version__), read_classroom(source, __version__)
-    contents, missing = find_ready(READY, packages, ours, classroom, source), ""
+    ours = read_ours(source, __version__)
+    contents, missing = find_ready(READY, packages, ours, source), ""
     if contents is None:
-        extras = [classroom] if CLASSROOM in packages else []
-        extras += [read_teacher(source, __version__)] if TEACHER in packages else []
-        extras += [read_measured(source, __version__)] if MEASURED in packages else []
+        extras = read_extras(packages, source, __version__)
         contents, missing = _make(packages, Cache(cache), ours, extras, report)
     folder = site_dir / RUNTIME
     _write(folder, contents, missing)

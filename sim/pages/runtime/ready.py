@@ -15,6 +15,7 @@ from typing import Any
 from . import pins
 from .cache import Cache, key_of, sha256
 from .contents import Contents, make_contents
+from .extras import read_extras
 from .node import RuntimePackError
 from .ours import (
     CLASSROOM,
@@ -28,7 +29,7 @@ from .ours import (
 )
 from .sources import core_files, package_wheels
 from .stdlib import core_folder
-from .teacher import own_files, read_teacher
+from .teacher import own_files
 
 SETS: tuple[frozenset[str], ...] = (
     frozenset(),
@@ -52,20 +53,19 @@ def write_ready(folder: Path, package: Path, version: str, cache: Path,
     """Write the runtimes of all `SETS` into `folder`; raises RuntimePackError."""
     folder.mkdir(parents=True, exist_ok=True)
     store = Cache(cache)
-    ours, classroom = read_ours(package, version), read_classroom(package, version)
-    teacher, measured = read_teacher(package, version), read_measured(package, version)
+    ours = read_ours(package, version)
     files = core_files(store, package.parent, report)
     core = core_folder(files, store)
     for number, names in enumerate(SETS):
         wanted = [name for name in pins.PACKAGES if name in names]
         wheels = package_wheels(wanted, files[pins.LOCK], files[pins.LOADER], store, report)
-        extras = [extra for extra in (classroom, teacher, measured) if extra.name in names]
+        extras = read_extras(names, package, version)
         made = make_contents(core, ours, wheels, store, report, extras)
         for name, path in made.scripts.items():
             shutil.copyfile(path, folder / name)
         entry = {
             "packages": sorted(names),
-            "sources": _sources(ours, classroom, package),
+            "sources": _sources(ours, package),
             "scripts": {n: sha256(path.read_bytes()) for n, path in sorted(made.scripts.items())},
             "index": made.index,
             "versions": made.versions,
@@ -75,13 +75,13 @@ def write_ready(folder: Path, package: Path, version: str, cache: Path,
 
 
 def find_ready(
-    folder: Path, packages: frozenset[str], ours: Ours, classroom: Ours, package: Path
+    folder: Path, packages: frozenset[str], ours: Ours, package: Path
 ) -> Contents | None:
     """The smallest ready runtime with `packages`, or None. Raises DamagedError."""
     for path in sorted(folder.glob("*.json")):
         entry = _entry(path)
         if packages <= set(entry["packages"]):
-            if entry["sources"] != _sources(ours, classroom, package):
+            if entry["sources"] != _sources(ours, package):
                 raise DamagedError(f"The installed newtons-carts is mixed of two versions. {HELP}")
             check_entry(path)
             scripts = {name: folder / name for name in entry["scripts"]}
@@ -108,6 +108,8 @@ def _entry(path: Path) -> dict[str, Any]:
     return entry
 
 
-def _sources(ours: Ours, classroom: Ours, package: Path) -> str:
+def _sources(ours: Ours, package: Path) -> str:
+    """What the sets were made from; of teacher mode its own files, not the packages below it."""
+    own = (read(package, ours.version) for read in (read_classroom, read_measured))
     teacher = sorted(sha256(text_bytes(path)) for path in own_files(package))
-    return key_of(ours.key, classroom.key, read_measured(package, ours.version).key, *teacher)
+    return key_of(ours.key, *(extra.key for extra in own), *teacher)

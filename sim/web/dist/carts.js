@@ -843,7 +843,7 @@
     if (listed2.length > 1) return listed2.map(part).join(", ");
     return filled(english, forms ?? []) || english;
   }
-  var large = (some) => some.filter(({ own: own2 }) => own2.split(/\s+/).filter(Boolean).length >= ENOUGH);
+  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
   function filled(english, some) {
     for (const { key, pattern: form } of some) {
       const found2 = form.exec(english);
@@ -2173,15 +2173,15 @@
         (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
       );
       for (const { name: name2 } of header.bodies) {
-        const own2 = acting.filter((effect) => effect.carts.includes(name2));
+        const own = acting.filter((effect) => effect.carts.includes(name2));
         const column = trajectory.E[`${kind} ${name2}`];
-        if (!own2.length || !column?.length) continue;
+        if (!own.length || !column?.length) continue;
         const peak = greatest(column);
-        const on = own2.some((effect) => actsAt(effect, t3));
+        const on = own.some((effect) => actsAt(effect, t3));
         const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
         const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found2.push({ kind, on: name2, by: listed([...new Set(own2.map(agent))]), value, size });
+        found2.push({ kind, on: name2, by: listed([...new Set(own.map(agent))]), value, size });
       }
     }
     return found2;
@@ -3299,10 +3299,10 @@
   function effectColumns({ header, trajectory }) {
     return Object.entries(trajectory.E).map(([key, values]) => {
       const [kind, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
-      const own2 = header.effects.filter(
+      const own = header.effects.filter(
         (effect) => effect.kind === kind && effect.active && effect.carts.includes(on)
       );
-      const by = [...new Set(own2.map(agent))].join(" and ");
+      const by = [...new Set(own.map(agent))].join(" and ");
       return [`force on ${on} by ${by} (${kind}) in N`, values];
     });
   }
@@ -6157,9 +6157,9 @@ ${lines2.join("\n")}
     #measure() {
       for (const layout of this.view.layouts) {
         const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
-        const [shown2, own2] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
-        if (!shown2 || !own2) continue;
-        const unit = shown2 / layout.width * (WIDTH5 / own2);
+        const [shown2, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown2 || !own) continue;
+        const unit = shown2 / layout.width * (WIDTH5 / own);
         this.#perMetre = TIMES * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -6764,7 +6764,7 @@ ${lines2.join("\n")}
         if (!this.#told) await this.#reveal(false, false);
       }
       /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
-      async #reveal(now, own2 = true) {
+      async #reveal(now, own = true) {
         this.#predict?.complain("");
         const generation = this.#generation;
         try {
@@ -6778,7 +6778,7 @@ ${lines2.join("\n")}
           this.#draw(run);
           this.#view?.enable(true);
           this.#controls?.enable(true);
-          if (own2) this.#predict?.compare(run);
+          if (own) this.#predict?.compare(run);
           if (now)
             this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
         } catch (error) {
@@ -7143,13 +7143,13 @@ ${lines2.join("\n")}
     const places = bands.slice();
     const line = 2 * count2 + 1;
     const compare = (at, other) => {
-      const own2 = Number(bands[at]);
+      const own = Number(bands[at]);
       const next = Number(bands[other]);
-      if (next === own2 || own2 === count2) return;
-      if (next !== count2 && own2 >= zero !== next >= zero) {
+      if (next === own || own === count2) return;
+      if (next !== count2 && own >= zero !== next >= zero) {
         places[at] = line;
         places[other] = line;
-      } else if (places[at] !== line) places[at] = count2 + 1 + own2;
+      } else if (places[at] !== line) places[at] = count2 + 1 + own;
     };
     for (let at = 0; at < bands.length; at += 1) {
       if ((at + 1) % width) compare(at, at + 1);
@@ -8203,27 +8203,27 @@ ${lines2.join("\n")}
   };
 
   // src/page-python.js
-  function pagePython(script, packages2) {
-    const base = new URL("runtime/", script).href;
+  function pagePython(packages2) {
+    const script = (
+      /** @type {HTMLScriptElement | null} */
+      document.currentScript
+    );
+    const base = new URL("runtime/", script?.src || document.baseURI).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
-    const tell = () => {
-      document.documentElement.dataset.python = client.state;
-    };
-    client.addEventListener("state", tell);
+    client.addEventListener("state", () => tell(client.state));
     return client;
   }
   function startWhenIdle(client) {
-    document.documentElement.dataset.python = "starting";
+    tell("starting");
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1e3 });
     } else setTimeout(() => client.wake(), 200);
   }
+  function tell(state) {
+    document.documentElement.dataset.python = state;
+  }
 
   // src/main.js
-  var own = (
-    /** @type {HTMLScriptElement | null} */
-    document.currentScript?.src || document.baseURI
-  );
   function packages() {
     const scenes = [...document.querySelectorAll("carts-scene")];
     const names = scenes.flatMap((scene) => (scene.getAttribute("data-packages") ?? "").split(" "));
@@ -8233,7 +8233,7 @@ ${lines2.join("\n")}
   if (missing.length) {
     for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
   } else {
-    const client = pagePython(own, packages);
+    const client = pagePython(packages);
     customElements.define("carts-scene", sceneElement(client));
     customElements.define("carts-map", mapElement(client));
     customElements.define("carts-cost", costElement(client));

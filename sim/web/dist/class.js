@@ -1423,27 +1423,27 @@
   };
 
   // src/page-python.js
-  function pagePython(script, packages) {
-    const base = new URL("runtime/", script).href;
+  function pagePython(packages) {
+    const script = (
+      /** @type {HTMLScriptElement | null} */
+      document.currentScript
+    );
+    const base = new URL("runtime/", script?.src || document.baseURI).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
-    const tell = () => {
-      document.documentElement.dataset.python = client.state;
-    };
-    client.addEventListener("state", tell);
+    client.addEventListener("state", () => tell(client.state));
     return client;
   }
   function startWhenIdle(client) {
-    document.documentElement.dataset.python = "starting";
+    tell("starting");
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1e3 });
     } else setTimeout(() => client.wake(), 200);
   }
+  function tell(state) {
+    document.documentElement.dataset.python = state;
+  }
 
   // src/class-main.js
-  var own = (
-    /** @type {HTMLScriptElement | null} */
-    document.currentScript?.src ?? document.baseURI
-  );
   var CLASSROOM = "newtons-carts-class";
   var missing = missingFeatures();
   if (missing.length) {
@@ -1451,7 +1451,7 @@
       place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
     }
   } else {
-    const client = pagePython(own, () => [CLASSROOM]);
+    const client = pagePython(() => [CLASSROOM]);
     customElements.define("carts-class", classElement(client));
     startWhenIdle(client);
   }

@@ -844,10 +844,10 @@
      * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
      * @param {(text: string) => void} tell
      */
-    constructor(root, take, changed, tell) {
+    constructor(root, take, changed, tell2) {
       this.root = root;
       this.take = take;
-      this.tell = tell;
+      this.tell = tell2;
       this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
       this.paste = /** @type {HTMLTextAreaElement} */
       need(root, ".carts-measured-paste textarea");
@@ -2159,27 +2159,27 @@
   };
 
   // src/page-python.js
-  function pagePython(script, packages) {
-    const base = new URL("runtime/", script).href;
+  function pagePython(packages) {
+    const script = (
+      /** @type {HTMLScriptElement | null} */
+      document.currentScript
+    );
+    const base = new URL("runtime/", script?.src || document.baseURI).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
-    const tell = () => {
-      document.documentElement.dataset.python = client.state;
-    };
-    client.addEventListener("state", tell);
+    client.addEventListener("state", () => tell(client.state));
     return client;
   }
   function startWhenIdle(client) {
-    document.documentElement.dataset.python = "starting";
+    tell("starting");
     if (typeof requestIdleCallback === "function") {
       requestIdleCallback(() => client.wake(), { timeout: 1e3 });
     } else setTimeout(() => client.wake(), 200);
   }
+  function tell(state) {
+    document.documentElement.dataset.python = state;
+  }
 
   // src/measured-main.js
-  var own = (
-    /** @type {HTMLScriptElement | null} */
-    document.currentScript?.src ?? document.baseURI
-  );
   var MEASURED = "newtons-carts-measured";
   var missing = missingFeatures();
   if (missing.length) {
@@ -2188,7 +2188,7 @@
       note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
     }
   } else {
-    const client = pagePython(own, () => [MEASURED]);
+    const client = pagePython(() => [MEASURED]);
     customElements.define("carts-measured", measuredElement(client));
     startWhenIdle(client);
   }

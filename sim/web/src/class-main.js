@@ -4,8 +4,6 @@ import { classElement } from "./class/element.js";
 import { missingFeatures } from "./features.js";
 import { pagePython, startWhenIdle } from "./page-python.js";
 
-const own =
-  /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ?? document.baseURI;
 const CLASSROOM = "newtons-carts-class";
 
 const missing = missingFeatures();
@@ -14,7 +12,7 @@ if (missing.length) {
     place.textContent = `This browser is too old to read the files (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts class” does the same.`;
   }
 } else {
-  const client = pagePython(own, () => [CLASSROOM]);
+  const client = pagePython(() => [CLASSROOM]);
   customElements.define("carts-class", classElement(client));
   startWhenIdle(client);
 }

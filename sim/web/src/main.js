@@ -7,9 +7,6 @@ import { hardElement } from "./hard-cases.js";
 import { mapElement } from "./map-element.js";
 import { pagePython, startWhenIdle } from "./page-python.js";
 
-const own =
-  /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src || document.baseURI;
-
 /** @returns {string[]} what the scenes of this page need besides bare Python */
 function packages() {
   const scenes = [...document.querySelectorAll("carts-scene")];
@@ -21,7 +18,7 @@ const missing = missingFeatures();
 if (missing.length) {
   for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
 } else {
-  const client = pagePython(own, packages);
+  const client = pagePython(packages);
   customElements.define("carts-scene", sceneElement(client));
   customElements.define("carts-map", mapElement(client));
   customElements.define("carts-cost", costElement(client));

@@ -4,8 +4,6 @@ import { missingFeatures } from "./features.js";
 import { measuredElement } from "./measured/element.js";
 import { pagePython, startWhenIdle } from "./page-python.js";
 
-const own =
-  /** @type {HTMLScriptElement | null} */ (document.currentScript)?.src ?? document.baseURI;
 const MEASURED = "newtons-carts-measured";
 
 const missing = missingFeatures();
@@ -15,7 +13,7 @@ if (missing.length) {
     note.textContent = `This browser is too old to fit the readings (missing: ${missing.join(", ")}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can. On the command line “carts fit” does the same.`;
   }
 } else {
-  const client = pagePython(own, () => [MEASURED]);
+  const client = pagePython(() => [MEASURED]);
   customElements.define("carts-measured", measuredElement(client));
   startWhenIdle(client);
 }

@@ -4,23 +4,26 @@ import { Client } from "./client.js";
 import { startRuntime } from "./runtime.js";
 
 /**
- * @param {string} script address of the page's script, beside the folder of the runtime
+ * To be called while the page's script runs for the first time: the runtime lies beside that.
  * @param {() => string[]} packages what the page's elements need beside bare Python, asked at the start
  */
-export function pagePython(script, packages) {
-  const base = new URL("runtime/", script).href;
+export function pagePython(packages) {
+  const script = /** @type {HTMLScriptElement | null} */ (document.currentScript);
+  const base = new URL("runtime/", script?.src || document.baseURI).href; // a page in one file: no src
   const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
-  const tell = () => {
-    document.documentElement.dataset.python = client.state;
-  };
-  client.addEventListener("state", tell);
+  client.addEventListener("state", () => tell(client.state));
   return client;
 }
 
 /** Starts Python as soon as the page has nothing else to do. @param {Client} client */
 export function startWhenIdle(client) {
-  document.documentElement.dataset.python = "starting";
+  tell("starting");
   if (typeof requestIdleCallback === "function") {
     requestIdleCallback(() => client.wake(), { timeout: 1000 });
   } else setTimeout(() => client.wake(), 200);
+}
+
+/** @param {import("./client.js").State} state */
+function tell(state) {
+  document.documentElement.dataset.python = state;
 }

@@ -1,0 +1,16 @@
+"""Packages of ours that few pages load, beside the one that every live page has."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from pathlib import Path
+
+from .ours import CLASSROOM, MEASURED, TEACHER, Ours, read_classroom, read_measured
+from .teacher import read_teacher
+
+EXTRAS = {CLASSROOM: read_classroom, TEACHER: read_teacher, MEASURED: read_measured}
+
+
+def read_extras(names: Collection[str], package: Path, version: str) -> list[Ours]:
+    """Return those of `names` that are ours; `package` is the folder of `sim`."""
+    return [read(package, version) for name, read in EXTRAS.items() if name in names]
