@@ -6,7 +6,6 @@ import base64
 import hashlib
 import json
 import logging
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -14,56 +13,10 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.cli.build import build_site
-from sim.pages import extension, runtime, site_files
+from sim.pages import extension, site_files
+from tests.pages.small_site import CONFIG, MakeSite, lesson, make_site
 
-ROOT = Path(__file__).parents[2]
-CONFIG = """\
-site_name: A site
-extra: {carts: {site_id: a-site}}
-nav: [{Home: index.md}, {Lessons: worksheets/}]
-theme: {name: material, font: false}
-plugins: [search, carts]
-strict: true
-"""
-SCENE = """\
-```scene
-id: ID
-carts:
-  A: {mass: MASS, position: 0.4 m, velocity: 0.5 m/s}
-until: 2 s
-```
-"""
-LESSON = f"---\ntitle: A lesson\n---\n\nWords to search: galumphing.\n\n{SCENE}"
-
-MakeSite = Callable[..., Path]
-
-
-@pytest.fixture
-def make_site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> MakeSite:
-    """Return `make_site(config, **lessons)`: a folder with a home page and these lessons.
-
-    The Python runtime is not packed and the page's script is empty: other tests look at those.
-    """
-    monkeypatch.setattr(runtime, "pack", lambda *_, **__: None)
-    monkeypatch.setattr(site_files, "scene_script", lambda: b"")
-    monkeypatch.chdir(tmp_path)
-
-    def make(config: str = CONFIG, **lessons: str) -> Path:
-        (tmp_path / "mkdocs.yml").write_text(config, encoding="utf-8")
-        for folder in ("docs", "worksheets"):
-            (tmp_path / folder).mkdir(exist_ok=True)
-        (tmp_path / "docs" / "index.md").write_text("# Home\n\nNo scene.\n", encoding="utf-8")
-        for name, text in lessons.items():
-            (tmp_path / "worksheets" / f"{name}.md").write_text(text, encoding="utf-8")
-        if not (tmp_path / "node_modules").exists():
-            (tmp_path / "node_modules").symlink_to(ROOT / "node_modules")
-        return tmp_path
-
-    return make
-
-
-def lesson(*, identity: str = "one", mass: str = "1 kg") -> str:
-    return LESSON.replace("ID", identity).replace("MASS", mass)
+__all__ = ["make_site"]  # a fixture
 
 
 def test_a_lesson_becomes_a_page_with_a_scene(make_site: MakeSite) -> None:
@@ -296,43 +249,3 @@ def test_a_page_knows_its_name_wherever_its_folder_goes(make_site: MakeSite) -> 
     assert site is not None
     page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
     assert '<meta name="carts-page" content="worksheets/first">' in page
-
-
-def test_a_folder_named_by_a_language_holds_lessons_that_speak_it(make_site: MakeSite) -> None:
-    """The translation keeps the ids of its lesson; the rest of the site stays English."""
-    root = make_site(first=lesson())
-    (root / "worksheets" / "zh-Hans").mkdir()
-    text = lesson().replace("A lesson", "一课")
-    (root / "worksheets" / "zh-Hans" / "first.md").write_text(text, encoding="utf-8")
-    site = build_site(root, hosted=False, strict=True)
-    assert site is not None
-    page = (site / "worksheets" / "zh-Hans" / "first.html").read_text(encoding="utf-8")
-    assert '<html lang="zh-Hans"' in page
-    assert ">播放<" in page
-    words = '<script src="../../assets/carts/words.zh-Hans.js"></script>'
-    assert 0 < page.index(words) < page.index("assets/carts/carts.js")
-    script = (site / "assets" / "carts" / "words.zh-Hans.js").read_text(encoding="utf-8")
-    assert '"Pause":"暂停"' in script
-    english = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
-    assert "words." not in english
-    assert ">Play<" in english
-    assert "简体中文" in (site / "index.html").read_text(encoding="utf-8")
-
-
-def test_a_lesson_may_say_what_language_it_speaks(make_site: MakeSite) -> None:
-    root = make_site(first=lesson().replace("title:", "language: ta\ntitle:"))
-    site = build_site(root, hosted=False, strict=True)
-    assert site is not None
-    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
-    assert '<html lang="ta"' in page
-    assert (site / "assets" / "carts" / "words.ta.js").exists()
-
-
-def test_the_theme_s_language_is_that_of_every_page(make_site: MakeSite) -> None:
-    root = make_site(CONFIG.replace("font: false", "font: false, language: ms"), first=lesson())
-    site = build_site(root, hosted=False, strict=True)
-    assert site is not None
-    for name in ("index.html", "worksheets/first.html"):
-        page = (site / name).read_text(encoding="utf-8")
-        assert '<html lang="ms"' in page
-        assert "words.ms.js" in page

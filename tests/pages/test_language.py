@@ -62,23 +62,26 @@ def test_only_text_that_stands_in_the_call_is_translated() -> None:
     """What is put together first cannot be found for the catalogues."""
     for folder, pattern, _, _ in SOURCES:
         for path in sorted((ROOT / folder).rglob(pattern)):
-            if "language" in path.parts or path.name == "language.js":
-                continue
-            text = path.read_text(encoding="utf-8")
-            if path.suffix == ".py":
-                continue
-            for call in re.finditer(r"(?<![\w.])tr\(\s*(\S)", text):
-                assert call[1] in "\"'", f"{path.name}: {text[call.start() : call.start() + 60]}"
-            for call in re.finditer(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', text):
-                if path.suffix == ".js":
-                    assert json.loads(call[1]) in BRACKETS, "not found where it stands: a line more"
-    for path in sorted((ROOT / "sim/pages").rglob("*.py")):
-        if "language" in path.parts:
-            continue
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            name = node.func.id if isinstance(node, ast.Call) and hasattr(node.func, "id") else ""
-            if name == "mark":
-                assert isinstance(node.args[0], ast.Constant), f"{path.name}:{node.lineno}"
+            if "language" not in path.parts and path.suffix == ".py":
+                assert_marked_in_place(path)
+            elif "language" not in path.parts and path.name != "language.js":
+                assert_translated_in_place(path)
+
+
+def assert_marked_in_place(path: Path) -> None:
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        name = node.func.id if isinstance(node, ast.Call) and hasattr(node.func, "id") else ""
+        if name == "mark":
+            assert isinstance(node.args[0], ast.Constant), f"{path.name}:{node.lineno}"
+
+
+def assert_translated_in_place(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    for call in re.finditer(r"(?<![\w.])tr\(\s*(\S)", text):
+        assert call[1] in "\"'", f"{path.name}: {text[call.start() : call.start() + 60]}"
+    if path.suffix == ".js":
+        for call in re.finditer(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', text):
+            assert json.loads(call[1]) in BRACKETS, "not found where it stands: a line more"
 
 
 def told(sentence: str) -> str:

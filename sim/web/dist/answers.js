@@ -1754,6 +1754,18 @@
     return valueAt(run.t, column, slopes, t) * factor;
   }
 
+  // src/typed.js
+  function twoReadings(text) {
+    const whole2 = text.replaceAll(",", "");
+    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole2 });
+    const decimal = String(Number(text.replace(",", ".")));
+    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+      text,
+      decimal,
+      whole: whole2
+    });
+  }
+
   // src/question/marking/typed-number.js
   var LONGEST2 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
@@ -1776,16 +1788,6 @@
     }
     const value = Number(number.replace(",", ".")) * factor;
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
-  }
-  function twoReadings(text) {
-    const whole2 = text.replaceAll(",", "");
-    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole2 });
-    const decimal = String(Number(text.replace(",", ".")));
-    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
-      text,
-      decimal,
-      whole: whole2
-    });
   }
 
   // src/question/forms/run.js

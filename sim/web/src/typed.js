@@ -23,8 +23,8 @@ export function readTyped(typed) {
   return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
 }
 
-/** @param {string} text */
-function twoReadings(text) {
+/** What a comma before three digits can mean. @param {string} text */
+export function twoReadings(text) {
   const whole = text.replaceAll(",", "");
   if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
   const decimal = String(Number(text.replace(",", ".")));

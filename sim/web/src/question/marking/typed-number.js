@@ -1,6 +1,7 @@
 /** A number that a student typed, in the question's own unit. The same rules as sim/lesson/typed.py. */
 
 import { tr } from "../../language.js";
+import { twoReadings } from "../../typed.js";
 
 const LONGEST = 40;
 const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
@@ -28,16 +29,4 @@ export function readNumber(typed, units) {
   }
   const value = Number(number.replace(",", ".")) * factor;
   return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
-}
-
-/** @param {string} text */
-function twoReadings(text) {
-  const whole = text.replaceAll(",", "");
-  if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
-  const decimal = String(Number(text.replace(",", ".")));
-  return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
-    text,
-    decimal,
-    whole,
-  });
 }

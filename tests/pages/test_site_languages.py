@@ -1,0 +1,48 @@
+"""Small sites with lessons in other languages: by folder, by front matter, by the theme."""
+
+from __future__ import annotations
+
+from sim.cli.build import build_site
+from tests.pages.small_site import CONFIG, MakeSite, lesson, make_site
+
+__all__ = ["make_site"]  # a fixture
+
+
+def test_a_folder_named_by_a_language_holds_lessons_that_speak_it(make_site: MakeSite) -> None:
+    """The translation keeps the ids of its lesson; the rest of the site stays English."""
+    root = make_site(first=lesson())
+    (root / "worksheets" / "zh-Hans").mkdir()
+    text = lesson().replace("A lesson", "一课")
+    (root / "worksheets" / "zh-Hans" / "first.md").write_text(text, encoding="utf-8")
+    site = build_site(root, hosted=False, strict=True)
+    assert site is not None
+    page = (site / "worksheets" / "zh-Hans" / "first.html").read_text(encoding="utf-8")
+    assert '<html lang="zh-Hans"' in page
+    assert ">播放<" in page
+    words = '<script src="../../assets/carts/words.zh-Hans.js"></script>'
+    assert 0 < page.index(words) < page.index("assets/carts/carts.js")
+    script = (site / "assets" / "carts" / "words.zh-Hans.js").read_text(encoding="utf-8")
+    assert '"Pause":"暂停"' in script
+    english = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert "words." not in english
+    assert ">Play<" in english
+    assert "简体中文" in (site / "index.html").read_text(encoding="utf-8")
+
+
+def test_a_lesson_may_say_what_language_it_speaks(make_site: MakeSite) -> None:
+    root = make_site(first=lesson().replace("title:", "language: ta\ntitle:"))
+    site = build_site(root, hosted=False, strict=True)
+    assert site is not None
+    page = (site / "worksheets" / "first.html").read_text(encoding="utf-8")
+    assert '<html lang="ta"' in page
+    assert (site / "assets" / "carts" / "words.ta.js").exists()
+
+
+def test_the_theme_s_language_is_that_of_every_page(make_site: MakeSite) -> None:
+    root = make_site(CONFIG.replace("font: false", "font: false, language: ms"), first=lesson())
+    site = build_site(root, hosted=False, strict=True)
+    assert site is not None
+    for name in ("index.html", "worksheets/first.html"):
+        page = (site / name).read_text(encoding="utf-8")
+        assert '<html lang="ms"' in page
+        assert "words.ms.js" in page
