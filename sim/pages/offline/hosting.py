@@ -1,4 +1,4 @@
-"""What a build for a web server adds: link previews, manifest and icons, the service worker."""
+"""What a web server gets beside the pages: link previews, manifest, icons, stamps, the worker."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Any
 import sim
 from sim.pages.offline import files, shapes
 from sim.pages.offline.links import with_preview
+from sim.pages.offline.stamps import stamp_pages
 
 MANIFEST = "manifest.webmanifest"
 ICONS = "assets/carts/icons/"
@@ -81,6 +82,10 @@ class Hosting:
 
     def write(self, site: Path, site_id: str) -> None:
         """The files; must come last, the service worker lists all others with their hashes."""
+        if self.offline:
+            script = (_SITE / "offline.js").read_bytes()
+            (site / "assets" / "carts" / "offline.js").write_bytes(script)
+        stamp_pages(site)
         sign = shapes.sign()
         (site / ICONS).mkdir(parents=True, exist_ok=True)
         (site / PREVIEW).write_bytes(shapes.png(sign, 1200, 630))
@@ -94,8 +99,6 @@ class Hosting:
         (site / ICONS / "icon-full.png").write_bytes(shapes.png(sign, 512, 512, 0.8))
         text = json.dumps(self.manifest(), ensure_ascii=False, indent=1)
         (site / MANIFEST).write_text(text + "\n", encoding="utf-8")
-        script = (_SITE / "offline.js").read_bytes()
-        (site / "assets" / "carts" / "offline.js").write_bytes(script)
         template = (_SITE / "sw.js").read_text(encoding="utf-8")
         made = files.worker(template, site_id, files.listed(site))
         (site / files.WORKER).write_text(made, encoding="utf-8")

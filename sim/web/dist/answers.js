@@ -2095,10 +2095,11 @@
   function teacherDoor() {
     const link = document.querySelector(".carts-teach-door a");
     if (!(link instanceof HTMLAnchorElement)) return;
-    const assets = new URL("../", new URL(link.dataset.lesson ?? "", document.baseURI));
+    const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
+    const beside = (name) => new URL(`../${name}${lesson.search}`, lesson).href;
     let loaded = null;
     const open2 = async () => {
-      loaded ??= Promise.all([style(new URL("teacher.css", assets)), script(assets)]);
+      loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
       try {
         await loaded;
         document.dispatchEvent(new Event(OPEN));
@@ -2114,15 +2115,15 @@
     });
     if (wanted()) void open2();
   }
-  function script(assets) {
+  function script(address) {
     const made2 = document.createElement("script");
-    made2.src = new URL("teacher.js", assets).href;
+    made2.src = address;
     return arrives(made2);
   }
   function style(address) {
     const made2 = document.createElement("link");
     made2.rel = "stylesheet";
-    made2.href = address.href;
+    made2.href = address;
     return arrives(made2);
   }
   function arrives(element) {

@@ -7864,6 +7864,9 @@ ${lines2.join("\n")}
       document.head.append(script);
     });
   }
+  function indexOf(base) {
+    return new URL(`index.js${new URL(base).search}`, base).href;
+  }
   function patiently(promise) {
     return new Promise((resolve, reject) => {
       const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
@@ -7874,7 +7877,7 @@ ${lines2.join("\n")}
     const known2 = indexes.get(base);
     if (known2) return known2;
     const inside = Boolean(page.__cartsInside);
-    const read = inside ? Promise.resolve() : patiently(runScript(`${base}index.js`, "index.js"));
+    const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
     const loading = read.then(() => {
       const index = page.__cartsRuntime;
       if (!inside) delete page.__cartsRuntime;
@@ -7888,7 +7891,7 @@ ${lines2.join("\n")}
   }
   async function loadPart(base, name2, number, part2) {
     const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(base + part2.src, name2);
+    if (!inside) await runScript(new URL(part2.src, base).href, name2);
     const key = `${name2}.${number}`;
     const text = page.__cartsParts?.[key];
     if (text === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name2);
@@ -8113,7 +8116,7 @@ ${lines2.join("\n")}
   } }) {
     requireWasm();
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
-    const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
+    const folder = new URL(base, document.baseURI).href;
     const index = await loadIndex(folder);
     const options = { folder, index, packages: order(packages2), onProgress };
     const start = (snapshot) => new Start(options, snapshot).run();
@@ -8208,7 +8211,8 @@ ${lines2.join("\n")}
       /** @type {HTMLScriptElement | null} */
       document.currentScript
     );
-    const base = new URL("runtime/", script?.src || document.baseURI).href;
+    const own = new URL(script?.src || document.baseURI);
+    const base = new URL(`runtime/${own.search}`, own).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
     client.addEventListener("state", () => tell(client.state));
     return client;

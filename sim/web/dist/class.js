@@ -1084,6 +1084,9 @@
       document.head.append(script);
     });
   }
+  function indexOf(base) {
+    return new URL(`index.js${new URL(base).search}`, base).href;
+  }
   function patiently(promise) {
     return new Promise((resolve, reject) => {
       const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
@@ -1094,7 +1097,7 @@
     const known = indexes.get(base);
     if (known) return known;
     const inside = Boolean(page.__cartsInside);
-    const read = inside ? Promise.resolve() : patiently(runScript(`${base}index.js`, "index.js"));
+    const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
     const loading = read.then(() => {
       const index = page.__cartsRuntime;
       if (!inside) delete page.__cartsRuntime;
@@ -1108,7 +1111,7 @@
   }
   async function loadPart(base, name, number, part) {
     const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(base + part.src, name);
+    if (!inside) await runScript(new URL(part.src, base).href, name);
     const key = `${name}.${number}`;
     const text = page.__cartsParts?.[key];
     if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
@@ -1333,7 +1336,7 @@
   } }) {
     requireWasm();
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
-    const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
+    const folder = new URL(base, document.baseURI).href;
     const index = await loadIndex(folder);
     const options = { folder, index, packages: order(packages), onProgress };
     const start = (snapshot) => new Start(options, snapshot).run();
@@ -1428,7 +1431,8 @@
       /** @type {HTMLScriptElement | null} */
       document.currentScript
     );
-    const base = new URL("runtime/", script?.src || document.baseURI).href;
+    const own = new URL(script?.src || document.baseURI);
+    const base = new URL(`runtime/${own.search}`, own).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
     client.addEventListener("state", () => tell(client.state));
     return client;

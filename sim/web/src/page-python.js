@@ -9,7 +9,8 @@ import { startRuntime } from "./runtime.js";
  */
 export function pagePython(packages) {
   const script = /** @type {HTMLScriptElement | null} */ (document.currentScript);
-  const base = new URL("runtime/", script?.src || document.baseURI).href; // a page in one file: no src
+  const own = new URL(script?.src || document.baseURI); // in a page that is one file it has no address
+  const base = new URL(`runtime/${own.search}`, own).href;
   const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
   client.addEventListener("state", () => tell(client.state));
   return client;

@@ -49,6 +49,11 @@ function runScript(src, name) {
   });
 }
 
+/** The address of the table of contents; the stamp of the folder is its own. @param {string} base */
+function indexOf(base) {
+  return new URL(`index.js${new URL(base).search}`, base).href;
+}
+
 /** @param {Promise<void>} promise */
 function patiently(promise) {
   return new Promise((resolve, reject) => {
@@ -66,7 +71,7 @@ export function loadIndex(base) {
   const known = indexes.get(base);
   if (known) return known;
   const inside = Boolean(page.__cartsInside);
-  const read = inside ? Promise.resolve() : patiently(runScript(`${base}index.js`, "index.js"));
+  const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
   const loading = read.then(() => {
     const index = page.__cartsRuntime;
     if (!inside) delete page.__cartsRuntime;
@@ -89,7 +94,7 @@ export function loadIndex(base) {
  */
 export async function loadPart(base, name, number, part) {
   const inside = Boolean(page.__cartsInside); // a page of one file has all parts in itself
-  if (!inside) await runScript(base + part.src, name);
+  if (!inside) await runScript(new URL(part.src, base).href, name);
   const key = `${name}.${number}`;
   const text = page.__cartsParts?.[key]; // a script cut short does not run: there is no text then
   if (text === undefined) throw new RuntimeFailure("payload-damaged", part.src, name);

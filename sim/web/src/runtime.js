@@ -17,13 +17,14 @@ const PICK_UP = 3; // s until an idle worker must have taken up a request
  * Starts from the memory snapshot; where that is damaged or the browser can't use it, the plain way.
  * Rejects with a `RuntimeFailure`: message for the reader, code in `.reason`.
  * @param {{base: string, packages?: string[], onProgress?: (progress: Progress) => void}} options
- *   base: address of the folder `runtime/`; packages: of "numpy", "scipy" and "newtons-carts-class"
+ *   base: address of the folder `runtime/`, on a web server with a stamp (sim/pages/offline/stamps.py);
+ *   packages: of "numpy", "scipy" and "newtons-carts-class"
  * @returns {Promise<Runtime>}
  */
 export async function startRuntime({ base, packages = [], onProgress = () => {} }) {
   requireWasm();
   if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
-  const folder = new URL(base.endsWith("/") ? base : `${base}/`, document.baseURI).href;
+  const folder = new URL(base, document.baseURI).href;
   const index = await loadIndex(folder);
   const options = { folder, index, packages: order(packages), onProgress };
   const start = (/** @type {boolean} */ snapshot) => new Start(options, snapshot).run();

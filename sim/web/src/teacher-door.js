@@ -9,11 +9,12 @@ export const OPEN = "carts-teach";
 export function teacherDoor() {
   const link = document.querySelector(".carts-teach-door a");
   if (!(link instanceof HTMLAnchorElement)) return;
-  const assets = new URL("../", new URL(link.dataset.lesson ?? "", document.baseURI));
+  const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
+  const beside = (/** @type {string} */ name) => new URL(`../${name}${lesson.search}`, lesson).href;
   /** @type {Promise<unknown> | null} */
   let loaded = null;
   const open = async () => {
-    loaded ??= Promise.all([style(new URL("teacher.css", assets)), script(assets)]);
+    loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
     try {
       await loaded;
       document.dispatchEvent(new Event(OPEN));
@@ -31,18 +32,18 @@ export function teacherDoor() {
   if (wanted()) void open();
 }
 
-/** @param {URL} assets */
-function script(assets) {
+/** @param {string} address */
+function script(address) {
   const made = document.createElement("script");
-  made.src = new URL("teacher.js", assets).href;
+  made.src = address;
   return arrives(made);
 }
 
-/** @param {URL} address */
+/** @param {string} address */
 function style(address) {
   const made = document.createElement("link");
   made.rel = "stylesheet";
-  made.href = address.href;
+  made.href = address;
   return arrives(made);
 }
 

@@ -18,7 +18,7 @@ async function begin() {
   const address = new URL(link.dataset.lesson ?? "", document.baseURI).href;
   const assets = new URL("../", address).href;
   const told = await loadLesson(address);
-  const base = new URL("runtime/", assets).href;
+  const base = new URL(`runtime/${new URL(address).search}`, assets).href;
   const client = new Client((more) => startRuntime({ base, packages: [PACKAGE, ...more] }));
   const made = new Session({ told, client, assets, drafts: new Drafts(told), link });
   await made.open();
