@@ -77,7 +77,10 @@ browsers:
 	    echo "Installing $$missing from Debian's packages"; \
 	    apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $$missing >/dev/null; \
 	  else echo "The browser tests need $$missing: apt-get install $$missing" >&2; exit 1; fi; \
-	fi
+	fi; \
+	if [ "$$(id -u)" = 0 ] && ! command -v chromium-headless-shell >/dev/null; then \
+	  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium-headless-shell >/dev/null 2>&1 || true; \
+	fi  # without it the tests take the whole browser, and longer
 
 # New locks after a change of pyproject.toml or package.json; needs uv.
 lock:

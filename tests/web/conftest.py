@@ -30,6 +30,8 @@ LAUNCH: dict[str, dict[str, Any]] = {
         "firefox_user_prefs": {"security.fileuri.strict_origin_policy": True},
     },
 }
+# The same engine without a desktop's windows around it: a page opens in less than half the time.
+LIGHT = Path("/usr/bin/chromium-headless-shell")
 # ESR 153 does not know the command that emulates these; "null" means: leave them alone.
 UNSET = dict.fromkeys(("color_scheme", "reduced_motion", "forced_colors", "contrast"), "null")
 CONTEXT: dict[str, dict[str, Any]] = {"chromium": {}, "firefox": UNSET}
@@ -82,7 +84,8 @@ def browser_name(request: pytest.FixtureRequest) -> str:
 def browser(driver: Playwright, browser_name: str) -> Iterator[Browser]:
     if not Path(LAUNCH[browser_name]["executable_path"]).exists():
         pytest.fail(f"{browser_name} is not installed: run `make browsers`")
-    started = launch(driver, browser_name)
+    light = {"executable_path": LIGHT} if browser_name == "chromium" and LIGHT.exists() else {}
+    started = getattr(driver, browser_name).launch(**LAUNCH[browser_name] | light)
     yield started
     started.close()
 

@@ -29,10 +29,9 @@ def settle(page: Page) -> None:
     """
     expect(page.locator("html.js")).to_be_attached()
     page.wait_for_load_state()
-    expect(page.locator("html:is([data-python=starting], [data-python=failed])")).to_have_count(
-        0, timeout=60_000
-    )
-    expect(page.locator("carts-scene:not([data-state=live])")).to_have_count(0, timeout=60_000)
+    for still in ("html[data-python=starting]", "carts-scene:not([data-state=live])"):
+        page.wait_for_selector(still, state="detached", timeout=60_000)
+    expect(page.locator("html[data-python=failed]")).to_have_count(0)
 
 
 def one_of_each_kind(site: Path) -> list[str]:

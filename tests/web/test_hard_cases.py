@@ -32,6 +32,7 @@ def hard_page(widget_site: Path) -> Path:
     return page
 
 
+@pytest.mark.one_browser  # in the other, test_same_physics.py runs them without the page
 def test_all_cases_come_out_in_the_browser_as_their_sources_say(
     hard_page: Path, open_page: OpenPage
 ) -> None:

@@ -8,18 +8,16 @@ from pathlib import Path
 import pytest
 
 from tests.web.conftest import OpenPage
-from tests.web.pages_of import listen, one_of_each_kind, pages, settle
+from tests.web.pages_of import listen, one_of_each_kind, settle
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 
-def test_no_page_breaks_its_policy_from_disk(
-    site: Path, open_page: OpenPage, browser_name: str
-) -> None:
-    """All pages in one browser, of each kind one in the other: what differs is the kind."""
+def test_no_page_breaks_its_policy_from_disk(site: Path, open_page: OpenPage) -> None:
+    """All pages are visited in Chromium: see test_every_page.py. What differs is the kind."""
     page = open_page(site / "index.html")
     heard = listen(page)
-    for name in pages(site) if browser_name == "chromium" else one_of_each_kind(site):
+    for name in one_of_each_kind(site):
         page.goto((site / name).as_uri())
         settle(page)
     assert heard == []
