@@ -53,17 +53,16 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
     gaps = sorted(
         {gap for part in solved for gap in part.gaps} | {joint.gap for joint in record.joints}
     )
-    columns: dict[tuple[str, ...], array[float]] = {("t",): array("d")}
-    for name in names:
-        columns.update({(kind, name): array("d") for kind in ("x", "v", "a")})
-    for gap in gaps:
-        pair = "-".join(scene.names_at(gap))
-        columns.update({(kind, pair): array("d") for kind in ("F", "dF")})
+    titles: list[tuple[str, ...]] = [("t",)]
+    titles += [(kind, name) for name in names for kind in ("x", "v", "a")]
+    pairs = ["-".join(scene.names_at(gap)) for gap in gaps]
+    titles += [(kind, pair) for pair in pairs for kind in ("F", "dF")]
     named = outer_forces.names(run)
-    columns.update({("E", kind, name): array("d") for kind, name in named})
-    dense = min(per_stretch, _density(len(solved), len(columns)))
+    titles += [("E", kind, name) for kind, name in named]
+    dense = min(per_stretch, _density(len(solved), len(titles)))
     starts = [[piece.start[0] for piece in pieces] for pieces in record.pieces]
     live: list[Solved] = []
+    numbers: array[float] = array("d")  # row after row
     upcoming, last = 0, None
     for begin, end in pairwise(_marks(run)):
         while upcoming < len(solved) and solved[upcoming].begin <= begin:
@@ -80,10 +79,9 @@ def trajectory(run: Run, per_stretch: int = PER_STRETCH) -> Trajectory:
         for t in _times(begin, end, live, dense):
             row = _row(t, run, motion, live, gaps, stuck, named, middle)
             if row != last:
-                for column, value in zip(columns.values(), row, strict=True):
-                    column.append(value)
+                numbers.extend(row)
                 last = row
-    return Trajectory(columns)
+    return Trajectory({title: numbers[k :: len(titles)] for k, title in enumerate(titles)})
 
 
 def _marks(run: Run) -> list[float]:
@@ -149,7 +147,9 @@ def _row(
 ) -> list[float]:
     """All columns at t, with the formulas that hold in the interval around `middle`."""
     states = [_state(piece, t) for piece in motion]
-    row = [t, *(number for state in states for number in state)]
+    row = [t]
+    for state in states:
+        row += state
     forces = dict.fromkeys(gaps, (0.0, 0.0))
     for part in live:
         tau = (t - part.begin) - part.solver.begun[1]

@@ -42,8 +42,8 @@ class Field:
             number = read_quantity(value, self.dimension)
         except QuantityError as error:
             return Problem(path, error.code, error.message, error.hint)
-        low = None if self.least is None else Fraction(self.least)
-        high = None if self.most is None else Fraction(self.most)
+        low = None if self.least is None else quantity.exact(self.least)
+        high = None if self.most is None else quantity.exact(self.most)
         if (low is not None and (number < low or (self.above and number == low))) or (
             high is not None and number > high
         ):

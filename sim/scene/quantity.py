@@ -11,6 +11,7 @@ import math
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 LARGEST = Fraction(10) ** 50
 SMALLEST = 1 / LARGEST
@@ -122,10 +123,16 @@ def read_quantity(value: object, dimension: Dimension) -> Fraction:
     if isinstance(value, float):
         if not math.isfinite(value):
             raise QuantityError("not-finite", f"{value} is not a usable number", hint)
-        return _bounded(Fraction(repr(value)), hint)
+        return _bounded(exact(repr(value)), hint)
     if isinstance(value, int):
         return _bounded(Fraction(value), hint)
     return _bounded(_from_text(value, dimension, hint), hint)
+
+
+@lru_cache(maxsize=4096)
+def exact(number: str) -> Fraction:
+    """The number that the text says. A page reads the same scene again at each move of a slider."""
+    return Fraction(number)
 
 
 def unit_of(text: str) -> str:
@@ -162,7 +169,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
         factor = known
     if abs(int(re.sub(r".*[eE]", "", number))) > 400 if "e" in number.lower() else False:
         raise QuantityError("out-of-range", f"{number} is too large or too small", hint)
-    return Fraction(number) * factor
+    return exact(number) * factor if unit else exact(number)
 
 
 def _bounded(value: Fraction, hint: str) -> Fraction:

@@ -9,6 +9,7 @@ from typing import Any
 
 from sim.scene.fields import Field
 from sim.scene.problem import Path, Problem, nearest
+from sim.scene.quantity import exact
 
 _AFTER_COMMA = re.compile(r"\d+(\s?[^\s\d].*)?")
 """What {mass: 0,5 kg} leaves behind: a key “5 kg” without a value."""
@@ -62,7 +63,7 @@ def number(
             )
             return None
         if field.default is not None:
-            return Fraction(field.default)
+            return exact(field.default)
         if not field.optional:
             problems.append(
                 Problem(
