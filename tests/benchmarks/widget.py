@@ -79,6 +79,7 @@ def rows() -> list[dict[str, Any]]:
         played = _open(browser, site / PLAYED)
         frames = played.evaluate(FRAMES, 8)
         tasks = [d for start, d in played.evaluate("window.__long") if start > _live(played)]
+        played.close()  # it may play on
         eight = _open(browser, site / EIGHT)
         last = eight.locator("carts-scene").last.get_attribute("id")
         updates = eight.evaluate(DRAG, [last, MOVES])
