@@ -9,7 +9,7 @@ from pathlib import Path
 
 from . import pins
 from .cache import Cache, key_of, sha256
-from .class_wheel import make_extra_wheel
+from .extra_wheel import make_extra_wheel
 from .classic import classic_script
 from .lock import make_lock
 from .node import code_key, node_version

@@ -1,4 +1,4 @@
-"""Packages of ours that few pages load: "Class results" has one, teacher mode has one."""
+"""Packages of ours that few pages load: see extras.py."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def make_extra_wheel(core: Path, stdlib: Path, ours: Path, extra: Ours, cache: C
         used = used_files(core, stdlib, folder, wheels=[ours, wheel], modules=modules)
         (folder / "used.txt").write_text("\n".join(used.files), encoding="utf-8")
 
-    code = code_key("class_wheel", "stdlib", "ours")
+    code = code_key("extra_wheel", "stdlib", "ours")
     key = key_of(tools_key(), code, extra.key, ours.parent.name, *pins.CORE.values())
     folder = cache.step(extra.name, key, make)
     used = (folder / "used.txt").read_text(encoding="utf-8").split()
