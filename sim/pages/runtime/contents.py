@@ -9,8 +9,8 @@ from pathlib import Path
 
 from . import pins
 from .cache import Cache, key_of, sha256
-from .extra_wheel import make_extra_wheel
 from .classic import classic_script
+from .extra_wheel import make_extra_wheel
 from .lock import make_lock
 from .node import code_key, node_version
 from .ours import ENTRY, NAME, Ours
