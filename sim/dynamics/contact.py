@@ -85,7 +85,7 @@ class PairContact:
         if not self.stretches:
             return -self.u, self.d0
         d, v = self.stretches[-1].end()
-        return -v, max(d, 0.0)
+        return max(-v, 0.0), max(d, 0.0)  # what ends is over: by rounding e = 0 would close again
 
     def overlap(self, tau: float) -> float:
         """d at tau; at the ends without evaluating the closed form."""

@@ -12,10 +12,13 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from urllib.parse import unquote
 
-from sim.pages.fence_scan import meant_kind
+from yaml import YAMLError, safe_load
+
+from sim.pages.fence_scan import KINDS, meant_kind
 from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
 from sim.pages.scene_block import Lesson
+from sim.pages.yaml_source import YamlError, load
 
 _FENCE = re.compile(r"^[ \t>]*(`{3,}|~{3,})[ \t]*([^`\n]*)$", re.MULTILINE)
 _INLINE_CODE = re.compile(r"(`+)(?!`).+?(?<!`)\1(?!`)")
@@ -28,6 +31,9 @@ _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
 _AT_THE_TOP = r"\A---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
 _ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*(\d{1,4})[ \t]*\n")
 _LANGUAGE = re.compile(_AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
+_ANY_ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
+_FACTS = re.compile(r"\A---[ \t]*\r?\n(.*?^)(?:---|\.\.\.)[ \t]*$", re.DOTALL | re.MULTILINE)
+_FEW = re.compile(rf"^[ \t]*(?<!`)`{{1,2}}({'|'.join(KINDS)})[ \t]*$", re.MULTILINE)
 LAST = 1000  # lessons without a place of their own come behind those with one
 _STATED = re.compile(_AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
 _Found = tuple[int, str, str, str]  # place in the text, code, message, hint
@@ -37,7 +43,8 @@ _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     """Everything that is wrong with the text of a lesson, apart from its blocks."""
     prose = without_code(text)
-    found = [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *_language(text)]
+    found = [*_front_matter(text), *_few_backticks(prose)]
+    found += [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *_language(text)]
     found += _minutes_of_questions(prose)
     if lesson.scene_folders:  # where the lesson lies is known
         found += _links(prose, lesson)
@@ -90,6 +97,32 @@ def _language(text: str) -> Iterator[_Found]:
     except UnknownLanguageError as error:
         hint = "for example language: ms; without it the page speaks as the site does"
         yield stated.start(1) if stated else 0, "unknown-language", str(error), hint
+
+
+def _front_matter(text: str) -> Iterator[_Found]:
+    """Facts at the top that cannot be read: the page would print them and use none of them."""
+    facts = _FACTS.match(text)
+    if facts is None:
+        return
+    try:
+        safe_load(facts[1])
+    except YAMLError:
+        try:
+            load(facts[1], first_line=2)
+        except YamlError as error:
+            lines = text.splitlines(keepends=True)[: error.line - 1]
+            yield sum(map(len, lines)) + error.col - 1, "yaml", error.message, error.hint
+    if (stated := _ANY_ORDER.match(text)) and not re.fullmatch(r"\d{1,4}", stated[1].strip()):
+        message = f"order: “{stated[1].strip()}” is not a whole number"
+        yield stated.start(1), "not-a-number", message, "for example order: 30"
+
+
+def _few_backticks(prose: str) -> Iterator[_Found]:
+    """A block that begins with one or two backticks would be text, and swallow what follows."""
+    hint = "write ``` here and at the end of the block"
+    for opening in _FEW.finditer(prose):
+        message = f"a block begins with three backticks: ```{opening[1]}"
+        yield opening.start(), "few-backticks", message, hint
 
 
 def _pictures(prose: str) -> Iterator[_Found]:

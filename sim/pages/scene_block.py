@@ -12,6 +12,7 @@ it is shown:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -151,6 +152,9 @@ def _yaml_fault(file: str, error: YamlError) -> AuthorError:
     return AuthorError([Finding(file, error.line, error.col, "yaml", error.message, error.hint)])
 
 
+_ANOTHER = re.compile(rf"^[ \t]*`{{3,}}[ \t]*(?:{'|'.join(KINDS)})\b", re.MULTILINE)
+
+
 def _refuse_form(block: Block, file: str, place: Place) -> None:
     def refuse(code: str, message: str, hint: str) -> None:
         raise AuthorError([Finding(file, *place, code, message, hint)])
@@ -160,6 +164,13 @@ def _refuse_form(block: Block, file: str, place: Place) -> None:
         refuse("unknown-block", f"unknown block “{block.name}”", f"did you mean “{kind}”?")
     if not block.closed:
         refuse("not-closed", "this block is never closed", "end it with a line of ```")
+    if following := _ANOTHER.search(block.body):
+        line = place[0] + 1 + block.body.count("\n", 0, following.start())
+        refuse(
+            "not-closed",
+            "this block is not closed before the next one begins",
+            f"write a line of ``` above line {line}",
+        )
     if block.fault:
         refuse(block.fault, *_FAULTS[block.fault])
     if block.rest:

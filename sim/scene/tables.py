@@ -43,6 +43,8 @@ def unknown_keys(
         elif key not in known:
             close = nearest(str(key), known)
             hint = f"did you mean “{close}”?" if close else f"known keys: {', '.join(known)}"
+            if ":" in str(key):
+                hint = f"write a space after the colon: {str(key).replace(':', ': ', 1)}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))
 
 

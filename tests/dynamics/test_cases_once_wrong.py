@@ -17,6 +17,24 @@ def test_stuck_carts_go_on_as_one():
     assert finished.ledger.warmed == pytest.approx(0.5 * (2 / 3) * 0.81, rel=1e-14)
 
 
+@pytest.mark.parametrize("place", [f"1.{k}" for k in range(10)])
+@pytest.mark.parametrize("stiffness", [100, 700, 1300])
+def test_a_hit_without_bounce_is_one_contact(place, stiffness):
+    """Rounding left carts with a bumper of e = 0 that closed by 1e-17 m/s: a second contact."""
+    plain = {
+        "carts": {
+            "A": {"mass": "0.5", "position": "0.4", "velocity": "0.6"},
+            "B": {"mass": 1, "position": place},
+        },
+        "contact": {"restitution": 0, "stiffness": stiffness},
+        "until": 4,
+    }
+    finished = run(read_scene(plain))
+    kinds = [event.kind for event in finished.record.events]
+    assert [kinds.count(kind) for kind in ("contact", "peak", "separate")] == [1, 1, 1]
+    assert list(finished.v) == pytest.approx([0.2, 0.2], rel=1e-15)
+
+
 def test_the_force_between_stuck_carts_is_what_accelerates_the_rear_one():
     plain = {
         "carts": {

@@ -12,7 +12,7 @@ from babel.messages.pofile import read_po
 
 from sim.bridge.protocol import answer
 from sim.pages.language import ENGLISH, LANGUAGES, heard, of_page, speaking, tr, words
-from sim.pages.language.catalogue import FOLDER, UnknownLanguageError
+from sim.pages.language.catalogue import FOLDER, UnknownLanguageError, words_script
 from sim.pages.language.extract import ROOT, SOURCES, names_in, sentences
 from tests import registry
 
@@ -82,6 +82,15 @@ def assert_translated_in_place(path: Path) -> None:
     if path.suffix == ".js":
         for call in re.finditer(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', text):
             assert json.loads(call[1]) in BRACKETS, "not found where it stands: a line more"
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_what_a_script_says_is_among_the_words_that_its_page_gets(language: str) -> None:
+    given = words_script(language)
+    for path in sorted((ROOT / "sim/web/src").rglob("*.js")):
+        for call in re.finditer(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', path.read_text("utf-8")):
+            key = json.dumps(json.loads(call[1]), ensure_ascii=False)
+            assert f"{key}:" in given, f"{path.name}: put {key} on a line of its own"
 
 
 def told(sentence: str) -> str:

@@ -94,3 +94,20 @@ def test_a_page_without_javascript_can_be_read(
     page = open_page(site / "physics" / "index.html", folder=site, java_script_enabled=False)
     expect(page.locator("h1")).to_be_visible()
     expect(page.locator(".arithmatex").first).to_contain_text("\\(")
+
+
+@pytest.mark.one_browser
+def test_bars_of_momentum_stand_in_their_table(site: Path, open_page: OpenPage) -> None:
+    """All style sheets together: a rule for the bar of answers once took them out of it."""
+    page = open_page(site / "sandbox.html")
+    scene = page.locator("carts-scene").first
+    expect(scene).to_have_attribute("data-state", "live", timeout=60_000)
+    scene.locator("summary", has_text="Choose what to see").click()
+    scene.get_by_label("momentum before and now").check()
+    table = scene.locator("table", has=page.locator(".carts-bars"))
+    bar = table.locator('tbody [data-part="before"]').first
+    expect(bar).to_be_visible()
+    inner, outer = bar.bounding_box(), table.bounding_box()
+    assert inner and outer and inner["width"] > 10
+    assert outer["x"] <= inner["x"] <= outer["x"] + outer["width"]
+    assert outer["y"] <= inner["y"] <= outer["y"] + outer["height"]

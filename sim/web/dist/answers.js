@@ -42,6 +42,10 @@
     const form = entry?.form ?? "worksheet";
     return outline()?.items.find((item2) => item2.id === entry?.id && item2.form === form) ?? null;
   }
+  function isHere(entry) {
+    const scene = entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+    return Boolean(itemOf(entry) ?? (scene && document.getElementById(scene)));
+  }
   function isCurrent(entry) {
     const item2 = itemOf(entry);
     return !item2 || !entry.hash || entry.hash === item2.hash;
@@ -1254,8 +1258,7 @@
       );
     const list = html("dl", "carts-answers-said");
     for (const [, entry] of shown) {
-      const there = itemOf(entry);
-      const note = there ? "" : ` ${tr("(no longer on this page)")}`;
+      const note = isHere(entry) ? "" : ` ${tr("(no longer on this page)")}`;
       list.append(html("dt", "", `${entry.asked || entry.id}${note}`));
       list.append(html("dd", "", entry.said || plainValue(entry.value)));
       for (const old of entry.earlier ?? []) {
@@ -1588,7 +1591,14 @@
       place2.cloneNode(true)
     );
     for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
+    for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {
+      fraction.textContent = [...fraction.children].map(grouped).join("/");
+    }
     return (copy.textContent ?? "").replace(/\s+/g, " ").trim();
+  }
+  function grouped(side) {
+    const text = (side.textContent ?? "").trim();
+    return /[+−\-/·\s]/.test(text) ? `(${text})` : text;
   }
 
   // src/question/forms/arrange.js
@@ -1774,8 +1784,8 @@
     const text = typed.trim().replace(/[−–]/g, "-");
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
-    const grouped = GROUPED.exec(text);
-    if (grouped) return { problem: twoReadings(String(grouped[1])) };
+    const grouped2 = GROUPED.exec(text);
+    if (grouped2) return { problem: twoReadings(String(grouped2[1])) };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
     const number = String(found2[1]);

@@ -3995,7 +3995,9 @@ ${lines2.join("\n")}
     const inside = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
     const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2).join(", ");
     const model = tr("In this model: {effects}.", { effects: inside });
-    return leftOut ? `${model} ${tr("Left out: {effects}.", { effects: leftOut })}` : model;
+    if (!leftOut) return model;
+    const outside2 = tr("Left out: {effects}.", { effects: leftOut });
+    return `${model} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
     const { kind, numbers: n3, carts, between: between2 } = effect;

@@ -23,7 +23,9 @@ export function actingSentences(header, numbers) {
     : tr("nothing but the contacts between the carts");
   const leftOut = header.notSimulated.map((name) => LEFT_OUT[name] ?? name).join(", ");
   const model = tr("In this model: {effects}.", { effects: inside });
-  return leftOut ? `${model} ${tr("Left out: {effects}.", { effects: leftOut })}` : model;
+  if (!leftOut) return model;
+  const outside = tr("Left out: {effects}.", { effects: leftOut });
+  return `${model} ${outside}`;
 }
 
 /** @param {Effect} effect @param {Header} header @param {boolean} numbers */

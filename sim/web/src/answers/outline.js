@@ -20,6 +20,12 @@ export function itemOf(entry) {
   return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
 }
 
+/** Whether what was answered is on this page: a question, or the scene whose force was found. @param {any} entry */
+export function isHere(entry) {
+  const scene = entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+  return Boolean(itemOf(entry) ?? (scene && document.getElementById(scene)));
+}
+
 /** Whether an answer belongs to the question as it is today. @param {any} entry @returns {boolean} */
 export function isCurrent(entry) {
   const item = itemOf(entry);

@@ -5,5 +5,14 @@ export function plainText(place) {
   if (!place) return "";
   const copy = /** @type {Element} */ (place.cloneNode(true));
   for (const twice of copy.querySelectorAll(".katex-html, annotation")) twice.remove();
+  for (const fraction of [...copy.querySelectorAll("mfrac")].reverse()) {
+    fraction.textContent = [...fraction.children].map(grouped).join("/"); // the inner ones first
+  }
   return (copy.textContent ?? "").replace(/\s+/g, " ").trim();
+}
+
+/** One side of a fraction on one line. @param {Element} side */
+function grouped(side) {
+  const text = (side.textContent ?? "").trim();
+  return /[+−\-/·\s]/.test(text) ? `(${text})` : text;
 }

@@ -80,6 +80,7 @@ export class Session {
       this.withheld = this.withheld && draft.base === this.told.text;
       this.history.change(draft.text, "");
       this.panel.status(`Your draft of ${when(draft.last)} is back.`);
+      this.panel.kept(true);
       await this.lookNow();
     } else this.panel.status("");
     this.panel.offerEarlier(await this.drafts.earlier());
