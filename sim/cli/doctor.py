@@ -129,8 +129,9 @@ def _site(here: Path) -> Iterator[Line]:
     except click.ClickException as error:
         yield Line("bad", "mkdocs.yml cannot be read", error.message)
         return
-    lessons = len([*(here / "worksheets").glob("*.md")])
-    yield Line("ok" if lessons else "bad", f"the site “{site.title}” with {lessons} lessons",
+    lessons = len([*(here / "worksheets").rglob("*.md")])
+    counted = "1 lesson" if lessons == 1 else f"{lessons} lessons"
+    yield Line("ok" if lessons else "bad", f"the site “{site.title}” with {counted}",
                "" if lessons else "write one: carts new first-lesson")  # fmt: skip
     if site.site_id == "site":
         help_ = "students' answers need a name: extra: {carts: {site_id: my-lessons}} in mkdocs.yml"

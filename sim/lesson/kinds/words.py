@@ -19,7 +19,8 @@ from sim.scene.tables import mapping
 RUBRIC = Key(
     "rubric",
     "what an answer needs for 0, 1, 2 … marks, best with a sample; for the teacher, never in the "
-    "page. The largest number is what the question is worth",
+    "page. The largest number is what the question is worth. Left out only where `accept` says "
+    "what is right",
     "{2: names both forces, 1: names one, 0: “action = reaction” alone}",
     {"type": "object", "patternProperties": {"^[0-9]$": TEXT}, "additionalProperties": False},
 )

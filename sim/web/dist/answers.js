@@ -1566,7 +1566,7 @@
             "p",
             "",
             tr("Your run says {value} {unit}.", {
-              value: Number(own.toPrecision(3)),
+              value: String(Number(own.toPrecision(3))).replace("-", "−"),
               unit: facts.unit
             })
           )

@@ -55,7 +55,7 @@ export class Feedback {
           "p",
           "",
           tr("Your run says {value} {unit}.", {
-            value: Number(own.toPrecision(3)),
+            value: String(Number(own.toPrecision(3))).replace("-", "−"),
             unit: facts.unit,
           }),
         ),
