@@ -26,7 +26,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: st
     """Look for mistakes in lessons (.md) and scene files (.yml).
 
     PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes are
-    checked. Exit code 1 means that something was found, 2 that a PATH does not exist.
+    checked. Exit code 1 means that something was found, 2 that there is nothing to check.
 
     \b
     carts check
@@ -37,9 +37,14 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: st
     for path in paths:
         if not path.exists():
             raise click.UsageError(f"There is no file or folder “{path}”.")
-    found = check_paths(
-        [path.resolve() for path in paths] or [root / place for place in USUAL_PLACES], root
-    )
+    places = [path.resolve() for path in paths] or [root / place for place in USUAL_PLACES]
+    if not any(place.exists() for place in places):
+        usual = ", ".join(USUAL_PLACES)
+        raise click.UsageError(
+            f"There are no lessons here (looked for {usual}). Go to the folder of your site first, "
+            "or name a file: carts check my-lesson.md"
+        )
+    found = check_paths(places, root)
     if form == "github":
         for finding in found:
             click.echo(finding.as_annotation())

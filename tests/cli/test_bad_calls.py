@@ -198,3 +198,10 @@ def test_what_cannot_be_solved_is_a_finding(monkeypatch, capsys):
     assert ended.value.code == 1
     told = str(Finding("odd.yml", 1, 1, "unsolved", "no solver", "use another law"))
     assert capsys.readouterr().err == told + "\n"
+
+
+def test_a_check_in_a_folder_without_lessons_says_so(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    done = carts("check")
+    assert done.exit_code == 2
+    assert "There are no lessons here" in done.stderr
