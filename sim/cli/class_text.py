@@ -24,6 +24,12 @@ def _parts(report: Mapping[str, Any]) -> Iterator[str]:
         yield f"{title}\n{'=' * len(title)}"
         yield _means(lesson)
         says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
+        says += [
+            f"Form {form['form']}: there is no key for it, so nothing is marked. "
+            "Name the key file too: --key FILE"
+            for form in lesson["forms"]
+            if not form["has_key"]
+        ]
         yield _lines(says)
         if lesson["comparison"]:
             yield _lines([*lesson["comparison"]["sentences"], *lesson["comparison"]["refusals"]])

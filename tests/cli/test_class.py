@@ -49,6 +49,7 @@ def test_without_a_key_answers_are_counted_and_nothing_is_marked(school: Path) -
     assert pre["has_key"] is post["has_key"] is False
     assert pre["of"] == 0
     assert sum(choice["count"] for choice in pre["items"][0]["choices"]) > 5
+    assert "no key for it, so nothing is marked" in carts(school / "7a").stdout
 
 
 def test_a_zip_gives_the_same_report_as_its_folder(school: Path) -> None:
