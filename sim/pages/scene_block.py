@@ -75,7 +75,8 @@ class SiteIds:
                         place.col,
                         "id-taken",
                         f"id: “{identity}” is already used at {first}",
-                        "every scene and question of the site needs an id of its own: in a copy, change the copy",
+                        "every scene and question of the site needs an id of its own: "
+                        "in a copy, change the copy",
                     )
                 ]
             )

@@ -2658,7 +2658,7 @@
         return grid;
       });
       const text = tr(
-        "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too."
+        "The run’s arrows are those at greatest compression, with the values that you predicted for. Play it in slow motion and look at other instants too."
       );
       return [...tables, html("p", "", text)];
     }

@@ -135,7 +135,7 @@ export class ArrowsForm {
       return grid;
     });
     const text = tr(
-      "The run’s arrows are those at greatest compression. Play it in slow motion and look at other instants too.",
+      "The run’s arrows are those at greatest compression, with the values that you predicted for. Play it in slow motion and look at other instants too.",
     );
     return [...tables, html("p", "", text)];
   }
