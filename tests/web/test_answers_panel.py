@@ -45,6 +45,22 @@ def continue_as(page: Page, code: str, button: str | None = None) -> None:
     expect(page.locator(".carts-bar-who")).to_have_text(code)
 
 
+@pytest.mark.one_browser
+def test_answers_are_listed_as_their_questions_stand(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("last on the page")
+    saved(page, "why")
+    page.get_by_label("The one on the van").check()
+    saved(page, "pick-one")
+    page.locator(".carts-bar-open").click()
+    said = page.locator(".carts-answers-said dd:not(.carts-quiet)")
+    expect(said).to_have_count(2)
+    assert "The one on the van" in said.nth(0).inner_text()
+    assert said.nth(1).inner_text() == "last on the page"
+
+
 def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site: Path) -> None:
     page = ready(open_page(question_site / "kinds.html"))
     page.locator("#why textarea").fill("from somebody")

@@ -42,9 +42,18 @@
     const form = entry?.form ?? "worksheet";
     return outline()?.items.find((item2) => item2.id === entry?.id && item2.form === form) ?? null;
   }
+  var sceneOf = (entry) => entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
   function isHere(entry) {
-    const scene = entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+    const scene = sceneOf(entry);
     return Boolean(itemOf(entry) ?? (scene && document.getElementById(scene)));
+  }
+  function inPageOrder(entries) {
+    const places = [...document.querySelectorAll("[id]")].map(({ id }) => id);
+    const place2 = (entry) => {
+      const at = places.indexOf(sceneOf(entry) || entry.id);
+      return at < 0 ? places.length : at;
+    };
+    return [...entries].sort(([, one], [, other]) => place2(one) - place2(other));
   }
   function isCurrent(entry) {
     const item2 = itemOf(entry);
@@ -1257,7 +1266,7 @@
         )
       );
     const list = html("dl", "carts-answers-said");
-    for (const [, entry] of shown) {
+    for (const [, entry] of inPageOrder(shown)) {
       const note = isHere(entry) ? "" : ` ${tr("(no longer on this page)")}`;
       list.append(html("dt", "", `${entry.asked || entry.id}${note}`));
       list.append(html("dd", "", entry.said || plainValue(entry.value)));

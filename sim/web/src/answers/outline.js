@@ -20,10 +20,23 @@ export function itemOf(entry) {
   return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
 }
 
-/** Whether what was answered is on this page: a question, or the scene whose force was found. @param {any} entry */
+/** The scene whose force was found; empty for answers to questions. @param {any} entry @returns {string} */
+const sceneOf = (entry) => (entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "");
+
+/** Whether what was answered is on this page. @param {any} entry */
 export function isHere(entry) {
-  const scene = entry?.type === "found-force" ? entry.id.replace(/-forces$/, "") : "";
+  const scene = sceneOf(entry);
   return Boolean(itemOf(entry) ?? (scene && document.getElementById(scene)));
+}
+
+/** The answers in the order of what they answer on the page; last what is not there. @param {[string, any][]} entries */
+export function inPageOrder(entries) {
+  const places = [...document.querySelectorAll("[id]")].map(({ id }) => id);
+  const place = (/** @type {any} */ entry) => {
+    const at = places.indexOf(sceneOf(entry) || entry.id);
+    return at < 0 ? places.length : at;
+  };
+  return [...entries].sort(([, one], [, other]) => place(one) - place(other));
 }
 
 /** Whether an answer belongs to the question as it is today. @param {any} entry @returns {boolean} */

@@ -4,7 +4,7 @@ import { html } from "../dom.js";
 import { tr } from "../language.js";
 import { handedForms } from "../question/quiz.js";
 import { isEmpty } from "./entry.js";
-import { isHere, outline } from "./outline.js";
+import { inPageOrder, isHere, outline } from "./outline.js";
 import { button, part } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
@@ -41,7 +41,7 @@ export function listPart(book) {
       ),
     );
   const list = html("dl", "carts-answers-said");
-  for (const [, entry] of shown) {
+  for (const [, entry] of inPageOrder(shown)) {
     const note = isHere(entry) ? "" : ` ${tr("(no longer on this page)")}`;
     list.append(html("dt", "", `${entry.asked || entry.id}${note}`));
     list.append(html("dd", "", entry.said || plainValue(entry.value)));
