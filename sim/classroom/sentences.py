@@ -26,6 +26,11 @@ FEW_QUESTIONS = (
 SAME_FORM = "The same questions were asked twice: part of the gain may be memory."
 
 
+def unmarked(form: str) -> str:
+    """That a form's key is missing; what to do is up to who shows it."""
+    return f"Form {form}: there is no key for it, so nothing is marked."
+
+
 def number(value: float, places: int = 2) -> str:
     """A number as it is written here: with a real minus, and no minus before nought."""
     text = f"{value:.{places}f}"

@@ -11,7 +11,7 @@ from typing import Any
 from sim.classroom import sentences as say
 from sim.classroom.drawing import bars, dots
 from sim.classroom.html_parts import listed, table, text, who
-from sim.classroom.sentences import number, signed
+from sim.classroom.sentences import number, signed, unmarked
 from sim.classroom.show_items import TITLES, form_html
 
 Row = Mapping[str, Any]
@@ -86,8 +86,7 @@ def _means(lesson: Row, report: Row) -> str:
                 prefix = f"{form['form']}, {group['group']}: "
                 says.append(prefix + sentence)
         if not form["has_key"]:
-            says.append(f"Form {form['form']}: there is no key for it, so nothing is marked. "
-                        "Choose the key file as well.")  # fmt: skip
+            says.append(f"{unmarked(form['form'])} Choose the key file as well.")
         elif form["unread"]:
             says.append(f"Form {form['form']}: {', '.join(form['unread'])} wait to be read by you "
                         "and are in no total yet.")  # fmt: skip

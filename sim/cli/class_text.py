@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sim.classroom.sentences import number
+from sim.classroom.sentences import number, unmarked
 from sim.cli.tables import table
 
 
@@ -25,8 +25,7 @@ def _parts(report: Mapping[str, Any]) -> Iterator[str]:
         yield _means(lesson)
         says = [g["sentence"] for f in lesson["forms"] for g in f["groups"] if "sentence" in g]
         says += [
-            f"Form {form['form']}: there is no key for it, so nothing is marked. "
-            "Name the key file too: --key FILE"
+            f"{unmarked(form['form'])} Name the key file too: --key FILE"
             for form in lesson["forms"]
             if not form["has_key"]
         ]

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     """Build the site and write its lessons, one file each, into the zip `out`."""
     from sim.cli.pack import size_of, write_zip
-    from sim.pages import runtime
     from sim.pages.all_inside import runtime_scripts
     from sim.pages.single_lesson import single_lesson
     from sim.pages.site_build import SiteError
@@ -35,8 +34,6 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
         for name, packages in sorted(builds[0].asked.items()):
             if not name.startswith("worksheets/"):
                 continue
-            if builds[0].needs[name].measured:
-                packages |= {runtime.MEASURED}
             if packages not in packed:
                 try:
                     packed[packages] = runtime_scripts(packages, here.root, click.echo)

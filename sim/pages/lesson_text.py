@@ -14,7 +14,7 @@ from urllib.parse import unquote
 
 from yaml import YAMLError, safe_load
 
-from sim.pages.fence_scan import KINDS, meant_kind
+from sim.pages.fence_scan import KINDS, after_front_matter, meant_kind
 from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
 from sim.pages.scene_block import Lesson
@@ -29,10 +29,9 @@ _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
 _AT_THE_TOP = r"\A---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
-_ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*(\d{1,4})[ \t]*\n")
+_ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
+_PLACE = re.compile(r"\d{1,4}")
 _LANGUAGE = re.compile(_AT_THE_TOP + r"language:[ \t]*(\S[^\n#]*)")
-_ANY_ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
-_FACTS = re.compile(r"\A---[ \t]*\r?\n(.*?^)(?:---|\.\.\.)[ \t]*$", re.DOTALL | re.MULTILINE)
 _FEW = re.compile(rf"^[ \t]*(?<!`)`{{1,2}}({'|'.join(KINDS)})[ \t]*$", re.MULTILINE)
 LAST = 1000  # lessons without a place of their own come behind those with one
 _STATED = re.compile(_AT_THE_TOP + r"minutes:[ \t]*(\d+)[ \t]*\n")
@@ -69,7 +68,8 @@ def lesson_order(path: Path) -> tuple[int, str]:
     """Where a lesson stands among the others: `order: 2` in its front matter, then its name."""
     with path.open(encoding="utf-8", errors="replace") as file:
         stated = _ORDER.match(file.read(2000))
-    return int(stated[1]) if stated else LAST, path.name
+    place = stated[1].strip() if stated else ""
+    return int(place) if _PLACE.fullmatch(place) else LAST, path.name
 
 
 def without_code(text: str) -> str:
@@ -101,18 +101,17 @@ def _language(text: str) -> Iterator[_Found]:
 
 def _front_matter(text: str) -> Iterator[_Found]:
     """Facts at the top that cannot be read: the page would print them and use none of them."""
-    facts = _FACTS.match(text)
-    if facts is None:
-        return
+    lines = text.splitlines(keepends=True)
+    facts = "".join(lines[1 : max(1, after_front_matter(lines) - 1)])
     try:
-        safe_load(facts[1])
+        safe_load(facts)
     except YAMLError:
         try:
-            load(facts[1], first_line=2)
+            load(facts, first_line=2)
         except YamlError as error:
-            lines = text.splitlines(keepends=True)[: error.line - 1]
-            yield sum(map(len, lines)) + error.col - 1, "yaml", error.message, error.hint
-    if (stated := _ANY_ORDER.match(text)) and not re.fullmatch(r"\d{1,4}", stated[1].strip()):
+            at = sum(map(len, lines[: error.line - 1])) + error.col - 1
+            yield at, "yaml", error.message, error.hint
+    if (stated := _ORDER.match(text)) and not _PLACE.fullmatch(stated[1].strip()):
         message = f"order: “{stated[1].strip()}” is not a whole number"
         yield stated.start(1), "not-a-number", message, "for example order: 30"
 

@@ -123,9 +123,7 @@ class SiteBuild:
         self.doors.note(name, page.lesson.file, page.language)
         if key := practice_key(self.site_id, lesson, page.items):
             self.keys[name] = key
-        self.asked[name] = frozenset(
-            page.packages | (_STATISTICS if classroom or measured else set())
-        )
+        self.asked[name] = frozenset(page.packages) | _own_packages(self.needs[name])
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
@@ -189,11 +187,9 @@ class SiteBuild:
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
-                packages.add(runtime.CLASSROOM)
             if any(needs.measured for needs in self.needs.values()):
                 script = site_files.measured_script()
                 (site / site_files.ASSETS / "measured.js").write_bytes(script)
-                packages.add(runtime.MEASURED)
             if self.doors.made:
                 self.doors.write(site / site_files.ASSETS, *site_files.teacher_files())
                 packages.add(runtime.TEACHER)
@@ -203,6 +199,16 @@ class SiteBuild:
                 self.done = frozenset(packages)
         except (site_files.MissingFilesError, *runtime.ERRORS) as error:
             raise SiteError(str(error)) from error
+
+
+def _own_packages(needs: Needs) -> frozenset[str]:
+    """What the elements of a page load, beside what its scenes call for."""
+    if not needs.classroom and not needs.measured:
+        return frozenset()
+    from sim.pages import runtime  # only where a page has such an element
+
+    own = {runtime.CLASSROOM: needs.classroom, runtime.MEASURED: needs.measured}
+    return frozenset({*_STATISTICS, *(name for name, asked in own.items() if asked)})
 
 
 def lessons_in(folder: Path) -> list[Path]:

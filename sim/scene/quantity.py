@@ -169,7 +169,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
         factor = known
     if abs(int(re.sub(r".*[eE]", "", number))) > 400 if "e" in number.lower() else False:
         raise QuantityError("out-of-range", f"{number} is too large or too small", hint)
-    return exact(number) * factor if unit else exact(number)
+    return exact(number) * factor
 
 
 def _bounded(value: Fraction, hint: str) -> Fraction:

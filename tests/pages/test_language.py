@@ -80,16 +80,22 @@ def assert_translated_in_place(path: Path) -> None:
     for call in re.finditer(r"(?<![\w.])tr\(\s*(\S)", text):
         assert call[1] in "\"'", f"{path.name}: {text[call.start() : call.start() + 60]}"
     if path.suffix == ".js":
-        for call in re.finditer(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', text):
-            assert json.loads(call[1]) in BRACKETS, "not found where it stands: a line more"
+        for key in translated_in(path):
+            assert key in BRACKETS, "not found where it stands: a line more"
+
+
+def translated_in(script: Path) -> list[str]:
+    """Every text that a script hands to `tr`."""
+    calls = re.findall(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', script.read_text(encoding="utf-8"))
+    return [json.loads(text) for text in calls]
 
 
 @pytest.mark.parametrize("language", OTHERS)
 def test_what_a_script_says_is_among_the_words_that_its_page_gets(language: str) -> None:
     given = words_script(language)
     for path in sorted((ROOT / "sim/web/src").rglob("*.js")):
-        for call in re.finditer(r'(?<![\w.])tr\(\s*("(?:[^"\\]|\\.)*")', path.read_text("utf-8")):
-            key = json.dumps(json.loads(call[1]), ensure_ascii=False)
+        for text in translated_in(path):
+            key = json.dumps(text, ensure_ascii=False)
             assert f"{key}:" in given, f"{path.name}: put {key} on a line of its own"
 
 

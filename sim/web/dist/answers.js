@@ -1422,6 +1422,28 @@
     }
   };
 
+  // src/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+  function short(value, figures = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+    }
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function trim(text) {
+    return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  }
+
   // src/question/marking/plain.js
   function plain(text) {
     return text.toLowerCase().replace(/[−–]/g, "-").replace(/[\s.,;:!?“”„"'’`()]+/g, " ").trim();
@@ -1575,7 +1597,7 @@
             "p",
             "",
             tr("Your run says {value} {unit}.", {
-              value: String(Number(own.toPrecision(3))).replace("-", "−"),
+              value: short(own),
               unit: facts.unit
             })
           )

@@ -2,6 +2,7 @@
 
 import { html, need } from "../dom.js";
 import { tr } from "../language.js";
+import { short } from "../numbers.js";
 import { mark } from "./marking/mark.js";
 
 const WORDS = {
@@ -55,7 +56,7 @@ export class Feedback {
           "p",
           "",
           tr("Your run says {value} {unit}.", {
-            value: String(Number(own.toPrecision(3))).replace("-", "−"),
+            value: short(own),
             unit: facts.unit,
           }),
         ),
