@@ -93,7 +93,7 @@ def translated_in(script: Path) -> list[str]:
 @pytest.mark.parametrize("language", OTHERS)
 def test_what_a_script_says_is_among_the_words_that_its_page_gets(language: str) -> None:
     given = words_script(language)
-    for path in sorted((ROOT / "sim/web/src").rglob("*.js")):
+    for path in sorted([*(ROOT / "sim/web/src").rglob("*.js"), *(ROOT / "sim/view").glob("*.js")]):
         for text in translated_in(path):
             key = json.dumps(text, ensure_ascii=False)
             assert f"{key}:" in given, f"{path.name}: put {key} on a line of its own"

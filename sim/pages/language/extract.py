@@ -23,6 +23,7 @@ ROOT = Path(__file__).parents[3]
 SOURCES = (
     ("sim/pages", "*.py", "python", ("tr", "mark")),
     ("sim/pages", "*.j2", "jinja2.ext.babel_extract", ("tr",)),
+    ("sim/view", "*.js", "javascript", ("tr",)),
     ("sim/web/src", "*.js", "javascript", ("tr",)),
 )
 OPTIONS: dict[str, dict[str, Any]] = {

@@ -1,6 +1,16 @@
 "use strict";
 (() => {
-  // src/dom.js
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    const said = catalogue[sentence] ?? sentence;
+    return said.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
+  }
+
+  // src/shared/dom.js
   function html(tag, className = "", text = "") {
     const made2 = document.createElement(tag);
     if (className) made2.className = className;
@@ -17,16 +27,6 @@
       /** @type {T} */
       found2
     );
-  }
-
-  // src/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
 
   // src/answers/outline.js
@@ -172,7 +172,7 @@
     return all.slice(-MOST_EARLIER);
   }
 
-  // src/storage.js
+  // src/shared/storage.js
   var READINGS = "-measured";
   var STORE = "answers";
   var PATIENCE = 2e4;
@@ -357,9 +357,9 @@
   // src/answers/book.js
   var Book = class extends EventTarget {
     student = "";
-    /** @type {import("../storage.js").Store | null} */
+    /** @type {import("../shared/storage.js").Store | null} */
     store = null;
-    /** @type {import("../storage.js").Store | null} */
+    /** @type {import("../shared/storage.js").Store | null} */
     all = null;
     /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
     /** @type {Map<string, any>} */
@@ -520,7 +520,7 @@
     }
   };
 
-  // src/download.js
+  // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text, type) {
     downloadBlob(name, new Blob([text], { type }));
@@ -1422,7 +1422,7 @@
     }
   };
 
-  // src/numbers.js
+  // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   function exponent(value) {
     return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
@@ -1745,7 +1745,7 @@
     return letter ? `${letter}: ${text}` : text;
   }
 
-  // src/trajectory.js
+  // ../view/trajectory.js
   function rowAt(times, t) {
     let low = 0;
     let high = times.length;
@@ -1795,7 +1795,7 @@
     return valueAt(run.t, column, slopes, t) * factor;
   }
 
-  // src/typed.js
+  // src/shared/typed.js
   function twoReadings(text) {
     const whole2 = text.replaceAll(",", "");
     if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole2 });
@@ -2131,7 +2131,7 @@
     };
   }
 
-  // src/teacher-door.js
+  // src/teach/door.js
   var OPEN = "carts-teach";
   function teacherDoor() {
     const link = document.querySelector(".carts-teach-door a");

@@ -1,34 +1,6 @@
 "use strict";
 (() => {
-  // src/dom.js
-  var SVG = "http://www.w3.org/2000/svg";
-  function svg(tag, attributes = {}) {
-    const made3 = document.createElementNS(SVG, tag);
-    for (const [name2, value] of Object.entries(attributes)) made3.setAttribute(name2, String(value));
-    return made3;
-  }
-  function html(tag, className = "", text = "") {
-    const made3 = document.createElement(tag);
-    if (className) made3.className = className;
-    if (text) made3.textContent = text;
-    return made3;
-  }
-  function put(element, name2, value) {
-    if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
-  }
-  function say(element, text) {
-    if (element.textContent !== text) element.textContent = text;
-  }
-  function need(root, selector) {
-    const found2 = root.querySelector(selector);
-    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found2
-    );
-  }
-
-  // src/numbers.js
+  // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   var MAX_DECIMALS = 12;
   var SLOW = 0.01;
@@ -67,7 +39,189 @@
     return String(rounded === 0 ? 0 : rounded);
   }
 
-  // src/cost-figure.js
+  // src/scene/slow.js
+  var WATCH = 3;
+  var BEFORE = 0.15;
+  var AFTER = 0.25;
+  var RATES = [0.5, 0.2, 0.1];
+  function rateFor(duration2) {
+    const wanted = duration2 / WATCH;
+    for (let power = 1; power > 1e-12; power /= 10) {
+      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
+    }
+    return wanted;
+  }
+  function slowParts(touches2) {
+    const parts2 = [];
+    for (const { start, end } of touches2) {
+      const duration2 = end - start;
+      const rate = rateFor(duration2);
+      if (rate >= 1) continue;
+      const part2 = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
+      const last = parts2.at(-1);
+      if (last && part2.from <= last.to) {
+        last.to = Math.max(last.to, part2.to);
+        last.rate = Math.min(last.rate, rate);
+      } else parts2.push(part2);
+    }
+    return parts2;
+  }
+  function slowAt(parts2, t3) {
+    return parts2.find((part2) => t3 >= part2.from && t3 < part2.to);
+  }
+  function advance(t3, seconds, speed, parts2, until) {
+    let now = t3;
+    let left = seconds;
+    while (left > 0 && now < until) {
+      const inside = slowAt(parts2, now);
+      const rate = inside ? Math.min(speed, inside.rate) : speed;
+      const edge = inside ? inside.to : parts2.find((part2) => part2.from > now)?.from ?? until;
+      const next = Math.min(edge, until);
+      if (now + left * rate < next) return now + left * rate;
+      left -= (next - now) / rate;
+      now = next;
+    }
+    return Math.min(now, until);
+  }
+  function rateText(rate) {
+    return rate < 1 ? `1/${Math.round(1 / rate)}` : `${rate}×`;
+  }
+
+  // src/scene/player.js
+  var STEP = 0.04;
+  var STILL = 1;
+  var LONGEST_FRAME = 0.1;
+  var Player = class {
+    time = 0;
+    own = 0;
+    // s that the reader has watched since the start
+    playing = false;
+    speed = 1;
+    slow = true;
+    until = 1;
+    /** @type {import("./slow.js").SlowPart[]} */
+    parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
+    /** @type {number[]} */
+    stops = [];
+    /** Whether playing shows a still each second, and each event, in place of motion. */
+    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    #waited = 0;
+    // s since the last still
+    #frame = 0;
+    #last = 0;
+    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+    constructor(changed) {
+      this.changed = changed;
+    }
+    get #parts() {
+      return this.slow ? this.parts : [];
+    }
+    /** @returns {number} cart seconds per second now */
+    get rate() {
+      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+    }
+    /** @returns {boolean} whether slow motion is on at this instant */
+    get isSlow() {
+      return this.rate < this.speed;
+    }
+    toggle() {
+      if (this.playing) this.pause();
+      else this.play();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.until) this.#move(0);
+      if (this.time === 0) this.own = 0;
+      this.playing = true;
+      this.#last = 0;
+      this.#waited = 0;
+      this.changed(this.time, false);
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      cancelAnimationFrame(this.#frame);
+      this.changed(this.time, false);
+    }
+    /** @param {number} t in s */
+    seek(t3) {
+      this.#move(t3);
+      if (t3 <= 0) this.own = 0;
+      this.changed(this.time, false);
+    }
+    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+    step(way, count2 = 1) {
+      this.pause();
+      for (let k = 0; k < count2; k += 1) {
+        const before = this.time;
+        const target = before + way * STEP * this.rate;
+        const event = way > 0 ? this.stops.find((t3) => t3 > before + 1e-12) : this.stops.findLast((t3) => t3 < before - 1e-12);
+        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
+        this.#move(passed ? event : target);
+        this.changed(before, way > 0);
+      }
+    }
+    /** @param {number} now */
+    #tick(now) {
+      if (!this.playing) return;
+      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      this.#last = now;
+      const before = this.time;
+      this.own += seconds;
+      this.#waited += seconds;
+      if (this.stills && this.#waited < STILL) {
+        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+        return;
+      }
+      const shown2 = this.stills ? this.#waited : seconds;
+      this.#waited = 0;
+      let next = advance(before, shown2, this.speed, this.#parts, this.until);
+      if (this.stills) next = this.stops.find((t3) => t3 > before + 1e-12 && t3 < next) ?? next;
+      const halt = this.halting ? this.halts.find((t3) => t3 > before + 1e-12 && t3 <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
+      this.changed(before, true);
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+    }
+    /** @param {number} t */
+    #move(t3) {
+      this.time = Math.min(this.until, Math.max(0, t3));
+    }
+  };
+
+  // src/shared/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made3 = document.createElementNS(SVG, tag);
+    for (const [name2, value] of Object.entries(attributes)) made3.setAttribute(name2, String(value));
+    return made3;
+  }
+  function html(tag, className = "", text = "") {
+    const made3 = document.createElement(tag);
+    if (className) made3.className = className;
+    if (text) made3.textContent = text;
+    return made3;
+  }
+  function put(element, name2, value) {
+    if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
+  }
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+  function need(root, selector) {
+    const found2 = root.querySelector(selector);
+    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found2
+    );
+  }
+
+  // src/cost/figure.js
   var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
   var FLOOR = 1e-17;
   var [LOW_X, HIGH_X] = [0.5, 1e6];
@@ -117,7 +271,7 @@
     }
   };
 
-  // src/scales.js
+  // ../view/scales.js
   var STEP_SLACK = 1e-9;
   var HEADROOM = 0.05;
   function axisDecimals(axis2) {
@@ -147,7 +301,7 @@
     return { low, high, step: niceAbove((high - low) / count2) };
   }
 
-  // src/cost-stage.js
+  // src/cost/stage.js
   var [WIDTH, FLOOR_Y, SIDE] = [640, 84, 20];
   var [LOWEST, TALLEST] = [16, 58];
   var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
@@ -292,7 +446,7 @@
     }
   };
 
-  // src/cost-table.js
+  // src/cost/table.js
   var [MANY, HUGE] = [1e3, 1e4];
   var ENDLESS = "beyond all numbers";
   function percent(part2, whole) {
@@ -350,161 +504,7 @@
     table.querySelector("tbody")?.replaceChildren(...body2);
   }
 
-  // src/slow.js
-  var WATCH = 3;
-  var BEFORE = 0.15;
-  var AFTER = 0.25;
-  var RATES = [0.5, 0.2, 0.1];
-  function rateFor(duration2) {
-    const wanted = duration2 / WATCH;
-    for (let power = 1; power > 1e-12; power /= 10) {
-      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
-    }
-    return wanted;
-  }
-  function slowParts(touches2) {
-    const parts2 = [];
-    for (const { start, end } of touches2) {
-      const duration2 = end - start;
-      const rate = rateFor(duration2);
-      if (rate >= 1) continue;
-      const part2 = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
-      const last = parts2.at(-1);
-      if (last && part2.from <= last.to) {
-        last.to = Math.max(last.to, part2.to);
-        last.rate = Math.min(last.rate, rate);
-      } else parts2.push(part2);
-    }
-    return parts2;
-  }
-  function slowAt(parts2, t3) {
-    return parts2.find((part2) => t3 >= part2.from && t3 < part2.to);
-  }
-  function advance(t3, seconds, speed, parts2, until) {
-    let now = t3;
-    let left = seconds;
-    while (left > 0 && now < until) {
-      const inside = slowAt(parts2, now);
-      const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts2.find((part2) => part2.from > now)?.from ?? until;
-      const next = Math.min(edge, until);
-      if (now + left * rate < next) return now + left * rate;
-      left -= (next - now) / rate;
-      now = next;
-    }
-    return Math.min(now, until);
-  }
-  function rateText(rate) {
-    return rate < 1 ? `1/${Math.round(1 / rate)}` : `${rate}×`;
-  }
-
-  // src/player.js
-  var STEP = 0.04;
-  var STILL = 1;
-  var LONGEST_FRAME = 0.1;
-  var Player = class {
-    time = 0;
-    own = 0;
-    // s that the reader has watched since the start
-    playing = false;
-    speed = 1;
-    slow = true;
-    until = 1;
-    /** @type {import("./slow.js").SlowPart[]} */
-    parts = [];
-    /** @type {number[]} s, where playing stops by itself */
-    halts = [];
-    halting = false;
-    /** @type {number[]} */
-    stops = [];
-    /** Whether playing shows a still each second, and each event, in place of motion. */
-    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    #waited = 0;
-    // s since the last still
-    #frame = 0;
-    #last = 0;
-    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
-    constructor(changed) {
-      this.changed = changed;
-    }
-    get #parts() {
-      return this.slow ? this.parts : [];
-    }
-    /** @returns {number} cart seconds per second now */
-    get rate() {
-      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
-    }
-    /** @returns {boolean} whether slow motion is on at this instant */
-    get isSlow() {
-      return this.rate < this.speed;
-    }
-    toggle() {
-      if (this.playing) this.pause();
-      else this.play();
-    }
-    play() {
-      if (this.playing) return;
-      if (this.time >= this.until) this.#move(0);
-      if (this.time === 0) this.own = 0;
-      this.playing = true;
-      this.#last = 0;
-      this.#waited = 0;
-      this.changed(this.time, false);
-      this.#frame = requestAnimationFrame((now) => this.#tick(now));
-    }
-    pause() {
-      if (!this.playing) return;
-      this.playing = false;
-      cancelAnimationFrame(this.#frame);
-      this.changed(this.time, false);
-    }
-    /** @param {number} t in s */
-    seek(t3) {
-      this.#move(t3);
-      if (t3 <= 0) this.own = 0;
-      this.changed(this.time, false);
-    }
-    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
-    step(way, count2 = 1) {
-      this.pause();
-      for (let k = 0; k < count2; k += 1) {
-        const before = this.time;
-        const target = before + way * STEP * this.rate;
-        const event = way > 0 ? this.stops.find((t3) => t3 > before + 1e-12) : this.stops.findLast((t3) => t3 < before - 1e-12);
-        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
-        this.#move(passed ? event : target);
-        this.changed(before, way > 0);
-      }
-    }
-    /** @param {number} now */
-    #tick(now) {
-      if (!this.playing) return;
-      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
-      this.#last = now;
-      const before = this.time;
-      this.own += seconds;
-      this.#waited += seconds;
-      if (this.stills && this.#waited < STILL) {
-        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
-        return;
-      }
-      const shown2 = this.stills ? this.#waited : seconds;
-      this.#waited = 0;
-      let next = advance(before, shown2, this.speed, this.#parts, this.until);
-      if (this.stills) next = this.stops.find((t3) => t3 > before + 1e-12 && t3 < next) ?? next;
-      const halt = this.halting ? this.halts.find((t3) => t3 > before + 1e-12 && t3 <= next) : void 0;
-      this.#move(halt ?? next);
-      if (halt !== void 0 || this.time >= this.until) this.playing = false;
-      this.changed(before, true);
-      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
-    }
-    /** @param {number} t */
-    #move(t3) {
-      this.time = Math.min(this.until, Math.max(0, t3));
-    }
-  };
-
-  // src/cost-element.js
+  // src/cost/element.js
   var PACKAGES = ["numpy", "scipy"];
   var ADAPTIVE = ["rk45", "adaptive"];
   function costElement(client) {
@@ -750,78 +750,7 @@
     return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
   }
 
-  // src/trajectory.js
-  function fromWire(header, numbers) {
-    const { rows, columns, events } = header;
-    const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
-    columns.forEach(([quantity, ...key], k) => {
-      const column = numbers.subarray(k * rows, (k + 1) * rows);
-      const name2 = String(quantity);
-      if (!key.length) parts2[name2] = column;
-      else {
-        parts2[name2] ??= {};
-        parts2[name2][key.join(" ")] = column;
-      }
-    });
-    return parts2;
-  }
-  function fromBaked(numbers, events) {
-    const parts2 = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts2[quantity] = {};
-      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts2[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
-      }
-    }
-    return parts2;
-  }
-  function isTold({ trajectory }) {
-    return trajectory.t.length > 1;
-  }
-  function rowAt(times, t3) {
-    let low = 0;
-    let high = times.length;
-    while (low < high) {
-      const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times[middle] <= t3
-      ) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
-  }
-  function valueAt(times, values, slopes, t3) {
-    const k = rowAt(times, t3);
-    if (k < 0) return Number(values[0]);
-    if (k >= times.length - 1) return Number(values[values.length - 1]);
-    return hermite(times, values, slopes, k, t3);
-  }
-  function hermite(times, values, slopes, k, t3) {
-    const at = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c2, i2) => c2[i2])
-    );
-    const h2 = at(times, k + 1) - at(times, k);
-    const s3 = (t3 - at(times, k)) / h2;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s3;
-    const r2 = 1 - s3;
-    const found2 = at(values, k) * (1 + 2 * s3) * r2 * r2 + at(slopes, k) * h2 * s3 * r2 * r2 + at(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at(slopes, k + 1) * h2 * r2 * s3 * s3;
-    return Number.isFinite(found2) ? found2 : at(values, k);
-  }
-
-  // src/baked.js
-  function readBaked(element) {
-    const { fence, view, numbers, ...header } = JSON.parse(
-      need(element, "script.carts-baked").textContent ?? ""
-    );
-    return { fence, view, run: { header, trajectory: fromBaked(numbers, header.events) } };
-  }
-
-  // src/language.js
+  // ../view/language.js
   var catalogue = (
     /** @type {any} */
     globalThis.cartsWords ?? {}
@@ -865,7 +794,262 @@
     return new RegExp(`^${parts2.join("")}$`, "su");
   }
 
-  // src/switches.js
+  // src/shared/waiting.js
+  function frame() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  var MEASURES = 200;
+  function waited(name2, at) {
+    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
+    performance.measure(name2, { start: at, end: performance.now() });
+  }
+  async function drawn(scene, at, detail) {
+    await frame();
+    waited("carts:update", at);
+    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+  }
+  function deferred() {
+    const made3 = {};
+    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
+    return made3;
+  }
+  function refusal2(problems) {
+    const [first] = problems;
+    if (!first) return new Error(tr("This value does not work."));
+    const message = heard(first.message);
+    return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
+  }
+
+  // src/hard/words.js
+  var VERDICTS = {
+    right: "right",
+    "blows-up": "blows up",
+    "passes-through": "carts pass through each other",
+    misses: "misses contacts",
+    "makes-energy": "makes energy from nothing",
+    "loses-energy": "loses energy",
+    sticks: "carts stick together",
+    wrong: "wrong"
+  };
+  var UNITS = { v: " m/s", x: " m", last: " s", count: "" };
+  var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
+  var LOADING = "Python’s numpy and scipy are being loaded …";
+  var progressWords = (done, of) => `${done} of ${of}`;
+  var stoppedWords = (done) => `Stopped after ${done} cases; the others are as prepared.`;
+  var doneWords = (good, of, seconds) => `${good} of ${of} came out as they must, just now in this browser; exact runs took ${short(seconds, 2)} s in all.`;
+  var COPY = "Copy";
+  var COPIED = "Copied";
+  var KEPT = "What was prepared stays as it is.";
+  function measure(what) {
+    const { kind, name: name2 } = parts(what);
+    if (kind === "v" || kind === "x") {
+      const [last, first] = name2.split("-");
+      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name2}`;
+    }
+    return NAMES[kind] ?? (kind === "work" ? `work of ${name2}` : kind);
+  }
+  function parts(what) {
+    const [kind = "", ...rest] = what.split(".");
+    return { kind, name: rest.join(".") };
+  }
+  function amount(what, value, figures2) {
+    const { kind } = parts(what);
+    if (kind === "count") return String(Math.round(value));
+    return short(value, figures2) + (UNITS[kind] ?? " J");
+  }
+  function cameOut(wanted, got, figures2) {
+    let worst = "";
+    let [error, came] = [0, 0];
+    for (const [k, [what, right]] of wanted.entries()) {
+      const value = got[k];
+      if (value === null || value === void 0) return "";
+      const distance = Math.abs(value - right);
+      if (!worst || distance > error) [worst, error, came] = [what, distance, value];
+    }
+    const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
+    return `${measure(worst)}: ${amount(worst, came, figures2)}, ${off}`;
+  }
+  function exactCell(wanted, { got }) {
+    return cameOut(wanted, got, 6);
+  }
+  function steppedCell(wanted, { verdict, got }) {
+    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
+  }
+
+  // src/hard/element.js
+  function hardElement(client) {
+    return class CartsHard extends HTMLElement {
+      /** @type {Record<string, Case> | null} */
+      #cases = null;
+      /** Answers by the name of the case. @type {Record<string, Answer>} */
+      answers = {};
+      /** Resolves when the newest turn is complete or was stopped. @type {Promise<void>} */
+      complete = Promise.resolve();
+      #turn = 0;
+      connectedCallback() {
+        if (this.#cases) return;
+        this.#cases = JSON.parse(need(this, ".carts-hard-baked").textContent ?? "");
+        const go = (
+          /** @type {HTMLButtonElement} */
+          need(this, ".carts-hard-go")
+        );
+        go.disabled = false;
+        go.addEventListener("click", () => {
+          this.complete = this.#run();
+        });
+        need(this, ".carts-hard-stop").addEventListener("click", () => this.stop());
+        for (const block of this.querySelectorAll("pre")) offerCopy(block);
+      }
+      disconnectedCallback() {
+        this.stop();
+      }
+      /** Leaves it where it is; what was run stays. */
+      stop() {
+        if (!this.#turn) return;
+        this.#turn = 0;
+        this.#working(false);
+        this.#say(stoppedWords(Object.keys(this.answers).length));
+      }
+      async #run() {
+        const turn = Math.random() + 1;
+        this.#turn = turn;
+        this.answers = {};
+        this.#working(true);
+        const all = Object.entries(this.#cases ?? {});
+        all.sort(([, a2], [, b2]) => a2.packages.length - b2.packages.length);
+        let [good, seconds] = [0, 0];
+        try {
+          for (const [k, [name2, one]] of all.entries()) {
+            if (one.packages.length) {
+              this.#say(LOADING);
+              await client.need(one.packages);
+            }
+            if (this.#turn !== turn) return;
+            const { header } = await client.ask(this, () => ({ kind: "hard", ...asked(one) }));
+            if (this.#turn !== turn) return;
+            if (!header.ok) throw refusal2(header.problems ?? []);
+            this.#live();
+            const answer = (
+              /** @type {any} */
+              header
+            );
+            this.answers[name2] = answer;
+            this.#show(name2, one, answer);
+            seconds += answer.exact.seconds;
+            good += isGood(one, answer.exact.got) ? 1 : 0;
+            const bar2 = (
+              /** @type {HTMLProgressElement} */
+              need(this, ".carts-hard-progress")
+            );
+            bar2.value = k + 1;
+            this.#say(progressWords(k + 1, all.length));
+          }
+          this.#say(doneWords(good, all.length, seconds));
+        } catch (error) {
+          this.#fail(
+            /** @type {Error & {reason?: string}} */
+            error
+          );
+        } finally {
+          if (this.#turn === turn) this.#working(false);
+          if (this.#turn === turn) this.#turn = 0;
+        }
+      }
+      /** @param {string} name @param {Case} one @param {Answer} answer */
+      #show(name2, one, answer) {
+        const row = need(this, `[data-case="${name2}"]`);
+        say(need(row, '[data-part="exact"]'), exactCell(one.expected, answer.exact));
+        for (const [k, cell] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
+          const stepped = answer.stepped[k];
+          if (!stepped) continue;
+          const [verdict, distance] = steppedCell(one.expected, stepped);
+          cell.setAttribute("data-verdict", stepped.verdict);
+          say(need(cell, "b"), verdict);
+          say(need(cell, "span"), distance);
+        }
+        row.classList.add("carts-hard-fresh");
+      }
+      /** @param {boolean} on */
+      #working(on) {
+        const [go, stop] = [need(this, ".carts-hard-go"), need(this, ".carts-hard-stop")];
+        const focused = document.activeElement === (on ? go : stop);
+        go.hidden = on;
+        stop.hidden = !on;
+        need(this, ".carts-hard-progress").hidden = !on;
+        if (on)
+          for (const row of this.querySelectorAll(".carts-hard-fresh"))
+            row.classList.remove("carts-hard-fresh");
+        if (focused) (on ? stop : go).focus();
+      }
+      #live() {
+        this.dataset.state = "live";
+        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+      }
+      /** @param {Error & {reason?: string}} error */
+      #fail(error) {
+        this.dataset.reason = error.reason ?? "failed";
+        const note = need(this, ".carts-note");
+        say(note, `${error.message} ${KEPT}`);
+        note.hidden = false;
+        this.#say("");
+      }
+      /** @param {string} text */
+      #say(text) {
+        say(need(this, ".carts-hard-say"), text);
+      }
+    };
+  }
+  function asked({ scene, expected, events }) {
+    return { scene, expected, events };
+  }
+  function isGood({ expected, within }, got) {
+    return expected.every(([, right], k) => {
+      return Math.abs(Number(got[k] ?? Number.NaN) - right) <= Number(within[k]);
+    });
+  }
+  function offerCopy(block) {
+    const button = html("button", "carts-sign carts-hard-copy", COPY);
+    button.setAttribute("type", "button");
+    button.addEventListener("click", async () => {
+      const selection = getSelection();
+      selection?.selectAllChildren(block);
+      const copied = await navigator.clipboard?.writeText(block.textContent ?? "").then(
+        () => true,
+        () => false
+      );
+      if (copied) say(button, COPIED);
+    });
+    block.before(button);
+  }
+
+  // src/shared/typed.js
+  var LONGEST = 40;
+  function readTyped(typed) {
+    const text = typed.trim().replace(/[−–]/g, "-");
+    if (!text) return { problem: tr("Type a number, for example 0.5") };
+    if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
+    if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
+    if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
+      const value = Number(text.replace(",", "."));
+      return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
+    }
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
+      return { text: text.replace(/(\d),(\d)/, "$1.$2") };
+    }
+    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+  }
+  function twoReadings(text) {
+    const whole = text.replaceAll(",", "");
+    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
+    const decimal = String(Number(text.replace(",", ".")));
+    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+      text,
+      decimal,
+      whole
+    });
+  }
+
+  // src/scene/switches.js
   var Switches = class {
     /** @type {Map<string, HTMLInputElement>} */
     #boxes = /* @__PURE__ */ new Map();
@@ -936,38 +1120,11 @@
     return entry && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry)[0]), String(keys.at(-1))] : null;
   }
 
-  // src/typed.js
-  var LONGEST = 40;
-  function readTyped(typed) {
-    const text = typed.trim().replace(/[−–]/g, "-");
-    if (!text) return { problem: tr("Type a number, for example 0.5") };
-    if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
-    if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
-    if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
-      const value = Number(text.replace(",", "."));
-      return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
-    }
-    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
-      return { text: text.replace(/(\d),(\d)/, "$1.$2") };
-    }
-    return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-  }
-  function twoReadings(text) {
-    const whole = text.replaceAll(",", "");
-    if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
-    const decimal = String(Number(text.replace(",", ".")));
-    return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
-      text,
-      decimal,
-      whole
-    });
-  }
-
-  // src/controls.js
+  // src/scene/controls.js
   var Controls = class {
     /** @type {Map<string, ControlView>} */
     #views = /* @__PURE__ */ new Map();
-    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("./types.js").Fence["switches"]} switches */
+    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("../../../view/types.js").Fence["switches"]} switches */
     constructor(root, controls, change2, switches = []) {
       this.switches = new Switches(root, switches, change2);
       for (const control of controls) {
@@ -983,7 +1140,7 @@
       for (const view of this.#views.values()) view.enable(on);
       this.switches.enable(on);
     }
-    /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("./types.js").Header} header */
+    /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("../../../view/types.js").Header} header */
     show(settings, header) {
       this.switches.show(header);
       for (const [target, view] of this.#views) {
@@ -1116,254 +1273,1273 @@
     return effectValue(header, target);
   }
 
-  // src/element-words.js
-  var ASK_FIRST = tr("Make your prediction and lock it first.");
-  var LIVE = tr("live: Python computes in this page");
-  var NOT_STARTED = tr("Python could not start.");
-  var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
-  var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
-  var PREDICTION_KEPT = tr("Your prediction is kept.");
-
-  // src/answers/entry.js
-  var MOST_EARLIER = 500;
-  function isEmpty(value) {
-    if (typeof value === "string") return !value.trim();
-    if (value === null || value === void 0) return true;
-    return typeof value === "object" && Object.keys(value).length === 0;
-  }
-  function keepEarlier(old, value) {
-    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
-  }
-  function alone({ earlier: _2, ...entry }) {
-    return entry;
-  }
-  function union(a2, b2) {
-    const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+  // src/map/axis.js
+  var AxisControl = class {
+    /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
+    constructor(root, axis2, chosen) {
+      this.root = root;
+      this.axis = axis2;
+      this.values = axis2.values;
+      this.slider = /** @type {HTMLInputElement} */
+      need(root, ".carts-slider");
+      this.box = /** @type {HTMLInputElement} */
+      need(root, ".carts-number-box");
+      this.error = need(root, ".carts-error");
+      this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
+      const typed = () => this.#typed(chosen);
+      this.box.addEventListener("change", typed);
+      this.box.addEventListener("keydown", (event) => {
+        if (event.key === "Enter") typed();
+      });
     }
-    const all = [...found2.values()];
-    all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
-    return all.slice(-MOST_EARLIER);
-  }
-
-  // src/answers/outline.js
-  var found;
-  function outline() {
-    if (found === void 0) {
-      const text = document.getElementById("carts-lesson")?.textContent;
-      found = text ? JSON.parse(text) : null;
+    /** @param {boolean} on */
+    enable(on) {
+      this.slider.disabled = !on;
+      this.box.disabled = !on;
     }
-    return found ?? null;
-  }
-  function itemOf(entry) {
-    const form = entry?.form ?? "worksheet";
-    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
-  }
-  function isCurrent(entry) {
-    const item = itemOf(entry);
-    return !item || !entry.hash || entry.hash === item.hash;
-  }
-  function stamped(entry) {
-    const page2 = outline();
-    const item = itemOf(entry);
-    if (!page2 || !item) return entry;
-    return {
-      form: item.form,
-      lesson: page2.lesson,
-      lessonHash: page2.hash,
-      hash: item.hash,
-      ...entry
-    };
-  }
+    /** @param {number[]} values of the grid, SI @param {number} place */
+    show(values, place3) {
+      this.values = values;
+      put(this.slider, "max", String(values.length - 1));
+      this.slider.valueAsNumber = place3;
+      this.box.value = this.text(place3).replace("−", "-");
+      this.#complain("");
+    }
+    /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
+    speak(place3, value) {
+      put(this.slider, "aria-valuetext", `${this.text(place3)} ${this.axis.unit}: ${value}`);
+    }
+    /** @param {number} place @returns {string} in the axis's unit */
+    text(place3) {
+      return fixed(this.#shown(Number(this.values[place3])), this.axis.decimals);
+    }
+    /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
+    nearest(value, per = 1) {
+      let best = 0;
+      for (const [k, at] of this.values.entries()) {
+        if (Math.abs(at / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
+      }
+      return best;
+    }
+    /** @param {number} value SI */
+    #shown(value) {
+      return Number((value / this.axis.per).toPrecision(12));
+    }
+    /** @param {(place: number) => void} chosen */
+    #typed(chosen) {
+      const { low, high, unit, label, per, decimals } = this.axis;
+      const read = readTyped(this.box.value);
+      if ("problem" in read) return this.#complain(read.problem);
+      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+      if (read.value < low || read.value > high) {
+        const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
+        return this.#complain(`${label}: ${range}, please.`);
+      }
+      return chosen(this.nearest(read.value, per));
+    }
+    /** @param {string} message */
+    #complain(message) {
+      say(this.error, message);
+      this.error.hidden = !message;
+      this.root.classList.toggle("carts-wrong", Boolean(message));
+      if (message) this.box.setAttribute("aria-invalid", "true");
+      else this.box.removeAttribute("aria-invalid");
+    }
+  };
 
-  // src/storage.js
-  var STORE = "answers";
-  var PATIENCE = 2e4;
-  var STUDENT = "student";
-  var SETTLED = "settled";
-  var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
+  // src/map/paint.js
+  var STEP_SLACK2 = 1e-9;
+  var FINE = 400;
+  var EDGE = 0.72;
+  function band(value, { low, step, count: count2 }) {
+    if (Number.isNaN(value)) return count2;
+    const place3 = Math.floor((value - low) / step + STEP_SLACK2);
+    return Math.min(count2 - 1, Math.max(0, place3));
+  }
+  function mixed(a2, b2, part2) {
+    if (Number.isNaN(a2) || Number.isNaN(b2)) return part2 < 0.5 ? a2 : b2;
+    return a2 * (1 - part2) + b2 * part2;
+  }
+  function between(values, lines2, count2, factor, next, line) {
+    const fine = (count2 - 1) * factor + 1;
+    const found2 = new Float64Array(lines2 * fine);
+    for (let i2 = 0; i2 < lines2; i2 += 1) {
+      for (let k = 0; k < fine; k += 1) {
+        const left = Math.min(Math.floor(k / factor), count2 - 2);
+        const at = i2 * line + left * next;
+        const part2 = (k - left * factor) / factor;
+        found2[i2 * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part2);
+      }
+    }
     return found2;
   }
-  async function openStore(site) {
-    const all = await openAll(site);
-    return forStudent(all, await readStudent(all));
-  }
-  async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
-  }
-  function forStudent(all, code) {
-    const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
-    return {
-      kind: all.kind,
-      how: all.how,
-      get: (key) => all.get(before + key),
-      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
-      remove: (key) => all.remove(before + key),
-      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
-    };
-  }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
-  function open(name2) {
-    return new Promise((resolve, reject) => {
-      const request = indexedDB.open(name2, 1);
-      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-      request.onsuccess = () => {
-        request.result.onversionchange = () => request.result.close();
-        resolve(request.result);
-      };
-      request.onerror = () => reject(request.error);
-      request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE);
-    });
-  }
-  async function reopening(name2) {
-    let base = await open(name2);
-    return async (mode, durability = "relaxed") => {
-      try {
-        return base.transaction(STORE, mode, { durability });
-      } catch {
-        base = await open(name2);
-        return base.transaction(STORE, mode, { durability });
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
+    const width = (columns - 1) * factor + 1;
+    const height = (rows - 1) * factor + 1;
+    const wide = between(values, rows, columns, factor, 1, columns);
+    const fine = between(wide, width, rows, factor, width, 1);
+    const bands = new Uint8Array(width * height);
+    for (let y2 = 0; y2 < height; y2 += 1) {
+      for (let x2 = 0; x2 < width; x2 += 1) {
+        bands[y2 * width + x2] = band(Number(fine[x2 * height + (height - 1 - y2)]), scale);
       }
-    };
+    }
+    return { places: lines(bands, width, scale), width, height };
   }
-  function indexed(begin) {
-    const read = async (ask) => {
-      const work = await begin("readonly");
-      return new Promise((resolve, reject) => {
-        const request = ask(work.objectStore(STORE));
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = () => reject(request.error);
-      });
+  function lines(bands, width, { count: count2, zero }) {
+    const places = bands.slice();
+    const line = 2 * count2 + 1;
+    const compare = (at, other) => {
+      const own = Number(bands[at]);
+      const next = Number(bands[other]);
+      if (next === own || own === count2) return;
+      if (next !== count2 && own >= zero !== next >= zero) {
+        places[at] = line;
+        places[other] = line;
+      } else if (places[at] !== line) places[at] = count2 + 1 + own;
     };
-    return {
-      kind: "kept",
-      how: "indexed",
-      get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone3 = false) => write(begin, (answers) => {
-        if (alone3) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
+    for (let at = 0; at < bands.length; at += 1) {
+      if ((at + 1) % width) compare(at, at + 1);
+      if (at + width < bands.length) compare(at, at + width);
+    }
+    return places;
+  }
+  function paint(canvas, { values, columns }, scale) {
+    const { places, width, height } = pixels(values, columns, scale);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const context = canvas.getContext("2d");
+    if (!context) return;
+    const image = context.createImageData(width, height);
+    const words = new Uint32Array(image.data.buffer);
+    const colours = palette(scale);
+    for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
+    context.putImageData(image, 0, 0);
+  }
+  function palette({ colours, none, line }) {
+    const edges = colours.map((colour) => colour.map((part2) => Math.round(EDGE * part2)));
+    const all = [...colours, none, ...edges, line];
+    return Uint32Array.from(all, ([r2 = 0, g2 = 0, b2 = 0]) => 255 << 24 | b2 << 16 | g2 << 8 | r2);
+  }
+
+  // src/map/figure.js
+  var MapFigure = class {
+    /** @type {HTMLCanvasElement | null} */
+    #canvas = null;
+    /** @param {HTMLElement} root @param {MapFacts} facts @param {(places: number[]) => void} point */
+    constructor(root, facts, point) {
+      this.facts = facts;
+      this.holder = need(root, ".carts-map-figure");
+      this.over = need(root, ".carts-map-over");
+      this.axes = facts.axes.map(({ values }) => values);
+      const pointed = (event) => point(this.#placesAt(event));
+      this.over.addEventListener("pointerdown", (event) => {
+        if (!this.#canvas && facts.axes.length === 2) return;
+        this.over.setPointerCapture(event.pointerId);
+        pointed(event);
+      });
+      this.over.addEventListener("pointermove", (event) => {
+        if (event.buttons && this.over.hasPointerCapture(event.pointerId)) pointed(event);
+      });
+    }
+    /** @param {Grid} grid */
+    show(grid) {
+      this.axes = grid.axes;
+      if (grid.axes.length === 1) return this.#curve(grid);
+      this.#canvas ??= this.#laid();
+      paint(this.#canvas, grid, this.facts.scale);
+    }
+    /** @param {number[]} places @param {number} value */
+    mark(places, value) {
+      const [left, top, right, bottom] = this.facts.plot;
+      const x2 = this.#x(this.#fraction(0, places[0] ?? 0));
+      const flat = places.length === 1;
+      const y2 = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
+      const across = flat ? "" : `M${left} ${px(y2)}H${right}`;
+      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x2)} ${top}V${bottom}${across}`);
+      const point = need(this.over, '[data-part="point"]');
+      put(point, "cx", px(x2));
+      put(point, "cy", px(Number.isNaN(y2) ? bottom : y2));
+      put(point, "visibility", Number.isNaN(y2) ? "hidden" : "visible");
+    }
+    /** The canvas lies between the picture, which it hides, and the cross. */
+    #laid() {
+      const canvas = (
+        /** @type {HTMLCanvasElement} */
+        html("canvas", "carts-map-canvas")
+      );
+      canvas.setAttribute("aria-hidden", "true");
+      const [left, top, right, bottom] = this.facts.plot;
+      const [width, height] = this.facts.size;
+      canvas.style.left = `${100 * left / width}%`;
+      canvas.style.top = `${100 * top / height}%`;
+      canvas.style.width = `${100 * (right - left) / width}%`;
+      canvas.style.height = `${100 * (bottom - top) / height}%`;
+      this.over.before(canvas);
+      return canvas;
+    }
+    /** @param {Grid} grid */
+    #curve({ axes, values }) {
+      let path2 = "";
+      let pen = "M";
+      for (const [k, value] of values.entries()) {
+        if (Number.isNaN(value)) pen = "M";
+        else {
+          path2 += `${pen}${px(this.#x(this.#fraction(0, k, axes[0])))} ${px(this.#y(value))}`;
+          pen = "L";
         }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
-      remove: (key) => write(begin, (answers) => answers.delete(key)),
-      entries: async () => {
-        const [keys, values] = await Promise.all([
-          read((answers) => answers.getAllKeys()),
-          read((answers) => answers.getAll())
-        ]);
-        return keys.map((key, k) => [String(key), values[k]]);
       }
-    };
-  }
-  var settling;
-  async function write(begin, act) {
-    await transaction(begin, act, "relaxed");
-    clearTimeout(settling);
-    settling = setTimeout(() => {
-      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(begin, mark2, "strict").catch(() => {
-      });
-    }, SETTLE_AFTER);
-  }
-  async function transaction(begin, act, durability) {
-    const work = await begin("readwrite", durability);
-    return new Promise((resolve, reject) => {
-      act(work.objectStore(STORE));
-      work.oncomplete = () => resolve();
-      work.onerror = () => reject(work.error);
-      work.onabort = () => reject(work.error);
-    });
-  }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
+      put(need(this.over, '[data-part="curve"]'), "d", path2);
     }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
-    };
+    /** @param {number} k axis @param {number} place @returns {number} 0 to 1 along the axis */
+    #fraction(k, place3, values = this.axes[k] ?? [0]) {
+      const { per, low, high } = (
+        /** @type {import("./types.js").Axis} */
+        this.facts.axes[k]
+      );
+      const axis2 = span(low, high, 1);
+      const shown2 = Number((Number(values[place3]) / per).toPrecision(12));
+      return (shown2 - axis2.low) / (axis2.high - axis2.low);
+    }
+    /** @param {number} fraction */
+    #x(fraction) {
+      const [left, , right] = this.facts.plot;
+      return left + fraction * (right - left);
+    }
+    /** @param {number} value */
+    #y(value) {
+      const [, top, , bottom] = this.facts.plot;
+      const { low, high } = this.facts.value;
+      return bottom - (value - low) * ((bottom - top) / (high - low));
+    }
+    /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
+    #placesAt(event) {
+      const box2 = this.over.getBoundingClientRect();
+      const [left, top, right, bottom] = this.facts.plot;
+      const [width, height] = this.facts.size;
+      const x2 = (event.clientX - box2.left) / box2.width * width;
+      const y2 = (event.clientY - box2.top) / box2.height * height;
+      const fractions = [(x2 - left) / (right - left), (bottom - y2) / (bottom - top)];
+      return this.axes.map(({ length }, k) => {
+        const place3 = Math.round(Number(fractions[k]) * (length - 1));
+        return Math.min(length - 1, Math.max(0, place3));
+      });
+    }
+  };
+
+  // src/map/figures.js
+  var SMALLER = 2;
+  function figures(value, most) {
+    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
   }
-  function shelter() {
-    const page2 = (
-      /** @type {any} */
-      globalThis
+
+  // src/map/settings.js
+  function showSettings(map, controls, settings) {
+    for (const { set, per, step } of controls) {
+      const value = settings[set];
+      const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
+      if (typeof value !== "number" || !root) continue;
+      const shown2 = Number((value / per).toPrecision(12));
+      const box2 = (
+        /** @type {HTMLInputElement} */
+        need(root, ".carts-number-box")
+      );
+      need(root, ".carts-slider").valueAsNumber = shown2;
+      if (box2 !== document.activeElement) {
+        const decimals = Math.max(decimalsOf(shown2), decimalsOf(step));
+        box2.value = fixed(shown2, decimals).replace("−", "-");
+      }
+    }
+  }
+
+  // src/map/table.js
+  var COLUMNS = 6;
+  var ROWS = 11;
+  function spread(count2, most) {
+    const wanted = Math.min(most, count2);
+    return Array.from(
+      { length: wanted },
+      (_2, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
     );
-    const name2 = /* @__PURE__ */ Symbol.for("carts-shelter");
-    page2[name2] ??= /* @__PURE__ */ new Map();
-    return page2[name2];
   }
-  function sheltered(store) {
-    return {
-      ...store,
-      put: async (key, value, alone3) => {
+  function fillTable(table, grid, axisText, valueText) {
+    const flat = grid.axes.length === 1;
+    const columns = flat ? [0] : spread(grid.columns, COLUMNS);
+    const rows = flat ? spread(grid.columns, 2 * ROWS - 1) : spread(grid.rows, ROWS);
+    if (!flat) {
+      const head = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
+      for (const [k, cell] of head.entries()) cell.textContent = axisText(0, Number(columns[k]));
+    }
+    const body2 = rows.map((row) => {
+      const line = html("tr");
+      const head = html("th", "", axisText(flat ? 0 : 1, row));
+      head.setAttribute("scope", "row");
+      const at = (column) => flat ? row : row * grid.columns + column;
+      line.append(
+        head,
+        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at(column)]))))
+      );
+      return line;
+    });
+    table.querySelector("tbody")?.replaceChildren(...body2);
+  }
+
+  // src/map/element.js
+  function mapElement(client) {
+    return class CartsMap extends HTMLElement {
+      /** @type {MapFacts | null} */
+      #facts = null;
+      /** @type {MapFigure | null} */
+      #figure = null;
+      /** @type {AxisControl[]} */
+      #axes = [];
+      /** @type {Controls | null} */
+      #controls = null;
+      /** @type {Grid | null} */
+      #grid = null;
+      /** @type {number[]} the chosen point, one place per axis */
+      #places = [];
+      /** @type {Record<string, number | string>} what the further sliders set */
+      #settings = {};
+      #generation = 0;
+      /** @type {Promise<void> | null} */
+      #opening = null;
+      /** @type {Promise<void>} */
+      #filling = Promise.resolve();
+      connectedCallback() {
+        if (this.#facts) return;
+        const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
+        this.#facts = facts;
+        this.#places = facts.here;
+        this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
+        const roots = (
+          /** @type {NodeListOf<HTMLElement>} */
+          this.querySelectorAll(".carts-map-axis")
+        );
+        this.#axes = [...roots].map((root, k) => {
+          const axis2 = (
+            /** @type {import("./types.js").Axis} */
+            facts.axes[k]
+          );
+          return new AxisControl(root, axis2, (place3) => this.#chooseOn(k, place3));
+        });
+        this.#controls = new Controls(this, facts.controls, (target, value, at) => {
+          this.set({ [target]: value }, at).catch((error) => {
+            this.#controls?.complain(target, error.message);
+          });
+        });
+        this.#figure.mark(facts.here, facts.at ?? Number.NaN);
+        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = false;
+        need(this, ".carts-map-open").addEventListener("click", () => void this.open());
+        this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
+        addEventListener("beforeprint", () => this.#fillTable());
+        need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
+      }
+      /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
+      get grid() {
+        return this.#grid;
+      }
+      /** The chosen point: SI values by path. @returns {Record<string, number>} */
+      get point() {
+        const chosen = this.#axes.map(({ axis: axis2, values }, k) => [
+          axis2.set,
+          Number(values[Number(this.#places[k])])
+        ]);
+        return Object.fromEntries(chosen);
+      }
+      /** The value at the chosen point, in SI; NaN where there is none. */
+      get value() {
+        return this.#valueAt(this.#places);
+      }
+      /** Resolves when no point is left to be run. */
+      get complete() {
+        return this.#filling;
+      }
+      /** Resolves when the map is live; never rejects: a failure is told in the map. */
+      open() {
+        this.#opening ??= this.#open();
+        return this.#opening;
+      }
+      /**
+       * Changes what all points have in common and resolves when the new map is drawn.
+       * @param {Record<string, number | string>} changes @param {number} at time of the input
+       */
+      async set(changes2, at = performance.now()) {
+        const settings = { ...this.#settings, ...changes2 };
+        await this.#compute(settings, at);
+      }
+      async #open() {
+        this.dataset.state = "starting";
+        const button = (
+          /** @type {HTMLButtonElement} */
+          need(this, ".carts-map-open")
+        );
+        button.disabled = true;
+        say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
         try {
-          await store.put(key, value, alone3);
-          shelter().delete(key);
+          await client.need(this.#facts?.packages ?? []);
+          await this.#compute({}, performance.now());
+          this.dataset.state = "live";
+          need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+          const focused = button === document.activeElement;
+          for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
+          for (const control of this.#axes) control.enable(true);
+          this.#controls?.enable(true);
+          const run = this.querySelector(".carts-map-run");
+          if (run instanceof HTMLButtonElement) run.disabled = false;
+          if (focused) this.#axes[0]?.slider.focus();
         } catch (error) {
-          shelter().set(key, keepEarlier(shelter().get(key), value));
-          throw error;
+          this.#fail(
+            /** @type {Error & {reason?: string}} */
+            error
+          );
         }
-      },
-      remove: async (key) => {
-        shelter().delete(key);
-        await store.remove(key);
-      },
-      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
-    };
-  }
-  function memory() {
-    const kept = shelter();
-    return {
-      kind: "memory",
-      how: "memory",
-      get: async (key) => kept.get(key),
-      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
-      remove: async (key) => void kept.delete(key),
-      entries: async () => [...kept]
-    };
-  }
-  function place() {
-    const { cartsSite, cartsPage } = document.documentElement.dataset;
-    const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
-    const path2 = location.pathname.split("/").slice(-2).join("/");
-    return {
-      site: cartsSite ?? meta("carts-site") ?? "site",
-      page: cartsPage ?? meta("carts-page") ?? path2
+      }
+      /** @param {Error & {reason?: string}} error */
+      #fail(error) {
+        this.dataset.state = "failed";
+        this.dataset.reason = error.reason ?? "failed";
+        this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
+        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
+      }
+      /** @param {string} message */
+      #tell(message) {
+        const note = need(this, ".carts-note");
+        say(note, message);
+        note.hidden = !message;
+      }
+      /**
+       * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
+       * @param {Record<string, number | string>} settings @param {number} at
+       */
+      async #compute(settings, at) {
+        this.#generation += 1;
+        const generation = this.#generation;
+        const first = await this.#ask(settings, 0);
+        if (generation !== this.#generation) return;
+        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
+        this.#settings = settings;
+        showSettings(this, this.#facts?.controls ?? [], settings);
+        const { axes, rows, columns, why, runs } = first.header;
+        this.#draw({ axes, rows, columns, why, values: first.numbers });
+        await frame();
+        waited("carts:map", at);
+        this.#filling = this.#fill(settings, first.header.done, runs, generation);
+      }
+      /**
+       * The points that have to be run one by one, slice after slice, drawn as they come.
+       * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
+       * @param {number} generation
+       */
+      async #fill(settings, done, runs, generation) {
+        while (done < runs) {
+          this.#progress(done, runs);
+          const { header, numbers } = await this.#ask(settings, done);
+          if (generation !== this.#generation || !header.ok || !this.#grid) return;
+          const half = numbers.length / 2;
+          for (let k = 0; k < half; k += 1) {
+            this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
+          }
+          done = header.done;
+          this.#draw(this.#grid);
+        }
+        this.#progress(1, 1);
+        this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
+      }
+      /** @param {number} done @param {number} runs */
+      #progress(done, runs) {
+        const bar2 = (
+          /** @type {HTMLProgressElement} */
+          need(this, ".carts-map-progress")
+        );
+        bar2.value = done / runs;
+        bar2.style.visibility = done < runs ? "visible" : "hidden";
+      }
+      /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
+      #ask(settings, from) {
+        const map = this.#facts?.map;
+        return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
+      }
+      /** @param {Grid} grid */
+      #draw(grid) {
+        const before = this.#grid?.axes;
+        this.#grid = grid;
+        this.#figure?.show(grid);
+        if (before !== grid.axes) {
+          const point = before ? this.point : null;
+          this.#places = this.#axes.map((control, k) => {
+            const wanted = point?.[control.axis.set] ?? this.#baked(k);
+            control.show(grid.axes[k] ?? [], 0);
+            return control.nearest(Number(wanted));
+          });
+        }
+        this.#choose(this.#places);
+        if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
+        say(need(this, ".carts-map-why"), grid.why);
+      }
+      /** @param {number} k @returns {number} where the point stood in the page as it was built, SI */
+      #baked(k) {
+        return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
+      }
+      /** @param {number} k @param {number} place */
+      #chooseOn(k, place3) {
+        this.#choose(this.#places.map((old, axis2) => axis2 === k ? place3 : old));
+      }
+      /** @param {number[]} places */
+      #choose(places) {
+        if (!this.#grid) return;
+        this.#places = places;
+        const value = this.#valueAt(places);
+        const text = this.#valueText(value, true);
+        for (const [k, control] of this.#axes.entries()) {
+          control.show(this.#grid.axes[k] ?? [], Number(places[k]));
+          control.speak(Number(places[k]), text);
+        }
+        this.#figure?.mark(places, value);
+        say(need(this, ".carts-map-number"), text);
+      }
+      /** @param {number[]} places */
+      #valueAt([column = 0, row = 0]) {
+        return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
+      }
+      /** @param {number} value @param {boolean} unit */
+      #valueText(value, unit = false) {
+        if (Number.isNaN(value)) return "no value";
+        const text = figures(value, this.#facts?.decimals ?? 3);
+        return unit ? `${text} ${this.#facts?.unit}` : text;
+      }
+      #fillTable() {
+        if (!this.#grid) return;
+        const axisText = (k, place3) => this.#axes[k]?.text(place3) ?? "";
+        fillTable(
+          need(this, ".carts-map-table table"),
+          this.#grid,
+          axisText,
+          (value) => this.#valueText(value)
+        );
+      }
+      /** The scene that the map is of runs with the chosen point. */
+      async #run() {
+        const scene = (
+          /** @type {any} */
+          document.getElementById(this.#facts?.of ?? "")
+        );
+        if (typeof scene?.set !== "function") return;
+        try {
+          this.#tell("");
+          await scene.set({ ...this.#settings, ...this.point });
+          scene.time = 0;
+          scene.scrollIntoView({ block: "start" });
+          scene.querySelector(".carts-play")?.focus({ preventScroll: true });
+        } catch (error) {
+          this.#tell(
+            /** @type {Error} */
+            error.message
+          );
+        }
+      }
     };
   }
 
-  // src/windows.js
+  // src/runtime/client.js
+  var RESTARTS = 3;
+  var Client = class extends EventTarget {
+    /** @type {State} */
+    state = "idle";
+    /** @type {(Error & {reason?: string}) | null} */
+    error = null;
+    /** @type {Runtime | null} */
+    #runtime = null;
+    /** @type {Job[]} */
+    #waiting = [];
+    /** @type {Job | null} */
+    #flying = null;
+    #restarts = 0;
+    #lastId = 0;
+    /** @type {string[]} packages that were asked for after the start */
+    #asked = [];
+    /** @type {string[]} those of them that Python has, and gets again after a restart */
+    #more = [];
+    /** @type {Promise<void>} when they are there */
+    #growing = Promise.resolve();
+    /** @param {Start} start */
+    constructor(start) {
+      super();
+      this.start = start;
+    }
+    /** Starts Python if nobody has yet. */
+    wake() {
+      if (this.state === "idle") void this.#boot();
+    }
+    /**
+     * Has packages that no scene of the page called for. A second Python starts with them and takes
+     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
+     * @param {string[]} names @returns {Promise<void>}
+     */
+    need(names) {
+      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
+      const before = this.#asked;
+      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
+      const needed = this.#growing.catch(() => {
+      }).then(() => this.#grow(this.#asked));
+      this.#growing = needed;
+      needed.catch(() => {
+        this.#asked = before;
+      });
+      return needed;
+    }
+    /** @param {string[]} names */
+    async #grow(names) {
+      this.wake();
+      await this.#settled();
+      if (this.state === "failed") throw this.error;
+      this.#use(await this.start(names));
+      this.#more = names;
+      this.#become("ready");
+      this.#next();
+    }
+    /** Resolves when Python is not just starting. @returns {Promise<void>} */
+    #settled() {
+      if (this.state !== "starting") return Promise.resolve();
+      return new Promise((resolve) => {
+        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
+      });
+    }
+    /**
+     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
+     * both promises then get the newer answer.
+     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
+     */
+    ask(owner, message) {
+      if (this.state === "failed") return Promise.reject(this.error);
+      this.wake();
+      return new Promise((resolve, reject) => {
+        const settle = { resolve, reject };
+        const older = this.#waiting.find((job) => job.owner === owner);
+        if (older) {
+          older.message = message;
+          older.settle.push(settle);
+        } else this.#waiting.push({ owner, message, settle: [settle] });
+        this.#next();
+      });
+    }
+    #next() {
+      if (this.#flying || !this.#runtime) return;
+      const job = this.#waiting.shift();
+      if (!job) return;
+      this.#flying = job;
+      const runtime = this.#runtime;
+      this.#lastId += 1;
+      const sent = { ...job.message(), id: this.#lastId };
+      const landed = () => {
+        if (runtime !== this.#runtime || this.#flying !== job) return false;
+        this.#flying = null;
+        return true;
+      };
+      runtime.request(sent).then(
+        (reply) => {
+          if (!landed()) return;
+          this.#restarts = 0;
+          for (const { resolve } of job.settle) resolve({ ...reply, sent });
+          this.#next();
+        },
+        (error) => {
+          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
+          if (!landed()) return;
+          for (const { reject } of job.settle) reject(error);
+          this.#next();
+        }
+      );
+    }
+    async #boot() {
+      this.#become("starting");
+      try {
+        this.#use(await this.start(this.#more));
+        this.#become("ready");
+        this.#next();
+      } catch (error) {
+        this.#fail(error);
+      }
+    }
+    /** @param {Runtime} runtime @param {unknown} reason */
+    #lost(runtime, reason) {
+      if (runtime !== this.#runtime) return;
+      this.#runtime = null;
+      runtime.stop();
+      this.#takeBack();
+      this.#restarts += 1;
+      if (this.#restarts > RESTARTS) this.#fail(reason);
+      else void this.#boot();
+    }
+    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
+    #use(runtime) {
+      const older = this.#runtime;
+      runtime.onlost = (reason) => this.#lost(runtime, reason);
+      this.#runtime = runtime;
+      older?.stop();
+      this.#takeBack();
+    }
+    /** The request under way waits again, in front: whoever could answer it is gone. */
+    #takeBack() {
+      const job = this.#flying;
+      this.#flying = null;
+      if (!job) return;
+      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
+      if (newer) newer.settle.unshift(...job.settle);
+      else this.#waiting.unshift(job);
+    }
+    /** @param {unknown} reason */
+    #fail(reason) {
+      this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
+      this.#become("failed");
+      for (const { settle } of this.#waiting.splice(0)) {
+        for (const { reject } of settle) reject(this.error);
+      }
+    }
+    /** @param {State} state */
+    #become(state) {
+      this.state = state;
+      this.dispatchEvent(new Event("state"));
+    }
+  };
+
+  // src/runtime/failure.js
+  var MESSAGES = {
+    "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
+    "payload-missing": tr(
+      "A file of this page is missing, so Python can't start. Copy the whole folder again."
+    ),
+    "payload-damaged": tr(
+      "A file of this page is damaged, so Python can't start. Copy the whole folder again."
+    ),
+    "no-wasm": tr(
+      "This browser has no WebAssembly, so Python can't start here. Try another browser."
+    ),
+    "wasm-refused": tr(
+      "This browser, or the rules of this network, do not allow Python to start. Try another browser."
+    ),
+    "too-old": tr(
+      "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
+    ),
+    "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
+    "worker-lost": tr("Python stopped. It may have run out of memory."),
+    "snapshot-refused": tr("Python could not start the quick way."),
+    "python-failed": tr(
+      "Python could not start. Copy the whole folder again or try another browser."
+    ),
+    stalled: tr("Python does not answer. Close other programs and load the page again."),
+    stopped: tr("Python was stopped.")
+  };
+  var RuntimeFailure = class extends Error {
+    /**
+     * @param {Reason} reason
+     * @param {string} [detail]
+     * @param {string} [file] the payload that is missing or damaged
+     */
+    constructor(reason, detail = "", file = "") {
+      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      this.name = "RuntimeFailure";
+      this.reason = reason;
+      this.detail = detail;
+      this.file = file;
+    }
+  };
+
+  // src/shared/leaving.js
+  var STAYS = 3e3;
+  var leaving = false;
+  var waiting = [];
+  function stay() {
+    leaving = false;
+    for (const go of waiting) go();
+    waiting = [];
+  }
+  addEventListener("beforeunload", () => {
+    leaving = true;
+    setTimeout(stay, STAYS);
+  });
+  addEventListener("pagehide", () => {
+    leaving = true;
+  });
+  addEventListener("pageshow", stay);
+  if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {
+  });
+  var isLeaving = () => leaving;
+  function staying() {
+    return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
+  }
+
+  // src/runtime/watch.js
+  var SECOND = 1e3;
+  var PATIENCE = 8;
+  function watch(patience, late) {
+    let left = patience;
+    const timer = setInterval(() => {
+      left -= 1;
+      if (left > 0) return;
+      clearInterval(timer);
+      late();
+    }, SECOND);
+    return {
+      progress() {
+        left = patience;
+      },
+      stop() {
+        clearInterval(timer);
+      }
+    };
+  }
+
+  // src/runtime/payload.js
+  var page = self;
+  var indexes = /* @__PURE__ */ new Map();
+  function runScript(src, name2) {
+    return new Promise((resolve, reject) => {
+      const script = document.createElement("script");
+      script.src = src;
+      script.async = true;
+      const settle = (then) => () => {
+        script.remove();
+        then();
+      };
+      script.onload = settle(resolve);
+      script.onerror = settle(() => {
+        if (isLeaving()) staying().then(() => runScript(src, name2).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name2));
+      });
+      document.head.append(script);
+    });
+  }
+  function indexOf(base) {
+    return new URL(`index.js${new URL(base).search}`, base).href;
+  }
+  function patiently(promise) {
+    return new Promise((resolve, reject) => {
+      const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
+      promise.then(resolve, reject).finally(waiting2.stop);
+    });
+  }
+  function loadIndex(base) {
+    const known2 = indexes.get(base);
+    if (known2) return known2;
+    const inside = Boolean(page.__cartsInside);
+    const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
+    const loading = read.then(() => {
+      const index = page.__cartsRuntime;
+      if (!inside) delete page.__cartsRuntime;
+      if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
+      if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
+      return index;
+    });
+    loading.catch(() => indexes.delete(base));
+    indexes.set(base, loading);
+    return loading;
+  }
+  async function loadPart(base, name2, number, part2) {
+    const inside = Boolean(page.__cartsInside);
+    if (!inside) await runScript(new URL(part2.src, base).href, name2);
+    const key = `${name2}.${number}`;
+    const text = page.__cartsParts?.[key];
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name2);
+    if (!inside) delete page.__cartsParts[key];
+    const bytes = decode(text, part2.src, name2);
+    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part2.src, name2);
+    }
+    return bytes;
+  }
+  function decode(text, src, name2) {
+    try {
+      const fast = Uint8Array;
+      return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    } catch {
+      throw new RuntimeFailure("payload-damaged", src, name2);
+    }
+  }
+  async function matches(bytes, sha256) {
+    if (!globalThis.crypto?.subtle) return true;
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
+  }
+  async function gunzip(parts2) {
+    const zip = new DecompressionStream("gzip");
+    const writer = zip.writable.getWriter();
+    const written = Promise.all([...parts2.map((part2) => writer.write(part2)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    return bytes;
+  }
+
+  // src/runtime/wasm.js
+  var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
+  function requireWasm() {
+    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
+    try {
+      new WebAssembly.Module(NOTHING);
+    } catch (error) {
+      throw new RuntimeFailure("wasm-refused", String(error));
+    }
+  }
+  async function compile(parts2) {
+    const zip = new DecompressionStream("gzip");
+    const headers = { "Content-Type": "application/wasm" };
+    const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
+    const written = write(zip.writable.getWriter(), parts2);
+    const [module] = await Promise.all([compiled, written]);
+    return module;
+  }
+  async function write(writer, parts2) {
+    for (const part2 of parts2) await writer.write(await part2);
+    await writer.close();
+  }
+
+  // as-text:src/runtime/worker.js
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+
+  // src/runtime/start.js
+  var SNAPSHOT = "memory.snapshot";
+  var LOADER = "pyodide.js";
+  var WASM = "pyodide.asm.wasm";
+  var STDLIB = "python.zip";
+  var MORE = "python-more.zip";
+  var modules = /* @__PURE__ */ new Map();
+  var Start = class {
+    /**
+     * @param {{folder: string, index: Index, packages: string[],
+     *   onProgress: (progress: Progress) => void}} options
+     * @param {boolean} snapshot
+     */
+    constructor({ folder, index, packages: packages2, onProgress }, snapshot) {
+      this.folder = folder;
+      this.index = index;
+      this.packages = packages2;
+      this.onProgress = onProgress;
+      this.snapshot = snapshot;
+      this.worker = null;
+      this.over = false;
+      this.done = 0;
+      this.names = this.files();
+      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part2) => sum + part2.size, 0);
+    }
+    /** The files to load, the most urgent first. */
+    files() {
+      const { index, packages: packages2, snapshot } = this;
+      const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
+      if (snapshot) names.push(SNAPSHOT);
+      names.push(STDLIB);
+      if (packages2.length && index.tableAt) names.push(MORE);
+      names.push(...this.toLoad().map((name2) => index.wheels[name2]));
+      if (names.every((name2) => name2 in index.files)) return names;
+      throw new RuntimeFailure("not-packed", index.missing || packages2.join());
+    }
+    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
+    toLoad() {
+      const { index, packages: packages2, snapshot } = this;
+      const ours = !snapshot || packages2.length > 0 && index.later.length > 0;
+      return ours ? [index.package, ...packages2] : packages2;
+    }
+    /** @returns {Promise<Started>} */
+    async run() {
+      let reject = () => {
+      };
+      const failed = new Promise((_2, no) => {
+        reject = no;
+      });
+      this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+      try {
+        const parts2 = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
+        return await Promise.race([failed, this.boot(parts2, reject)]);
+      } catch (error) {
+        this.worker?.terminate();
+        throw error;
+      } finally {
+        this.over = true;
+        this.watch.stop();
+      }
+    }
+    /**
+     * All parts of a file are asked for at once and come in any order.
+     * @param {string} name
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
+     */
+    load(name2, reject) {
+      return this.index.files[name2].parts.map(async (part2, number) => {
+        try {
+          const bytes = await loadPart(this.folder, name2, number, part2);
+          this.done += part2.size;
+          this.progress(name2);
+          return bytes;
+        } catch (error) {
+          reject(
+            /** @type {RuntimeFailure} */
+            error
+          );
+          return new Promise(() => {
+          });
+        }
+      });
+    }
+    /** @param {string} stage */
+    progress(stage) {
+      if (this.over) return;
+      this.watch?.progress();
+      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
+    }
+    /**
+     * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<any>}
+     */
+    async boot(parts2, reject) {
+      const compiling = this.module(parts2.get(WASM) ?? []);
+      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+      const loader = await gunzip(await Promise.all(parts2.get(LOADER) ?? []));
+      if (this.over) return null;
+      const { worker, address } = startWorker(loader);
+      this.worker = worker;
+      const ready = new Promise((resolve) => {
+        worker.onmessage = ({ data }) => {
+          if (data.tell === "hello") URL.revokeObjectURL(address);
+          else if (data.tell === "ready") resolve(data);
+          else if (data.tell === "failed") {
+            reject(new RuntimeFailure(data.reason, data.detail, data.file));
+          }
+          this.progress(data.stage ?? data.tell);
+        };
+        worker.onerror = (event) => {
+          event.preventDefault();
+          reject(new RuntimeFailure("worker-refused", event.message));
+        };
+      });
+      const { index, packages: packages2, snapshot } = this;
+      worker.postMessage({
+        do: "boot",
+        lock: index.lock,
+        entry: index.entry,
+        snapshot,
+        tableAt: packages2.length ? index.tableAt : 0,
+        load: this.toLoad(),
+        modules: packages2.length ? [...packages2, ...index.later] : []
+      });
+      for (const [name2, its] of parts2) if (name2 !== LOADER && name2 !== WASM) this.send(name2, its);
+      worker.postMessage({ do: "wasm", module: await compiling });
+      this.progress(WASM);
+      const { start } = await ready;
+      this.onProgress({ fraction: 1, stage: "ready" });
+      return { worker, start };
+    }
+    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
+    async module(parts2) {
+      const module = modules.get(this.folder) ?? await compile(parts2);
+      modules.set(this.folder, module);
+      return module;
+    }
+    /**
+     * @param {string} name
+     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
+     */
+    async send(name2, parts2) {
+      for (const [number, part2] of parts2.entries()) {
+        const bytes = await part2;
+        if (this.over) return;
+        const last = number === parts2.length - 1;
+        this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);
+      }
+    }
+  };
+  function startWorker(loader) {
+    const address = URL.createObjectURL(new Blob([loader, worker_default], { type: "text/javascript" }));
+    try {
+      return { worker: new Worker(address), address };
+    } catch (error) {
+      throw new RuntimeFailure("worker-refused", String(error));
+    }
+  }
+
+  // src/runtime/runtime.js
+  var PICK_UP = 3;
+  async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
+  } }) {
+    requireWasm();
+    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
+    const folder = new URL(base, document.baseURI).href;
+    const index = await loadIndex(folder);
+    const options = { folder, index, packages: order(packages2), onProgress };
+    const start = (snapshot) => new Start(options, snapshot).run();
+    if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
+    try {
+      return new Runtime(await start(true));
+    } catch (error) {
+      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
+      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
+      return new Runtime(await start(false));
+    }
+  }
+  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
+  var order = (packages2) => [
+    ...new Set(packages2.flatMap((name2) => name2 === "scipy" ? ["numpy", "scipy"] : [name2]))
+  ];
+  var Runtime = class {
+    /** @param {import("./start.js").Started} started */
+    constructor({ worker, start }) {
+      this.start = start;
+      this.onlost = () => {
+      };
+      this.worker = worker;
+      this.gone = "";
+      this.number = 0;
+      this.queue = [];
+      worker.onmessage = ({ data }) => this.hear(data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        this.lose("worker-lost", event.message);
+      };
+    }
+    /**
+     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
+     * @param {object} message
+     * @returns {Promise<Answer>}
+     */
+    request(message) {
+      if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
+      return new Promise((resolve, reject) => {
+        this.number += 1;
+        this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
+        if (this.queue.length === 1) this.send();
+      });
+    }
+    /** Ends Python. What is under way is rejected. */
+    stop() {
+      this.end("stopped", "");
+    }
+    send() {
+      const next = this.queue[0];
+      if (!next) return;
+      this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
+      this.worker.postMessage({ do: "request", number: next.number, text: next.text });
+    }
+    /** @param {any} data */
+    hear(data) {
+      const current = this.queue[0];
+      if (data.number !== current?.number) return;
+      this.watch?.stop();
+      if (data.tell === "begun") {
+        this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        return;
+      }
+      this.queue.shift();
+      if (data.tell === "answer") {
+        current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
+      } else {
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        if (data.dead) this.lose("worker-lost", data.detail);
+      }
+      if (!this.gone) this.send();
+    }
+    /** @param {Reason} reason @param {string} detail */
+    lose(reason, detail) {
+      if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
+    }
+    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
+    end(reason, detail) {
+      if (this.gone) return false;
+      this.gone = reason;
+      this.watch?.stop();
+      this.worker.terminate();
+      for (const { reject } of this.queue.splice(0)) reject(new RuntimeFailure(reason, detail));
+      return true;
+    }
+  };
+
+  // src/runtime/page-python.js
+  function pagePython(packages2) {
+    const script = (
+      /** @type {HTMLScriptElement | null} */
+      document.currentScript
+    );
+    const own = new URL(script?.src || document.baseURI);
+    const base = new URL(`runtime/${own.search}`, own).href;
+    const client = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
+    client.addEventListener("state", () => tell(client.state));
+    return client;
+  }
+  function startWhenIdle(client) {
+    tell("starting");
+    if (typeof requestIdleCallback === "function") {
+      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
+    } else setTimeout(() => client.wake(), 200);
+  }
+  function tell(state) {
+    document.documentElement.dataset.python = state;
+  }
+
+  // ../view/trajectory.js
+  function fromWire(header, numbers) {
+    const { rows, columns, events } = header;
+    const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
+    columns.forEach(([quantity, ...key], k) => {
+      const column = numbers.subarray(k * rows, (k + 1) * rows);
+      const name2 = String(quantity);
+      if (!key.length) parts2[name2] = column;
+      else {
+        parts2[name2] ??= {};
+        parts2[name2][key.join(" ")] = column;
+      }
+    });
+    return parts2;
+  }
+  function fromBaked(numbers, events) {
+    const parts2 = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts2[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts2[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts2;
+  }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
+  function rowAt(times, t3) {
+    let low = 0;
+    let high = times.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times[middle] <= t3
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt(times, values, slopes, t3) {
+    const k = rowAt(times, t3);
+    if (k < 0) return Number(values[0]);
+    if (k >= times.length - 1) return Number(values[values.length - 1]);
+    return hermite(times, values, slopes, k, t3);
+  }
+  function hermite(times, values, slopes, k, t3) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c2, i2) => c2[i2])
+    );
+    const h2 = at(times, k + 1) - at(times, k);
+    const s3 = (t3 - at(times, k)) / h2;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s3;
+    const r2 = 1 - s3;
+    const found2 = at(values, k) * (1 + 2 * s3) * r2 * r2 + at(slopes, k) * h2 * s3 * r2 * r2 + at(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at(slopes, k + 1) * h2 * r2 * s3 * s3;
+    return Number.isFinite(found2) ? found2 : at(values, k);
+  }
+
+  // ../view/windows.js
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
@@ -1390,7 +2566,7 @@
     return windows.findLast((touch) => touch.start <= t3);
   }
 
-  // src/listed.js
+  // ../view/listed.js
   function listed(names) {
     const [first = "", second] = names;
     if (second === void 0) return first;
@@ -1398,7 +2574,7 @@
     return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
 
-  // src/words.js
+  // ../view/words.js
   var QUANTITIES = {
     x: [tr("Position"), "x", "m"],
     v: [tr("Velocity"), "v", "m/s"],
@@ -1554,7 +2730,246 @@
     return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
-  // src/find-forces.js
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function alone({ earlier: _2, ...entry }) {
+    return entry;
+  }
+  function union(a2, b2) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
+    }
+    return found ?? null;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function isCurrent(entry) {
+    const item = itemOf(entry);
+    return !item || !entry.hash || entry.hash === item.hash;
+  }
+  function stamped(entry) {
+    const page2 = outline();
+    const item = itemOf(entry);
+    if (!page2 || !item) return entry;
+    return {
+      form: item.form,
+      lesson: page2.lesson,
+      lessonHash: page2.hash,
+      hash: item.hash,
+      ...entry
+    };
+  }
+
+  // src/shared/storage.js
+  var STORE = "answers";
+  var PATIENCE2 = 2e4;
+  var STUDENT = "student";
+  var SETTLED = "settled";
+  var SETTLE_AFTER = 400;
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(indexed(await reopening(`carts:${site}`)));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
+  }
+  function open(name2) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name2, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE2);
+    });
+  }
+  async function reopening(name2) {
+    let base = await open(name2);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name2);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  function indexed(begin) {
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
+    return {
+      kind: "kept",
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: (key, value, alone3 = false) => write2(begin, (answers) => {
+        if (alone3) {
+          answers.put(value, key);
+          answers.transaction.commit();
+          return;
+        }
+        const request = answers.get(key);
+        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+      }),
+      remove: (key) => write2(begin, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
+    };
+  }
+  var settling;
+  async function write2(begin, act) {
+    await transaction(begin, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark2, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
+    return new Promise((resolve, reject) => {
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
+  }
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
+    };
+  }
+  function shelter() {
+    const page2 = (
+      /** @type {any} */
+      globalThis
+    );
+    const name2 = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page2[name2] ??= /* @__PURE__ */ new Map();
+    return page2[name2];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value, alone3) => {
+        try {
+          await store.put(key, value, alone3);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
+  function memory() {
+    const kept = shelter();
+    return {
+      kind: "memory",
+      how: "memory",
+      get: async (key) => kept.get(key),
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
+    };
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
+    const path2 = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path2
+    };
+  }
+
+  // src/predict/find-forces.js
   var NEAR = 0.05;
   var MANY2 = 3;
   var TYPE = "found-force";
@@ -1737,420 +3152,23 @@
     return valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3);
   }
 
-  // src/how-words.js
-  var LOCKED = tr(
-    "Make your prediction and lock it first. Then you can see how the run is computed."
-  );
-  var PLAN = tr("The plan, found before anything moves:");
-  var MEASURING = tr("Measuring on this computer …");
-  var NO_PYTHON = tr("Python does not run here, so nothing can be measured.");
-  var SWITCH = tr(
-    "What if a program went step by step? The run then plays as that method computes it. Dashed: exact."
-  );
-  var LOADING = tr("Python’s scipy is being loaded …");
-  var METHOD = tr("method");
-  var STEP2 = tr("step");
-  var TOLERANCE = tr("tolerance");
-  var EXACT = tr("exact (as always)");
-  var FAILED = tr("The exact run is shown.");
-  var METHODS = {
-    euler: "Euler",
-    "semi-implicit": tr("semi-implicit Euler"),
-    verlet: tr("velocity Verlet"),
-    rk4: "RK4",
-    "rk4-events": tr("RK4 + located touches"),
-    rk45: tr("adaptive RK45 + located touches"),
-    adaptive: tr("adaptive DOP853 + located touches")
-  };
-  var SOLVERS = {
-    "free-flight": tr("free flight, exact"),
-    flight: tr("flight with forces, exact"),
-    "pair-contact": tr("one contact at a time, exact"),
-    "power-series": tr("several forces at once, exact to rounding"),
-    adaptive: tr("no formula: an adaptive method with located touches")
-  };
-  var USED = {
-    "free-flight": tr("free flights"),
-    flight: tr("flights"),
-    "pair-contact": tr("contacts"),
-    "pair-phase": tr("contacts with other forces"),
-    "power-series": tr("series for several forces"),
-    adaptive: tr("steps of an adaptive method"),
-    instant: tr("impacts")
-  };
-  function phaseWords({ from, until, solver, why }, decimals) {
-    const times = tr("{from} to {until} s", {
-      from: fixed(from, decimals),
-      until: fixed(until, decimals)
-    });
-    const because = told2(why);
-    const sentence2 = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
-    return [times, SOLVERS[solver] ?? solver, sentence2];
-  }
-  function duration(seconds) {
-    if (seconds >= 1) return `${short(seconds, 2)} s`;
-    if (seconds >= 1e-3) return `${short(1e3 * seconds, 2)} ms`;
-    return `${short(1e6 * seconds, 2)} µs`;
-  }
-  function formulasWords(solvers) {
-    const used = Object.entries(solvers).map(([name2, count2]) => `${USED[name2] ?? name2}: ${count2}`);
-    return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
-  }
-  function costWords({ cost }) {
-    const all = cost.solution + cost.points;
-    return tr(
-      "On this computer, just now: {all}, of which {motion} for the motion and {points} for the points of the curves.",
-      { all: duration(all), motion: duration(cost.solution), points: duration(cost.points) }
+  // src/scene/baked.js
+  function readBaked(element) {
+    const { fence, view, numbers, ...header } = JSON.parse(
+      need(element, "script.carts-baked").textContent ?? ""
     );
-  }
-  function sizeWords({ step, rtol, steps }) {
-    if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
-    return tr("{count} steps of {step}", { count: steps, step: duration(Number(step)) });
-  }
-  function stepWords(until, parts2) {
-    return tr("{step} (run / {parts})", { step: duration(until / parts2), parts: parts2 });
-  }
-  function toleranceWords(rtol) {
-    return `1e${Math.round(Math.log10(rtol))}`;
-  }
-  function signWords(how) {
-    return tr("Step by step: {method}, {size}. Not exact. Dashed: exact.", {
-      method: String(METHODS[how.method]),
-      size: sizeWords(how)
-    });
-  }
-  var BEYOND = tr("beyond all numbers");
-  var UNKNOWN = tr("not known: the exact run was stopped before");
-  var MANY3 = 10;
-  function comparedWords(how) {
-    const { error, energy, seconds, evaluations, blown, whole } = how;
-    const rows = [
-      [tr("largest error of a velocity at the end"), whole ? amount(error.v, "m/s") : UNKNOWN],
-      [tr("largest error of a position at the end"), whole ? amount(error.x, "m") : UNKNOWN],
-      [tr("energy made from nothing"), made(energy)],
-      [tr("times that all forces were computed"), String(evaluations)],
-      [tr("time on this computer"), ratioWords(seconds)]
-    ];
-    if (blown !== null) {
-      const until = tr("at {time} s; drawn up to there", { time: fixed(blown, 2) });
-      rows.unshift([tr("the numbers blow up"), until]);
-    }
-    return rows;
-  }
-  function amount(value, unit) {
-    return value === null ? BEYOND : `${short(value, 2)} ${unit}`;
-  }
-  function made({ made: joules, initial }) {
-    if (joules === null) return BEYOND;
-    if (!initial) return `${short(joules, 2)} J`;
-    const part2 = joules / initial;
-    const size = {
-      energy: `${short(joules, 2)} J`,
-      part: short(part2, 2),
-      percent: short(100 * part2, 2)
-    };
-    return Math.abs(part2) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
-  }
-  function ratioWords({ stepped, exact }) {
-    const ratio = stepped / exact;
-    const both = { stepped: duration(stepped), exact: duration(exact) };
-    return ratio >= 1 ? tr("{stepped}, {ratio} times the exact run’s {exact}", { ...both, ratio: short(ratio, 2) }) : tr("{stepped}; the exact run takes {ratio} times as long, {exact}", {
-      ...both,
-      ratio: short(1 / ratio, 2)
-    });
+    return { fence, view, run: { header, trajectory: fromBaked(numbers, header.events) } };
   }
 
-  // src/how-panel.js
-  var EXACT2 = "exact";
-  var PARTS = [19, 37, 61, 103, 211, 499, 997, 1999, 4999];
-  var OPENS_AT = 3;
-  var TOLERANCES = [1e-3, 1e-6, 1e-9, 1e-12];
-  var ADAPTIVE2 = ["rk45", "adaptive"];
-  var HowPanel = class {
-    /**
-     * @param {HTMLElement} place @param {boolean} scipy whether the page can have it
-     * @param {() => void} changed when the reader chooses a method or a step
-     */
-    constructor(place3, scipy, changed) {
-      this.until = 1;
-      this.plan = html("ol", "carts-how-plan");
-      this.plan.tabIndex = 0;
-      this.plan.setAttribute("aria-label", tr("Plan"));
-      this.cost = html("p", "carts-how-cost");
-      this.method = document.createElement("select");
-      this.method.className = "carts-how-method";
-      this.method.append(option(EXACT2, EXACT));
-      for (const [name2, label] of Object.entries(METHODS)) {
-        if (scipy || !ADAPTIVE2.includes(name2)) this.method.append(option(name2, label));
-      }
-      this.slider = document.createElement("input");
-      this.slider.type = "range";
-      this.slider.className = "carts-how-step";
-      this.slider.min = "0";
-      this.size = html("output");
-      this.kind = html("span");
-      this.stepRow = html("label");
-      this.stepRow.append(this.kind, " ", this.slider, " ", this.size);
-      const methodRow = html("label", "", `${METHOD} `);
-      methodRow.append(this.method);
-      const row = html("div", "carts-how-switch");
-      row.append(methodRow, this.stepRow);
-      this.note = html("p", "carts-how-note");
-      this.note.setAttribute("role", "status");
-      const table = html("table", "carts-table carts-how-told");
-      this.told = html("tbody");
-      table.append(this.told);
-      this.table = html("div", "carts-scroll");
-      this.table.append(table);
-      place3.replaceChildren(
-        html("p", "carts-how-head", PLAN),
-        this.plan,
-        this.cost,
-        html("p", "carts-how-head", SWITCH),
-        row,
-        this.note,
-        this.table
-      );
-      this.method.addEventListener("change", () => {
-        this.#range();
-        changed();
-      });
-      this.slider.addEventListener("input", () => {
-        this.#size();
-        changed();
-      });
-      this.reset();
-    }
-    /** @returns {Choice | null} null: exact */
-    get choice() {
-      const method = this.method.value;
-      if (method === EXACT2) return null;
-      const place3 = this.slider.valueAsNumber;
-      return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place3] ?? 1e-9 } : { method, parts: PARTS[place3] ?? 103 };
-    }
-    reset() {
-      this.method.value = EXACT2;
-      this.#range();
-      this.tell([]);
-      say(this.note, "");
-    }
-    /** The plan of the exact run. @param {Run} run @param {number} decimals */
-    show({ header }, decimals) {
-      this.until = header.until;
-      this.#size();
-      const lines2 = header.plan.map((phase) => {
-        const [times, how, why] = phaseWords(phase, decimals);
-        const line = html("li");
-        line.append(html("b", "", times), ` ${how}. `, html("span", "carts-quiet", why));
-        return line;
-      });
-      this.plan.replaceChildren(...lines2);
-    }
-    /** @param {[string, string][]} lines what is told of a stepped run */
-    tell(lines2) {
-      this.table.hidden = lines2.length === 0;
-      const rows = lines2.map(([head, value]) => {
-        const row = html("tr");
-        const first = html("th", "", head);
-        first.setAttribute("scope", "row");
-        row.append(first, html("td", "", value));
-        return row;
-      });
-      this.told.replaceChildren(...rows);
-    }
-    /** The slider fits the method. */
-    #range() {
-      const adaptive = ADAPTIVE2.includes(this.method.value);
-      const kind = adaptive ? TOLERANCE : STEP2;
-      if (this.kind.textContent !== kind) {
-        this.slider.max = String((adaptive ? TOLERANCES : PARTS).length - 1);
-        this.slider.value = String(adaptive ? 1 : OPENS_AT);
-      }
-      say(this.kind, kind);
-      this.stepRow.hidden = this.method.value === EXACT2;
-      this.#size();
-    }
-    #size() {
-      const chosen = this.choice;
-      if (!chosen) return;
-      const text = "rtol" in chosen ? toleranceWords(chosen.rtol) : stepWords(this.until, chosen.parts);
-      say(this.size, text);
-      this.slider.setAttribute("aria-valuetext", text);
-    }
-  };
-  function option(value, text) {
-    const made3 = html("option", "", text);
-    made3.setAttribute("value", value);
-    return made3;
-  }
+  // src/scene/element-words.js
+  var ASK_FIRST = tr("Make your prediction and lock it first.");
+  var LIVE = tr("live: Python computes in this page");
+  var NOT_STARTED = tr("Python could not start.");
+  var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
+  var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
+  var PREDICTION_KEPT = tr("Your prediction is kept.");
 
-  // src/waiting.js
-  function frame() {
-    return new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  var MEASURES = 200;
-  function waited(name2, at) {
-    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
-    performance.measure(name2, { start: at, end: performance.now() });
-  }
-  async function drawn(scene, at, detail) {
-    await frame();
-    waited("carts:update", at);
-    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
-  }
-  function deferred() {
-    const made3 = {};
-    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
-    return made3;
-  }
-  function refusal2(problems) {
-    const [first] = problems;
-    if (!first) return new Error(tr("This value does not work."));
-    const message = heard(first.message);
-    return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
-  }
-
-  // src/how.js
-  var PACKAGES2 = ["numpy", "scipy"];
-  var REST = 400;
-  var How = class {
-    /** @type {HowPanel | null} */
-    #panel = null;
-    /** @type {Run | null} */
-    #exact = null;
-    /** @type {HTMLElement | null} */
-    #sign = null;
-    #turn = 0;
-    #timer = 0;
-    #measuring = {};
-    // an owner of its own: a measurement is no newer run
-    /**
-     * @param {HTMLElement} root @param {import("./scene-view.js").SceneView} view
-     * @param {import("./client.js").Client} client
-     * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
-     */
-    constructor(root, view, client, message) {
-      this.root = root;
-      this.view = view;
-      this.client = client;
-      this.message = message;
-      this.details = /** @type {HTMLDetailsElement} */
-      need(root, ".carts-how");
-      this.details.addEventListener("toggle", () => this.#opened());
-    }
-    /** A new exact run: it is shown, or its scene step by step. @param {Run} run */
-    async follow(run) {
-      this.#exact = run;
-      this.#turn += 1;
-      this.#opened();
-      if (this.#panel?.choice) await this.#step();
-      else this.#showExact();
-    }
-    /** Back to exact, from the next run on. */
-    reset() {
-      this.#panel?.reset();
-      this.#turn += 1;
-    }
-    #showExact() {
-      this.#sign?.remove();
-      this.#sign = null;
-      if (this.#exact) this.view.show(this.#exact);
-    }
-    /** Where it is open, it tells of the run that is there now. */
-    #opened() {
-      clearTimeout(this.#timer);
-      const run = this.#exact ?? this.view.run;
-      if (!this.details.open) return;
-      const place3 = need(this.details, ".carts-how-body");
-      if (!isTold(run)) {
-        this.#panel = null;
-        place3.replaceChildren(html("p", "", LOCKED));
-        return;
-      }
-      this.#panel ??= new HowPanel(place3, canHaveScipy(), () => void this.#chosen());
-      this.#panel.show(run, this.view.baked.view.decimals.t ?? 2);
-      if (this.#panel.choice) return;
-      say(this.#panel.cost, this.client.state === "failed" ? NO_PYTHON : MEASURING);
-      this.#timer = setTimeout(() => void this.#measure(), this.view.player.playing ? REST : 0);
-    }
-    async #measure() {
-      const turn = this.#turn;
-      try {
-        const { header } = await this.client.ask(this.#measuring, () => this.message({}));
-        if (turn !== this.#turn || !this.#panel) return;
-        const answer = (
-          /** @type {any} */
-          header
-        );
-        const used = (
-          /** @type {any} */
-          this.#exact?.header?.evaluations?.solvers ?? {}
-        );
-        const formulas = formulasWords(used);
-        if (header.ok) say(this.#panel.cost, `${formulas} ${costWords(answer)}`.trim());
-      } catch {
-        if (this.#panel) say(this.#panel.cost, NO_PYTHON);
-      }
-    }
-    /** The reader chose a method or a step. */
-    async #chosen() {
-      this.#turn += 1;
-      if (this.#panel?.choice) return this.#step();
-      this.#panel?.reset();
-      this.#showExact();
-      this.#opened();
-    }
-    async #step() {
-      const panel = this.#panel;
-      const exact = this.#exact ?? this.view.run;
-      this.#exact = exact;
-      const turn = this.#turn;
-      if (!panel?.choice) return;
-      try {
-        if ("rtol" in panel.choice && !pageHasScipy()) {
-          say(panel.note, LOADING);
-          await this.client.need(PACKAGES2);
-        }
-        const { header, numbers } = await this.client.ask(
-          this,
-          () => this.message({ ...panel.choice })
-        );
-        if (turn !== this.#turn) return;
-        if (!header.ok) throw refusal2(header.problems ?? []);
-        const how = (
-          /** @type {any} */
-          header.how
-        );
-        this.view.show({ header, trajectory: fromWire(header, numbers) }, exact);
-        panel.tell(comparedWords(how));
-        say(panel.note, "");
-        this.#tellBeside(signWords(how));
-      } catch (error) {
-        if (turn !== this.#turn) return;
-        this.#showExact();
-        panel.tell([]);
-        say(panel.note, `${/** @type {Error} */
-        error.message} ${FAILED}`);
-      }
-    }
-    /** @param {string} text below the carts */
-    #tellBeside(text) {
-      if (!this.#sign) {
-        this.#sign = html("p", "carts-how-sign");
-        this.#sign.setAttribute("role", "status");
-        need(this.root, ".carts-world").append(this.#sign);
-      }
-      say(this.#sign, text);
-    }
-  };
-  function pageHasScipy() {
-    return document.querySelector('carts-scene[data-packages~="scipy"]') !== null;
-  }
-  function canHaveScipy() {
-    return pageHasScipy() || document.querySelector("carts-cost") !== null;
-  }
-
-  // src/effects-forces.js
+  // ../view/effects-forces.js
   var ON_ONE = ["incline", "push", "friction", "drag"];
   var FEW = 3;
   var AGENTS = {
@@ -2224,7 +3242,7 @@
     return most;
   }
 
-  // src/markers.js
+  // ../view/markers.js
   var MARKERS = {
     b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
     b1: "M-3.5 -3.5H3.5V3.5H-3.5Z",
@@ -2241,7 +3259,7 @@
     return `b${index % 8}`;
   }
 
-  // src/series.js
+  // ../view/series.js
   function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
     const times = Float64Array.from(run.t);
@@ -2336,7 +3354,7 @@
     return curves;
   }
 
-  // src/ledger-effects.js
+  // ../view/ledger-effects.js
   var WANTED = "carts-energy-wanted";
   var BANDS = {
     bumpers: [tr("in squeezed bumpers"), "squeezed"],
@@ -2393,7 +3411,7 @@
     return tr("has warmed the {things}", { things });
   }
 
-  // src/predict-again.js
+  // src/predict/again.js
   var Again = class {
     /** @param {HTMLElement} root of the prediction @param {() => void} forget */
     constructor(root, forget) {
@@ -2422,7 +3440,7 @@
     }
   };
 
-  // src/shapes.js
+  // ../view/shapes.js
   var REFERENCE_HEIGHT = 38;
   var TALLEST2 = 4;
   var LANE = 20;
@@ -2432,7 +3450,7 @@
   var SHORTEST = 0.5;
   var LONGEST2 = 1.15;
   var FASTEST = 2.2;
-  var EDGE = 5;
+  var EDGE2 = 5;
   var TORN = 6;
   var LINE = 12;
   var NAMED = 34;
@@ -2513,9 +3531,9 @@
     return x2 < width - room ? [x2 + 8, "start"] : [x2 + length - 8, "end"];
   }
   function keptInside(x2, length, width) {
-    if (x2 > EDGE && x2 < width - EDGE) {
-      if (x2 + length > width - EDGE) return width - EDGE - x2;
-      if (x2 + length < EDGE) return EDGE - x2;
+    if (x2 > EDGE2 && x2 < width - EDGE2) {
+      if (x2 + length > width - EDGE2) return width - EDGE2 - x2;
+      if (x2 + length < EDGE2) return EDGE2 - x2;
     }
     return length;
   }
@@ -2523,14 +3541,14 @@
     return box2.labelY - LINE;
   }
 
-  // src/predict-arrows.js
+  // src/predict/arrows.js
   var LONG = 120;
   var MOST2 = 10;
   var ArrowsForm = class {
     /** @type {Row[]} */
     #rows;
     /**
-     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
      * @param {(guesses: Guess[]) => void} draw @param {() => void} changed
      */
     constructor(root, baked, draw, changed) {
@@ -2614,7 +3632,7 @@
         names: missing2.map(name).join(", ")
       });
     }
-    /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("./types.js").Run} run */
+    /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("../../../view/types.js").Run} run */
     compare(run) {
       this.draw([]);
       const pairs = [...new Set(this.#rows.map(({ pair }) => pair))];
@@ -2750,18 +3768,18 @@
     return picture2;
   }
 
-  // src/predict-curve.js
+  // src/predict/curve.js
   var LEFT2 = 40;
-  var STEP3 = 77.5;
+  var STEP2 = 77.5;
   var BOTTOM2 = 130;
   var PER_HEIGHT = 12;
   var HIGHEST = 10;
-  var FINE = 48;
+  var FINE2 = 48;
   var CurveForm = class {
     /** @type {(number | null)[]} */
     #heights = [null, null, null, null, null];
     #enabled = false;
-    /** @param {HTMLElement} root @param {import("./types.js").PredictSpec} spec @param {() => void} changed */
+    /** @param {HTMLElement} root @param {import("../../../view/types.js").PredictSpec} spec @param {() => void} changed */
     constructor(root, spec, changed) {
       this.cart = spec.cart ?? "";
       this.changed = changed;
@@ -2806,7 +3824,7 @@
       if (this.#heights.every((height) => height !== null)) return null;
       return tr("Give all five heights first, also where you think it is 0.");
     }
-    /** @param {import("./types.js").Run} run */
+    /** @param {import("../../../view/types.js").Run} run */
     compare(run) {
       const touch = touches(run.header.events, run.header.until).find(
         ({ bodies }) => bodies.includes(this.cart)
@@ -2814,13 +3832,13 @@
       if (!touch)
         return [html("p", "", tr("In this run nothing touches {cart}.", { cart: this.cart }))];
       const { t: t3, F: F2, dF } = run.trajectory;
-      const forces2 = Array.from({ length: FINE + 1 }, (_2, k) => {
-        const at = touch.start + (touch.end - touch.start) * k / FINE;
+      const forces2 = Array.from({ length: FINE2 + 1 }, (_2, k) => {
+        const at = touch.start + (touch.end - touch.start) * k / FINE2;
         return valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
       });
       const top = Math.max(...forces2) || 1;
       const points = forces2.map((force, k) => {
-        const x2 = LEFT2 + 4 * STEP3 * k / FINE;
+        const x2 = LEFT2 + 4 * STEP2 * k / FINE2;
         return `${px(x2)} ${px(BOTTOM2 - HIGHEST * PER_HEIGHT * force / top)}`;
       });
       put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
@@ -2834,7 +3852,7 @@
           true
         ],
         [tr("goes up once and down once"), hills(mine) === 1, hills(forces2.map(Number)) === 1],
-        [tr("is zero again at the end"), mine[4] === 0, Number(forces2[FINE]) < 0.02 * top]
+        [tr("is zero again at the end"), mine[4] === 0, Number(forces2[FINE2]) < 0.02 * top]
       ];
       const list = html("ul");
       for (const [feature, yours, theirs] of rows) {
@@ -2852,7 +3870,7 @@
     #point(event) {
       const frame2 = this.pad.getBoundingClientRect();
       const scale = 360 / frame2.width;
-      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT2) / STEP3);
+      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT2) / STEP2);
       const height = (BOTTOM2 - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
@@ -2869,7 +3887,7 @@
         if (knob) put(knob, "cy", y2);
         const box2 = this.boxes[k];
         if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
-        return `${px(LEFT2 + STEP3 * k)} ${y2}`;
+        return `${px(LEFT2 + STEP2 * k)} ${y2}`;
       });
       put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
     }
@@ -2888,7 +3906,7 @@
     return found2 + (rising ? 1 : 0);
   }
 
-  // src/predict-talk.js
+  // src/predict/talk.js
   var Talk = class {
     /** @param {HTMLElement} root of the prediction @param {{change: () => void, run: () => void}} acts */
     constructor(root, { change: change2, run }) {
@@ -2917,7 +3935,7 @@
     }
   };
 
-  // src/predict-words.js
+  // src/predict/words.js
   var ChoiceForm = class {
     /** @param {HTMLElement} root @param {() => void} changed */
     constructor(root, changed) {
@@ -2978,21 +3996,21 @@
     }
   };
 
-  // src/predict.js
+  // src/predict/predict.js
   var Predict = class {
     /** @type {Entry} */
     #entry;
-    /** @type {import("./storage.js").Store | null} */
+    /** @type {import("../shared/storage.js").Store | null} */
     #store = null;
     /**
      * @param {HTMLElement} root of the prediction @param {Baked} baked
-     * @param {(arrows: import("./predict-arrows.js").Guess[]) => void} draw arrows on the picture
+     * @param {(arrows: import("./arrows.js").Guess[]) => void} draw arrows on the picture
      * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
      * @param {() => void} forgotten what to do once the prediction is forgotten
      */
     constructor(root, baked, draw, locked, forgotten) {
       const spec = (
-        /** @type {import("./types.js").PredictSpec} */
+        /** @type {import("../../../view/types.js").PredictSpec} */
         baked.fence.predict
       );
       this.root = root;
@@ -3164,7 +4182,394 @@
     }
   };
 
-  // src/projector.js
+  // src/scene/how/words.js
+  var LOCKED = tr(
+    "Make your prediction and lock it first. Then you can see how the run is computed."
+  );
+  var PLAN = tr("The plan, found before anything moves:");
+  var MEASURING = tr("Measuring on this computer …");
+  var NO_PYTHON = tr("Python does not run here, so nothing can be measured.");
+  var SWITCH = tr(
+    "What if a program went step by step? The run then plays as that method computes it. Dashed: exact."
+  );
+  var LOADING2 = tr("Python’s scipy is being loaded …");
+  var METHOD = tr("method");
+  var STEP3 = tr("step");
+  var TOLERANCE = tr("tolerance");
+  var EXACT = tr("exact (as always)");
+  var FAILED = tr("The exact run is shown.");
+  var METHODS = {
+    euler: "Euler",
+    "semi-implicit": tr("semi-implicit Euler"),
+    verlet: tr("velocity Verlet"),
+    rk4: "RK4",
+    "rk4-events": tr("RK4 + located touches"),
+    rk45: tr("adaptive RK45 + located touches"),
+    adaptive: tr("adaptive DOP853 + located touches")
+  };
+  var SOLVERS = {
+    "free-flight": tr("free flight, exact"),
+    flight: tr("flight with forces, exact"),
+    "pair-contact": tr("one contact at a time, exact"),
+    "power-series": tr("several forces at once, exact to rounding"),
+    adaptive: tr("no formula: an adaptive method with located touches")
+  };
+  var USED = {
+    "free-flight": tr("free flights"),
+    flight: tr("flights"),
+    "pair-contact": tr("contacts"),
+    "pair-phase": tr("contacts with other forces"),
+    "power-series": tr("series for several forces"),
+    adaptive: tr("steps of an adaptive method"),
+    instant: tr("impacts")
+  };
+  function phaseWords({ from, until, solver, why }, decimals) {
+    const times = tr("{from} to {until} s", {
+      from: fixed(from, decimals),
+      until: fixed(until, decimals)
+    });
+    const because = told2(why);
+    const sentence2 = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
+    return [times, SOLVERS[solver] ?? solver, sentence2];
+  }
+  function duration(seconds) {
+    if (seconds >= 1) return `${short(seconds, 2)} s`;
+    if (seconds >= 1e-3) return `${short(1e3 * seconds, 2)} ms`;
+    return `${short(1e6 * seconds, 2)} µs`;
+  }
+  function formulasWords(solvers) {
+    const used = Object.entries(solvers).map(([name2, count2]) => `${USED[name2] ?? name2}: ${count2}`);
+    return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
+  }
+  function costWords({ cost }) {
+    const all = cost.solution + cost.points;
+    return tr(
+      "On this computer, just now: {all}, of which {motion} for the motion and {points} for the points of the curves.",
+      { all: duration(all), motion: duration(cost.solution), points: duration(cost.points) }
+    );
+  }
+  function sizeWords({ step, rtol, steps }) {
+    if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
+    return tr("{count} steps of {step}", { count: steps, step: duration(Number(step)) });
+  }
+  function stepWords(until, parts2) {
+    return tr("{step} (run / {parts})", { step: duration(until / parts2), parts: parts2 });
+  }
+  function toleranceWords(rtol) {
+    return `1e${Math.round(Math.log10(rtol))}`;
+  }
+  function signWords(how) {
+    return tr("Step by step: {method}, {size}. Not exact. Dashed: exact.", {
+      method: String(METHODS[how.method]),
+      size: sizeWords(how)
+    });
+  }
+  var BEYOND = tr("beyond all numbers");
+  var UNKNOWN = tr("not known: the exact run was stopped before");
+  var MANY3 = 10;
+  function comparedWords(how) {
+    const { error, energy, seconds, evaluations, blown, whole } = how;
+    const rows = [
+      [tr("largest error of a velocity at the end"), whole ? amount2(error.v, "m/s") : UNKNOWN],
+      [tr("largest error of a position at the end"), whole ? amount2(error.x, "m") : UNKNOWN],
+      [tr("energy made from nothing"), made(energy)],
+      [tr("times that all forces were computed"), String(evaluations)],
+      [tr("time on this computer"), ratioWords(seconds)]
+    ];
+    if (blown !== null) {
+      const until = tr("at {time} s; drawn up to there", { time: fixed(blown, 2) });
+      rows.unshift([tr("the numbers blow up"), until]);
+    }
+    return rows;
+  }
+  function amount2(value, unit) {
+    return value === null ? BEYOND : `${short(value, 2)} ${unit}`;
+  }
+  function made({ made: joules, initial }) {
+    if (joules === null) return BEYOND;
+    if (!initial) return `${short(joules, 2)} J`;
+    const part2 = joules / initial;
+    const size = {
+      energy: `${short(joules, 2)} J`,
+      part: short(part2, 2),
+      percent: short(100 * part2, 2)
+    };
+    return Math.abs(part2) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
+  }
+  function ratioWords({ stepped, exact }) {
+    const ratio = stepped / exact;
+    const both = { stepped: duration(stepped), exact: duration(exact) };
+    return ratio >= 1 ? tr("{stepped}, {ratio} times the exact run’s {exact}", { ...both, ratio: short(ratio, 2) }) : tr("{stepped}; the exact run takes {ratio} times as long, {exact}", {
+      ...both,
+      ratio: short(1 / ratio, 2)
+    });
+  }
+
+  // src/scene/how/panel.js
+  var EXACT2 = "exact";
+  var PARTS = [19, 37, 61, 103, 211, 499, 997, 1999, 4999];
+  var OPENS_AT = 3;
+  var TOLERANCES = [1e-3, 1e-6, 1e-9, 1e-12];
+  var ADAPTIVE2 = ["rk45", "adaptive"];
+  var HowPanel = class {
+    /**
+     * @param {HTMLElement} place @param {boolean} scipy whether the page can have it
+     * @param {() => void} changed when the reader chooses a method or a step
+     */
+    constructor(place3, scipy, changed) {
+      this.until = 1;
+      this.plan = html("ol", "carts-how-plan");
+      this.plan.tabIndex = 0;
+      this.plan.setAttribute("aria-label", tr("Plan"));
+      this.cost = html("p", "carts-how-cost");
+      this.method = document.createElement("select");
+      this.method.className = "carts-how-method";
+      this.method.append(option(EXACT2, EXACT));
+      for (const [name2, label] of Object.entries(METHODS)) {
+        if (scipy || !ADAPTIVE2.includes(name2)) this.method.append(option(name2, label));
+      }
+      this.slider = document.createElement("input");
+      this.slider.type = "range";
+      this.slider.className = "carts-how-step";
+      this.slider.min = "0";
+      this.size = html("output");
+      this.kind = html("span");
+      this.stepRow = html("label");
+      this.stepRow.append(this.kind, " ", this.slider, " ", this.size);
+      const methodRow = html("label", "", `${METHOD} `);
+      methodRow.append(this.method);
+      const row = html("div", "carts-how-switch");
+      row.append(methodRow, this.stepRow);
+      this.note = html("p", "carts-how-note");
+      this.note.setAttribute("role", "status");
+      const table = html("table", "carts-table carts-how-told");
+      this.told = html("tbody");
+      table.append(this.told);
+      this.table = html("div", "carts-scroll");
+      this.table.append(table);
+      place3.replaceChildren(
+        html("p", "carts-how-head", PLAN),
+        this.plan,
+        this.cost,
+        html("p", "carts-how-head", SWITCH),
+        row,
+        this.note,
+        this.table
+      );
+      this.method.addEventListener("change", () => {
+        this.#range();
+        changed();
+      });
+      this.slider.addEventListener("input", () => {
+        this.#size();
+        changed();
+      });
+      this.reset();
+    }
+    /** @returns {Choice | null} null: exact */
+    get choice() {
+      const method = this.method.value;
+      if (method === EXACT2) return null;
+      const place3 = this.slider.valueAsNumber;
+      return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place3] ?? 1e-9 } : { method, parts: PARTS[place3] ?? 103 };
+    }
+    reset() {
+      this.method.value = EXACT2;
+      this.#range();
+      this.tell([]);
+      say(this.note, "");
+    }
+    /** The plan of the exact run. @param {Run} run @param {number} decimals */
+    show({ header }, decimals) {
+      this.until = header.until;
+      this.#size();
+      const lines2 = header.plan.map((phase) => {
+        const [times, how, why] = phaseWords(phase, decimals);
+        const line = html("li");
+        line.append(html("b", "", times), ` ${how}. `, html("span", "carts-quiet", why));
+        return line;
+      });
+      this.plan.replaceChildren(...lines2);
+    }
+    /** @param {[string, string][]} lines what is told of a stepped run */
+    tell(lines2) {
+      this.table.hidden = lines2.length === 0;
+      const rows = lines2.map(([head, value]) => {
+        const row = html("tr");
+        const first = html("th", "", head);
+        first.setAttribute("scope", "row");
+        row.append(first, html("td", "", value));
+        return row;
+      });
+      this.told.replaceChildren(...rows);
+    }
+    /** The slider fits the method. */
+    #range() {
+      const adaptive = ADAPTIVE2.includes(this.method.value);
+      const kind = adaptive ? TOLERANCE : STEP3;
+      if (this.kind.textContent !== kind) {
+        this.slider.max = String((adaptive ? TOLERANCES : PARTS).length - 1);
+        this.slider.value = String(adaptive ? 1 : OPENS_AT);
+      }
+      say(this.kind, kind);
+      this.stepRow.hidden = this.method.value === EXACT2;
+      this.#size();
+    }
+    #size() {
+      const chosen = this.choice;
+      if (!chosen) return;
+      const text = "rtol" in chosen ? toleranceWords(chosen.rtol) : stepWords(this.until, chosen.parts);
+      say(this.size, text);
+      this.slider.setAttribute("aria-valuetext", text);
+    }
+  };
+  function option(value, text) {
+    const made3 = html("option", "", text);
+    made3.setAttribute("value", value);
+    return made3;
+  }
+
+  // src/scene/how/how.js
+  var PACKAGES2 = ["numpy", "scipy"];
+  var REST = 400;
+  var How = class {
+    /** @type {HowPanel | null} */
+    #panel = null;
+    /** @type {Run | null} */
+    #exact = null;
+    /** @type {HTMLElement | null} */
+    #sign = null;
+    #turn = 0;
+    #timer = 0;
+    #measuring = {};
+    // an owner of its own: a measurement is no newer run
+    /**
+     * @param {HTMLElement} root @param {import("../scene-view.js").SceneView} view
+     * @param {import("../../runtime/client.js").Client} client
+     * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
+     */
+    constructor(root, view, client, message) {
+      this.root = root;
+      this.view = view;
+      this.client = client;
+      this.message = message;
+      this.details = /** @type {HTMLDetailsElement} */
+      need(root, ".carts-how");
+      this.details.addEventListener("toggle", () => this.#opened());
+    }
+    /** A new exact run: it is shown, or its scene step by step. @param {Run} run */
+    async follow(run) {
+      this.#exact = run;
+      this.#turn += 1;
+      this.#opened();
+      if (this.#panel?.choice) await this.#step();
+      else this.#showExact();
+    }
+    /** Back to exact, from the next run on. */
+    reset() {
+      this.#panel?.reset();
+      this.#turn += 1;
+    }
+    #showExact() {
+      this.#sign?.remove();
+      this.#sign = null;
+      if (this.#exact) this.view.show(this.#exact);
+    }
+    /** Where it is open, it tells of the run that is there now. */
+    #opened() {
+      clearTimeout(this.#timer);
+      const run = this.#exact ?? this.view.run;
+      if (!this.details.open) return;
+      const place3 = need(this.details, ".carts-how-body");
+      if (!isTold(run)) {
+        this.#panel = null;
+        place3.replaceChildren(html("p", "", LOCKED));
+        return;
+      }
+      this.#panel ??= new HowPanel(place3, canHaveScipy(), () => void this.#chosen());
+      this.#panel.show(run, this.view.baked.view.decimals.t ?? 2);
+      if (this.#panel.choice) return;
+      say(this.#panel.cost, this.client.state === "failed" ? NO_PYTHON : MEASURING);
+      this.#timer = setTimeout(() => void this.#measure(), this.view.player.playing ? REST : 0);
+    }
+    async #measure() {
+      const turn = this.#turn;
+      try {
+        const { header } = await this.client.ask(this.#measuring, () => this.message({}));
+        if (turn !== this.#turn || !this.#panel) return;
+        const answer = (
+          /** @type {any} */
+          header
+        );
+        const used = (
+          /** @type {any} */
+          this.#exact?.header?.evaluations?.solvers ?? {}
+        );
+        const formulas = formulasWords(used);
+        if (header.ok) say(this.#panel.cost, `${formulas} ${costWords(answer)}`.trim());
+      } catch {
+        if (this.#panel) say(this.#panel.cost, NO_PYTHON);
+      }
+    }
+    /** The reader chose a method or a step. */
+    async #chosen() {
+      this.#turn += 1;
+      if (this.#panel?.choice) return this.#step();
+      this.#panel?.reset();
+      this.#showExact();
+      this.#opened();
+    }
+    async #step() {
+      const panel = this.#panel;
+      const exact = this.#exact ?? this.view.run;
+      this.#exact = exact;
+      const turn = this.#turn;
+      if (!panel?.choice) return;
+      try {
+        if ("rtol" in panel.choice && !pageHasScipy()) {
+          say(panel.note, LOADING2);
+          await this.client.need(PACKAGES2);
+        }
+        const { header, numbers } = await this.client.ask(
+          this,
+          () => this.message({ ...panel.choice })
+        );
+        if (turn !== this.#turn) return;
+        if (!header.ok) throw refusal2(header.problems ?? []);
+        const how = (
+          /** @type {any} */
+          header.how
+        );
+        this.view.show({ header, trajectory: fromWire(header, numbers) }, exact);
+        panel.tell(comparedWords(how));
+        say(panel.note, "");
+        this.#tellBeside(signWords(how));
+      } catch (error) {
+        if (turn !== this.#turn) return;
+        this.#showExact();
+        panel.tell([]);
+        say(panel.note, `${/** @type {Error} */
+        error.message} ${FAILED}`);
+      }
+    }
+    /** @param {string} text below the carts */
+    #tellBeside(text) {
+      if (!this.#sign) {
+        this.#sign = html("p", "carts-how-sign");
+        this.#sign.setAttribute("role", "status");
+        need(this.root, ".carts-world").append(this.#sign);
+      }
+      say(this.#sign, text);
+    }
+  };
+  function pageHasScipy() {
+    return document.querySelector('carts-scene[data-packages~="scipy"]') !== null;
+  }
+  function canHaveScipy() {
+    return pageHasScipy() || document.querySelector("carts-cost") !== null;
+  }
+
+  // src/scene/projector.js
   var MOST_HANDS = 999;
   var listening = /* @__PURE__ */ new WeakSet();
   function offerProjector(scene) {
@@ -3276,41 +4681,7 @@
     return button;
   }
 
-  // src/csv.js
-  function csv(run, quantities, camera) {
-    if (!isTold(run)) return "";
-    const { header, trajectory } = run;
-    const columns = [["t in s", trajectory.t]];
-    for (const quantity of quantities) {
-      const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
-      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
-        columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
-      }
-    }
-    if (quantities.includes("F")) columns.push(...effectColumns(run));
-    const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
-    for (let k = 0; k < trajectory.t.length; k += 1) {
-      lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
-    }
-    return `${lines2.join("\r\n")}\r
-`;
-  }
-  function effectColumns({ header, trajectory }) {
-    return Object.entries(trajectory.E).map(([key, values]) => {
-      const [kind, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
-      const own = header.effects.filter(
-        (effect) => effect.kind === kind && effect.active && effect.carts.includes(on)
-      );
-      const by = [...new Set(own.map(agent))].join(" and ");
-      return [`force on ${on} by ${by} (${kind}) in N`, values];
-    });
-  }
-  function quoted(text) {
-    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-  }
-
-  // src/download.js
+  // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name2, text, type) {
     downloadBlob(name2, new Blob([text], { type }));
@@ -3326,7 +4697,7 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
-  // src/picture.js
+  // src/shared/picture.js
   var PROPERTIES = [
     "fill",
     "fill-opacity",
@@ -3460,6 +4831,40 @@
         "image/png"
       );
     });
+  }
+
+  // src/scene/csv.js
+  function csv(run, quantities, camera) {
+    if (!isTold(run)) return "";
+    const { header, trajectory } = run;
+    const columns = [["t in s", trajectory.t]];
+    for (const quantity of quantities) {
+      const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
+      for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+        columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
+      }
+    }
+    if (quantities.includes("F")) columns.push(...effectColumns(run));
+    const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
+    for (let k = 0; k < trajectory.t.length; k += 1) {
+      lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
+    }
+    return `${lines2.join("\r\n")}\r
+`;
+  }
+  function effectColumns({ header, trajectory }) {
+    return Object.entries(trajectory.E).map(([key, values]) => {
+      const [kind, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
+      const own = header.effects.filter(
+        (effect) => effect.kind === kind && effect.active && effect.carts.includes(on)
+      );
+      const by = [...new Set(own.map(agent))].join(" and ");
+      return [`force on ${on} by ${by} (${kind}) in N`, values];
+    });
+  }
+  function quoted(text) {
+    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
   }
 
   // ../../node_modules/lean-qr/index.mjs
@@ -3712,7 +5117,7 @@
   };
   var s2 = (t3, i2, o3 = {}) => i2.body ? n2(t3, o3, e, i2) : n2(t3, o3, e, i2.ownerDocument, i2);
 
-  // src/qr.js
+  // src/scene/qr.js
   function qrCode(link) {
     if (!/^https?:/.test(link)) return [];
     const picture2 = s2(P(link), document, { on: "#000", off: "#fff", pad: 4, scale: 4 });
@@ -3721,7 +5126,7 @@
     return [picture2, html("p", "carts-quiet", tr("A phone that reads this opens the same state."))];
   }
 
-  // src/share.js
+  // src/scene/share.js
   var MARK = "carts:";
   var MOST_KEYS = 60;
   var LONGEST3 = 4e3;
@@ -3823,7 +5228,7 @@ ${lines2.join("\n")}
     return /^[A-Za-z0-9.+−-][\w .+/·²³^-]*$/.test(value) && !/^(no|yes|on|off|true|false|null)$/i.test(value) ? value : JSON.stringify(value);
   }
 
-  // src/take-along.js
+  // src/scene/take-along.js
   var KINDS = [
     ["csv", tr("values (CSV)")],
     ["svg", tr("picture (SVG)")],
@@ -3834,7 +5239,7 @@ ${lines2.join("\n")}
   ];
   var TakeAlong = class {
     /**
-     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
      * @param {() => State} state of the scene now
      * @param {() => Promise<string>} program the scene's model as a text that Python writes
      */
@@ -3909,7 +5314,7 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/inside.js
+  // src/scene/inside.js
   function wireInside(element, baked, view, client, acts) {
     element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
     element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
@@ -3968,26 +5373,7 @@ ${lines2.join("\n")}
     };
   }
 
-  // src/announcer.js
-  var MOST3 = 3;
-  var Announcer = class {
-    /** @param {HTMLElement} root */
-    constructor(root) {
-      this.region = need(root, ".carts-announcer");
-    }
-    /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
-    leadTo(next, sentence2) {
-      const focused = document.activeElement;
-      if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
-      this.tell([sentence2]);
-    }
-    /** @param {string[]} sentences */
-    tell(sentences) {
-      if (sentences.length) this.region.textContent = sentences.slice(-MOST3).join(" ");
-    }
-  };
-
-  // src/effects-words.js
+  // ../view/effects-words.js
   var LEFT_OUT = { ...EFFECTS, release: tr("exploders") };
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
@@ -4099,13 +5485,522 @@ ${lines2.join("\n")}
     return marks2;
   }
 
-  // src/graph.js
+  // src/scene/announcer.js
+  var MOST3 = 3;
+  var Announcer = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.region = need(root, ".carts-announcer");
+    }
+    /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+    leadTo(next, sentence2) {
+      const focused = document.activeElement;
+      if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+      this.tell([sentence2]);
+    }
+    /** @param {string[]} sentences */
+    tell(sentences) {
+      if (sentences.length) this.region.textContent = sentences.slice(-MOST3).join(" ");
+    }
+  };
+
+  // src/scene/beside/bars.js
+  var HALF = 60;
+  var Bars = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("../../../../view/series.js").Series[]} */
+    #curves = [];
+    /** @type {import("../../../../view/windows.js").Touch[]} */
+    #windows = [];
+    #full = 1;
+    #first = 0;
+    // of the lesson's own run, so that runs can be compared
+    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
+    constructor(root, baked) {
+      this.root = root;
+      this.camera = baked.fence.camera;
+      this.decimals = baked.view.decimals.p ?? 2;
+      this.rows = /** @type {NodeListOf<HTMLElement>} */
+      root.querySelectorAll("tbody tr");
+      this.since = need(root, ".carts-touch-note");
+    }
+    /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+      this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
+      let most = this.#first;
+      for (const { values } of this.#curves) {
+        for (let k = 0; k < values.length; k += 1) most = Math.max(most, Math.abs(Number(values[k])));
+      }
+      if (!this.#first) this.#first = most;
+      this.#full = most || 1;
+    }
+    /** @param {number} t in s */
+    at(t3) {
+      const run = this.#run;
+      if (!run) return;
+      const start = latestTouch(this.#windows, t3)?.start ?? 0;
+      say(this.since, tr("at {time} s", { time: fixed(start, 2) }));
+      this.rows.forEach((row, k) => {
+        const curve = this.#curves[k];
+        row.hidden = !curve;
+        if (!curve) return;
+        const at = (when) => {
+          const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
+          return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
+        };
+        const [before, now] = [at(start), at(t3)];
+        say(need(row, "th"), curve.label);
+        const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
+        row.querySelectorAll("td[data-when]").forEach((cell, i2) => {
+          say(cell, texts[i2] ?? "");
+        });
+        bar(need(row, '[data-part="before"]'), before / this.#full);
+        bar(need(row, '[data-part="now"]'), now / this.#full);
+      });
+    }
+  };
+  function bar(rect, part2) {
+    const length = HALF * Math.min(1, Math.abs(part2));
+    put(rect, "x", px(part2 < 0 ? HALF + 4 - length : HALF + 4));
+    put(rect, "width", px(length));
+  }
+
+  // ../view/forces.js
+  function contactForce({ trajectory }, pair, t3, zero) {
+    const column = trajectory.F[pair];
+    if (!column) return 0;
+    const force = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
+    return Math.abs(force) < zero ? 0 : force;
+  }
+  function contactForces(run, name2, t3, zero) {
+    return run.header.contacts.filter(
+      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkKind(run.header, pair))
+    ).map(({ pair, bodies: [left, right] }) => {
+      const size = contactForce(run, pair, t3, zero);
+      const isLeft = left === name2;
+      const by = isLeft ? right : left;
+      return {
+        name: forceOn(name2, body(by)),
+        on: name2,
+        by,
+        way: (
+          /** @type {const} */
+          "along"
+        ),
+        side: isLeft ? (
+          /** @type {const} */
+          "right"
+        ) : (
+          /** @type {const} */
+          "left"
+        ),
+        value: isLeft ? -size : size
+      };
+    }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
+  }
+  function effectForces(run, name2, t3) {
+    return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
+      const face = value < 0 ? "right" : "left";
+      const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
+      return {
+        name: kind === "incline" ? tr("force on {on} by {by}, along the slope", { on, by }) : forceOn(on, by),
+        on,
+        by,
+        way: "along",
+        side: kind === "push" ? face : side,
+        value,
+        size
+      };
+    });
+  }
+  function verticalForces({ header }, name2) {
+    const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
+    const slope = header.effects.filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name2)).reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
+    const weight = mass * header.gravity * Math.cos(slope);
+    return [
+      {
+        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name: name2 }) : tr("weight of {name}: force on {name} by the Earth", { name: name2 }),
+        by: "Earth",
+        value: -weight
+      },
+      {
+        name: tr("support: force on {name} by the track", { name: name2 }),
+        by: "track",
+        value: weight
+      }
+    ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
+  }
+
+  // src/scene/beside/free-body.js
+  var WIDTH3 = 260;
+  var HEIGHT = 60;
+  var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
+  var AXIS = 38;
+  var MIDDLE = WIDTH3 / 2;
+  var APART = 8;
+  var FULL = 95;
+  var FreeBody = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("../../../../view/windows.js").Touch[]} */
+    #windows = [];
+    #vertical = false;
+    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked @param {() => void} redraw */
+    constructor(root, baked, redraw) {
+      this.root = root;
+      this.view = baked.view;
+      this.per = speedUnit(baked.view.velocity)[0];
+      this.zero = 1e-9 * (baked.view.force || 1);
+      this.note = need(root, ".carts-touch-note");
+      const vertical = (
+        /** @type {HTMLInputElement} */
+        need(root, ".carts-vertical")
+      );
+      vertical.addEventListener("change", () => {
+        this.#vertical = vertical.checked;
+        this.root.classList.toggle("carts-with-vertical", vertical.checked);
+        redraw();
+      });
+    }
+    /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+    }
+    /** @param {number} t in s */
+    at(t3) {
+      const run = this.#run;
+      if (!run) return;
+      const touch = latestTouch(this.#windows, t3);
+      const since = touch && tr("since the touch at {time} s", { time: fixed(touch.start, 2) });
+      say(this.note, since || tr("since the start"));
+      const room = this.#vertical ? this.#roomFor(run) : 0;
+      for (const { name: name2, mass } of run.header.bodies) {
+        const along = [...contactForces(run, name2, t3, this.zero), ...effectForces(run, name2, t3)];
+        this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
+        const resultant = along.reduce((sum, { value }) => sum + value, 0);
+        const { t: times, v: v2, a: a2 } = run.trajectory;
+        const speed = (at) => valueAt(times, v2[name2] ?? [], a2[name2] ?? [], at);
+        const change2 = speed(t3) - speed(touch?.start ?? 0);
+        const { decimals, velocity: velocity2 } = this.view;
+        const seen = Math.abs(change2) < 1e-9 * velocity2 ? 0 : change2 / this.per;
+        this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
+        this.#say(name2, "mass", short(mass));
+        this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
+        this.#say(name2, "dv", fixed(seen, decimals.v ?? 2));
+      }
+    }
+    /** @param {string} name @param {string} quantity @param {string} text */
+    #say(name2, quantity, text) {
+      const cell = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
+      if (cell) say(cell, text);
+    }
+    /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
+    #roomFor({ header }) {
+      const weights = header.bodies.map(({ mass }) => mass * header.gravity);
+      const longest = arrowLength(Math.max(...weights), this.view.force, FULL);
+      return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
+    }
+    /** @param {string} name @param {Force[]} forces @param {number} room */
+    #draw(name2, forces2, room) {
+      const card = need(this.root, `.carts-alone[data-body="${name2}"]`);
+      const group2 = need(card, '[data-part="forces"]');
+      const list = need(card, "ul");
+      while (group2.children.length < forces2.length) group2.append(svg("path"));
+      while (group2.children.length > forces2.length) group2.lastElementChild?.remove();
+      while (list.children.length < forces2.length) list.append(document.createElement("li"));
+      while (list.children.length > forces2.length) list.lastElementChild?.remove();
+      forces2.forEach((force, k) => {
+        const length = arrowLength(force.value, this.view.force, FULL);
+        const cut = isCut(force.value, this.view.force);
+        const path2 = (
+          /** @type {Element} */
+          group2.children[k]
+        );
+        const [x2, y2] = tail(force);
+        put(path2, "class", "carts-block-arrow");
+        put(path2, "d", (cut ? cutArrow : blockArrow)(x2, y2, length));
+        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x2)} ${px(y2)})` : "");
+        say(
+          /** @type {Element} */
+          list.children[k],
+          this.#sentence(force, cut)
+        );
+      });
+      const picture2 = need(card, "svg");
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH3} ${HEIGHT + 2 * room}`);
+      put(picture2, "height", String(HEIGHT + 2 * room));
+    }
+    /** @param {Force} force @param {boolean} cut */
+    #sentence({ name: name2, way, value, size: written }, cut) {
+      const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
+      const told3 = { name: name2, size };
+      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
+      const said = value === 0 ? `${name2}: ${size}` : ways[value < 0 ? 0 : 1];
+      return `${said}${cut ? tr(", arrow cut") : ""}`;
+    }
+  };
+  function tail({ way, side, value }) {
+    if (way === "up") {
+      const middle = (BOX.top + BOX.bottom) / 2;
+      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
+    }
+    if (side === "middle") return [MIDDLE, AXIS];
+    if (side === "below") return [MIDDLE, BOX.bottom];
+    if (side === "above") return [MIDDLE, BOX.top];
+    return [side === "left" ? BOX.left : BOX.right, AXIS];
+  }
+
+  // src/scene/beside/lens.js
+  var TIMES = 10;
+  var WIDTH4 = 360;
+  var TRACK = 96;
+  var BAR = 70;
+  var SCALE = 3;
+  var Lens = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {Touch[]} */
+    #windows = [];
+    #perMetre = 3e3;
+    // units
+    #perForce = 100;
+    // units of the full scale
+    #t = 0;
+    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked @param {() => void} redraw */
+    constructor(root, baked, redraw) {
+      this.root = root;
+      this.view = baked.view;
+      this.scene = /** @type {HTMLElement} */
+      root.closest("carts-scene");
+      this.plot = need(root, "svg");
+      this.note = need(root, ".carts-lens-note");
+      new ResizeObserver(() => {
+        this.#measure();
+        redraw();
+      }).observe(root);
+    }
+    /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
+    #measure() {
+      for (const layout of this.view.layouts) {
+        const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
+        const [shown2, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown2 || !own) continue;
+        const unit = shown2 / layout.width * (WIDTH4 / own);
+        this.#perMetre = TIMES * layout.scale * unit;
+        this.#perForce = layout.force * unit;
+      }
+      const length = niceAbove(BAR / this.#perMetre / 2.5);
+      const bar2 = px(length * this.#perMetre);
+      put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar2}m0 -2.5v5`);
+      const text = need(this.root, '[data-part="bar-text"]');
+      put(text, "x", px(Number(bar2) + 16));
+      say(text, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
+    }
+    /** @param {Run} run @param {Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+    }
+    /** @param {number} t in s */
+    at(t3) {
+      const run = this.#run;
+      const touch = this.#windows.find(({ end }) => t3 <= end) ?? this.#windows.at(-1);
+      put(this.plot, "visibility", touch ? "visible" : "hidden");
+      this.root.classList.toggle(
+        "carts-is-slow",
+        Boolean(touch && t3 >= touch.start && t3 <= touch.end)
+      );
+      if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
+      this.#t = t3;
+      const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
+      const overlap = Math.max(0, left.face - right.face);
+      const give = Math.min(overlap, left.bumper + right.bumper);
+      const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
+      const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
+      const faces = [left.face - share, Math.max(right.face, left.face - share)];
+      const force = contactForce(run, touch.pair, t3, 1e-9 * (this.view.force || 1));
+      [left, right].forEach((side, k) => {
+        this.#draw(k, side, Number(faces[k]), middle, force);
+      });
+      const pair = listed(touch.bodies.map(body));
+      const gap = right.face - left.face;
+      const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
+      const size = fixed(force, this.view.decimals.F ?? 2);
+      const push = tr("{size} on each", { size: `${size} N` });
+      say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t3, 4)} s`);
+    }
+    /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
+    #side({ header, trajectory }, touch, k) {
+      const name2 = String(touch.bodies[k]);
+      const cart = header.bodies.find((one) => one.name === name2);
+      if (!cart) {
+        const wall = name2 === "left" ? 0 : header.track.length ?? 0;
+        return { name: name2, edge: wall, face: wall, bumper: 0 };
+      }
+      const { t: t3, x: x2, v: v2 } = trajectory;
+      const centre = valueAt(t3, x2[name2] ?? [], v2[name2] ?? [], this.#t);
+      const way = k === 0 ? 1 : -1;
+      const face = centre + way * cart.length / 2;
+      return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
+    }
+    /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
+    #draw(k, side, face, middle, force) {
+      const at = (x2) => WIDTH4 / 2 + (x2 - middle) * this.#perMetre;
+      const group2 = need(this.root, `[data-side="${k}"]`);
+      const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
+      put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
+      const way = k === 0 ? 1 : -1;
+      const [edge, end] = [at(side.edge), at(face)];
+      const rect = need(group2, '[data-part="body"]');
+      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH4 : edge));
+      const bent = need(group2, '[data-part="spring"]');
+      put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
+      put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
+      const plate = need(group2, '[data-part="face"]');
+      put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
+      const name2 = need(group2, '[data-part="name"]');
+      const inside = Math.min(WIDTH4 - 34, Math.max(34, edge - 22 * way));
+      put(name2, "x", px(inside));
+      say(name2, index < 0 ? tr("wall") : side.name);
+      const arrow2 = need(group2, '[data-part="arrow"]');
+      const cut = isCut(force, this.view.force);
+      const length = -way * arrowLength(force, this.view.force, this.#perForce);
+      put(arrow2, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
+    }
+  };
+  function lengthText(metres) {
+    return metres < 0.1 ? `${fixed(metres * 1e3, 1)} mm` : `${fixed(metres * 100, 1)} cm`;
+  }
+
+  // src/scene/beside/views.js
+  var KINDS2 = {
+    "free-body": [tr("forces on each cart"), FreeBody],
+    lens: [tr("lens on the contact, ×10"), Lens],
+    bars: [tr("momentum before and now"), Bars]
+  };
+  var Views = class {
+    /** @type {View[]} */
+    #views = [];
+    /** @type {{run: Run, windows: Touch[], t: number} | null} */
+    #now = null;
+    /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked */
+    constructor(root, baked) {
+      this.frame = /** @type {HTMLElement | null} */
+      root.querySelector(".carts-views");
+      for (const section of root.querySelectorAll(".carts-view")) {
+        const element = (
+          /** @type {HTMLElement} */
+          section
+        );
+        const kind = KINDS2[element.dataset.view ?? ""];
+        if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
+      }
+    }
+    /** @returns {{key: string, label: string, seen: boolean}[]} what a reader can choose from */
+    get choices() {
+      return this.#views.map(({ root }) => {
+        const key = root.dataset.view ?? "";
+        return { key, label: KINDS2[key]?.[0] ?? key, seen: !root.hidden };
+      });
+    }
+    /** @param {string} key @param {boolean} seen */
+    choose(key, seen) {
+      for (const { root } of this.#views) if (root.dataset.view === key) root.hidden = !seen;
+      this.#again();
+    }
+    /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
+    show(run, windows, t3) {
+      if (!isTold(run)) return;
+      if (this.frame) this.frame.hidden = false;
+      this.#now = { run, windows, t: t3 };
+      for (const view of this.#views) view.show(run, windows);
+    }
+    /** @param {number} t in s */
+    at(t3) {
+      if (!this.#now) return;
+      this.#now.t = t3;
+      for (const view of this.#views) if (!view.root.hidden) view.at(t3);
+    }
+    #again() {
+      if (this.#now) this.at(this.#now.t);
+    }
+  };
+
+  // src/scene/drag.js
+  var Drag = class {
+    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
+    #held = null;
+    /**
+     * @param {SVGElement} stage @param {Layout} layout @param {import("../../../view/types.js").Baked} baked
+     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
+     *   value: of the run that is shown, in SI
+     */
+    constructor(stage, layout, baked, acts) {
+      const { controls } = baked.fence;
+      for (const { name: name2 } of baked.run.header.bodies) {
+        for (
+          const [key, part2, metres] of
+          /** @type {const} */
+          [
+            ["position", "carts-cart", 1 / layout.scale],
+            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
+          ]
+        ) {
+          const control = controls.find(({ set }) => set === `${name2}.${key}`);
+          const group2 = stage.querySelector(`.${part2}[data-body="${name2}"]`);
+          if (!control || !group2) continue;
+          group2.classList.add("carts-draggable");
+          group2.addEventListener("pointerdown", (event) => {
+            const value = acts.value(control.set);
+            if (!acts.ready() || value === null) return;
+            const down = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const unit = layout.width / stage.getBoundingClientRect().width;
+            const from = value / control.per;
+            const perUnit = metres * unit / control.per;
+            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
+            group2.setPointerCapture(down.pointerId);
+            event.preventDefault();
+          });
+          group2.addEventListener("pointermove", (event) => {
+            const held = this.#held;
+            if (held?.control !== control) return;
+            const move = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
+            if (value === held.sent) return;
+            held.sent = value;
+            acts.change(control, value, event.timeStamp);
+          });
+          for (const end of ["pointerup", "pointercancel"]) {
+            group2.addEventListener(end, () => {
+              this.#held = null;
+            });
+          }
+        }
+      }
+    }
+  };
+  function onStep(value, { low, high, step }) {
+    const near = low + Math.round((value - low) / step) * step;
+    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
+  }
+
+  // ../view/graph.js
   var LEFT3 = 46;
   var RIGHT2 = 350;
   var TOP2 = 8;
   var BOTTOM3 = 142;
-  var WIDTH3 = 360;
-  var HEIGHT = 172;
+  var WIDTH5 = 360;
+  var HEIGHT2 = 172;
   var BELOW_LINE = 4;
   var NEAR2 = 0.7;
   var STRAIGHT = 0.05;
@@ -4182,7 +6077,7 @@ ${lines2.join("\n")}
     }));
   }
 
-  // src/choose.js
+  // src/scene/graphs/choose.js
   var AREAS = tr("boxes as large as the masses");
   var STILLS = tr("in stills, without motion");
   var STOPS = tr("stops at touch, greatest force and parting");
@@ -4193,7 +6088,7 @@ ${lines2.join("\n")}
   var FORCES = ["F", "a"];
   var Choose = class {
     /**
-     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
      * @param {Choice[]} views
      * @param {boolean} stills whether playing shows stills in place of motion
      * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
@@ -4273,7 +6168,7 @@ ${lines2.join("\n")}
   function plot(clip, isForce) {
     const frame2 = svg("svg", {
       class: "carts-plot",
-      viewBox: `0 0 ${WIDTH3} ${HEIGHT}`,
+      viewBox: `0 0 ${WIDTH5} ${HEIGHT2}`,
       "aria-hidden": "true"
     });
     const inside = svg("clipPath", { id: clip });
@@ -4281,7 +6176,7 @@ ${lines2.join("\n")}
     inside.append(svg("rect", { x: LEFT3, y: TOP2 - 4, width, height: BOTTOM3 - TOP2 + 8 }));
     const defs = svg("defs");
     defs.append(inside);
-    const unit = svg("text", { class: "carts-unit", x: RIGHT2, y: HEIGHT - 3, "text-anchor": "end" });
+    const unit = svg("text", { class: "carts-unit", x: RIGHT2, y: HEIGHT2 - 3, "text-anchor": "end" });
     unit.textContent = tr("time t in s");
     const cut = { "clip-path": `url(#${clip})` };
     const areas = svg("g", { "data-part": "areas", ...cut });
@@ -4301,77 +6196,13 @@ ${lines2.join("\n")}
     return frame2;
   }
 
-  // src/drag.js
-  var Drag = class {
-    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
-    #held = null;
-    /**
-     * @param {SVGElement} stage @param {Layout} layout @param {import("./types.js").Baked} baked
-     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
-     *   value: of the run that is shown, in SI
-     */
-    constructor(stage, layout, baked, acts) {
-      const { controls } = baked.fence;
-      for (const { name: name2 } of baked.run.header.bodies) {
-        for (
-          const [key, part2, metres] of
-          /** @type {const} */
-          [
-            ["position", "carts-cart", 1 / layout.scale],
-            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
-          ]
-        ) {
-          const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part2}[data-body="${name2}"]`);
-          if (!control || !group2) continue;
-          group2.classList.add("carts-draggable");
-          group2.addEventListener("pointerdown", (event) => {
-            const value = acts.value(control.set);
-            if (!acts.ready() || value === null) return;
-            const down = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const unit = layout.width / stage.getBoundingClientRect().width;
-            const from = value / control.per;
-            const perUnit = metres * unit / control.per;
-            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
-            group2.setPointerCapture(down.pointerId);
-            event.preventDefault();
-          });
-          group2.addEventListener("pointermove", (event) => {
-            const held = this.#held;
-            if (held?.control !== control) return;
-            const move = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
-            if (value === held.sent) return;
-            held.sent = value;
-            acts.change(control, value, event.timeStamp);
-          });
-          for (const end of ["pointerup", "pointercancel"]) {
-            group2.addEventListener(end, () => {
-              this.#held = null;
-            });
-          }
-        }
-      }
-    }
-  };
-  function onStep(value, { low, high, step }) {
-    const near = low + Math.round((value - low) / step) * step;
-    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
-  }
-
-  // src/how-ghost.js
+  // src/scene/how/ghost.js
   var Ghost = class {
     /** @type {Run | null} */
     #run = null;
     /** @type {SVGElement | null} */
     #group = null;
-    /** @param {import("./stage.js").Stage} stage */
+    /** @param {import("../stage.js").Stage} stage */
     constructor(stage) {
       this.stage = stage;
     }
@@ -4424,73 +6255,7 @@ ${lines2.join("\n")}
     );
   }
 
-  // src/forces.js
-  function contactForce({ trajectory }, pair, t3, zero) {
-    const column = trajectory.F[pair];
-    if (!column) return 0;
-    const force = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
-    return Math.abs(force) < zero ? 0 : force;
-  }
-  function contactForces(run, name2, t3, zero) {
-    return run.header.contacts.filter(
-      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkKind(run.header, pair))
-    ).map(({ pair, bodies: [left, right] }) => {
-      const size = contactForce(run, pair, t3, zero);
-      const isLeft = left === name2;
-      const by = isLeft ? right : left;
-      return {
-        name: forceOn(name2, body(by)),
-        on: name2,
-        by,
-        way: (
-          /** @type {const} */
-          "along"
-        ),
-        side: isLeft ? (
-          /** @type {const} */
-          "right"
-        ) : (
-          /** @type {const} */
-          "left"
-        ),
-        value: isLeft ? -size : size
-      };
-    }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
-  }
-  function effectForces(run, name2, t3) {
-    return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
-      const face = value < 0 ? "right" : "left";
-      const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
-      return {
-        name: kind === "incline" ? tr("force on {on} by {by}, along the slope", { on, by }) : forceOn(on, by),
-        on,
-        by,
-        way: "along",
-        side: kind === "push" ? face : side,
-        value,
-        size
-      };
-    });
-  }
-  function verticalForces({ header }, name2) {
-    const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
-    const slope = header.effects.filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name2)).reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
-    const weight = mass * header.gravity * Math.cos(slope);
-    return [
-      {
-        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name: name2 }) : tr("weight of {name}: force on {name} by the Earth", { name: name2 }),
-        by: "Earth",
-        value: -weight
-      },
-      {
-        name: tr("support: force on {name} by the track", { name: name2 }),
-        by: "track",
-        value: weight
-      }
-    ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
-  }
-
-  // src/impulse.js
+  // ../view/impulse.js
   function area({ trajectory }, pair, from, to) {
     const { t: t3, F: F2, dF } = trajectory;
     const [values, slopes] = [F2[pair] ?? [], dF[pair] ?? []];
@@ -4519,21 +6284,21 @@ ${lines2.join("\n")}
     });
   }
 
-  // src/impulse-layer.js
+  // src/scene/graphs/impulse-layer.js
   var POINTS = 40;
   var ImpulseLayer = class {
-    /** @param {HTMLElement} root of the graph @param {import("./types.js").View} view */
+    /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").View} view */
     constructor(root, view) {
       this.shade = need(root, '[data-part="areas"]');
       this.note = need(root, ".carts-area-note");
       this.decimals = Math.max(3, view.decimals.p ?? 3);
       this.windows = [];
     }
-    /** @param {import("./types.js").Run} run */
+    /** @param {import("../../../../view/types.js").Run} run */
     show({ header }) {
       this.windows = touches(header.events, header.until);
     }
-    /** @param {import("./types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
+    /** @param {import("../../../../view/types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
     at(run, plane, t3, signed) {
       const touch = latestTouch(this.windows, t3);
       const paths = this.shade.children;
@@ -4574,7 +6339,7 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/ledger.js
+  // ../view/ledger.js
   function ledger({ header, trajectory }, windows, camera) {
     const moving = seriesOf("energy", header, trajectory, camera).filter((c2) => c2.style !== "total");
     const times = trajectory.t;
@@ -4627,7 +6392,7 @@ ${lines2.join("\n")}
     });
   }
 
-  // src/ledger-layer.js
+  // src/scene/graphs/ledger-layer.js
   var NEAR3 = 0.5;
   function hasLedger(baked) {
     const { left, right } = baked.run.header.track;
@@ -4642,7 +6407,7 @@ ${lines2.join("\n")}
     entries = [];
     /** @type {Series[]} */
     tops = [];
-    /** @param {HTMLElement} root of the graph @param {import("./types.js").Baked} baked */
+    /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.areas = need(root, '[data-part="areas"]');
       this.key = need(root, ".carts-key");
@@ -4687,7 +6452,7 @@ ${lines2.join("\n")}
           this.areas.children[i2]
         );
         put(path2, "class", `carts-band carts-${top.style}`);
-        put(path2, "d", band(this.times, plane, top.values, this.tops[i2 - 1]?.values));
+        put(path2, "d", band2(this.times, plane, top.values, this.tops[i2 - 1]?.values));
       });
       delete this.key.dataset.curves;
       this.key.replaceChildren(
@@ -4711,7 +6476,7 @@ ${lines2.join("\n")}
       });
     }
   };
-  function band(times, plane, top, bottom) {
+  function band2(times, plane, top, bottom) {
     const above = [];
     const below = [];
     let [x0, y0, z0] = [-9, -9, -9];
@@ -4727,15 +6492,15 @@ ${lines2.join("\n")}
     return `M${above.join("L")}L${below.join("L")}Z`;
   }
 
-  // src/table.js
-  var ROWS = 10;
+  // src/scene/graphs/table.js
+  var ROWS2 = 10;
   var MOST_EVENTS = 24;
   var REST2 = 250;
   var Table = class {
     /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
     #timer = 0;
-    /** @param {HTMLElement} details @param {string} quantity @param {import("./types.js").View} view */
+    /** @param {HTMLElement} details @param {string} quantity @param {import("../../../../view/types.js").View} view */
     constructor(details, quantity, view) {
       this.details = /** @type {HTMLDetailsElement} */
       details;
@@ -4776,7 +6541,7 @@ ${lines2.join("\n")}
     }
   };
   function tableTimes({ header, trajectory }) {
-    const times = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS)), header.until]);
+    const times = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
     const last = Number(trajectory.t[trajectory.t.length - 1]);
     return [...times].filter((t3) => t3 <= last).sort((a2, b2) => a2 - b2);
@@ -4794,7 +6559,7 @@ ${lines2.join("\n")}
     return found2 || 1;
   }
 
-  // src/graph-view.js
+  // src/scene/graphs/graph-view.js
   var GraphView = class {
     /** @type {Series[]} */
     #curves = [];
@@ -4815,7 +6580,7 @@ ${lines2.join("\n")}
     /** @type {[number, number] | null} */
     #window = null;
     /**
-     * @param {HTMLElement} root @param {import("./types.js").Baked} baked
+     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
      * @param {(t: number) => void} seek when the reader points at a time
      */
     constructor(root, baked, seek) {
@@ -4839,7 +6604,7 @@ ${lines2.join("\n")}
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame2 = this.plot.getBoundingClientRect();
-        const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH3;
+        const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH5;
         const part2 = Math.min(1, Math.max(0, (x2 - LEFT3) / (RIGHT2 - LEFT3)));
         const { low, high } = this.#plane.time;
         seek(low + part2 * (high - low));
@@ -5035,11 +6800,11 @@ ${lines2.join("\n")}
     }
   }
 
-  // src/readouts.js
+  // src/scene/readouts.js
   var Readouts = class {
     /** @type {Run | null} */
     #run = null;
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
@@ -5085,7 +6850,7 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/effects-props.js
+  // ../view/effects-props.js
   var TURNS = 9;
   var LEAD = 5;
   var COIL = 7;
@@ -5232,7 +6997,7 @@ ${lines2.join("\n")}
     ];
   }
 
-  // src/effects.js
+  // src/scene/effects.js
   var PER_CHARACTER = 7.2;
   var SLIVER = 1.5;
   var GAP2 = 8;
@@ -5263,7 +7028,7 @@ ${lines2.join("\n")}
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s @param {import("./effects-props.js").Face} face @param {Centre} centre */
+    /** @param {number} t in s @param {import("../../../view/effects-props.js").Face} face @param {Centre} centre */
     at(t3, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
@@ -5344,26 +7109,26 @@ ${lines2.join("\n")}
     return left > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
   }
 
-  // src/pushes.js
+  // src/scene/pushes.js
   var PER_CHARACTER2 = 7.8;
   var ROW = 19;
   var GAP3 = 8;
   var LINKS = { spring: tr("spring"), magnets: tr("magnets") };
-  var EDGE2 = 6;
+  var EDGE3 = 6;
   var Pushes = class {
     /** @type {Push[]} */
     #pushes = [];
     /** @type {Run | null} */
     #run = null;
-    /** @type {import("./windows.js").Touch[]} */
+    /** @type {import("../../../view/windows.js").Touch[]} */
     #windows = [];
-    /** @param {SVGElement} root @param {import("./types.js").Layout} layout @param {import("./types.js").View} view */
+    /** @param {SVGElement} root @param {import("../../../view/types.js").Layout} layout @param {import("../../../view/types.js").View} view */
     constructor(root, layout, view) {
       this.root = root;
       this.layout = layout;
       this.view = view;
     }
-    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    /** @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       this.#windows = windows;
@@ -5439,7 +7204,7 @@ ${lines2.join("\n")}
         if (free === void 0) put(text, "visibility", "hidden");
         else {
           taken.push([free, at - half, at + half]);
-          write2(text, label, at, free, "middle");
+          write3(text, label, at, free, "middle");
         }
       }
     }
@@ -5461,8 +7226,8 @@ ${lines2.join("\n")}
       if (high - low >= left + right + 2 * GAP3 && !push.bodies.some(isWall)) {
         const begin = Math.min(Math.max(x2 + GAP3, low + left + 2 * GAP3), high - right);
         const end = Math.max(low + left, Math.min(x2 - GAP3, begin - 2 * GAP3));
-        write2(first, labels2[0] ?? "", end, push.row, "end");
-        write2(second, labels2[1] ?? "", begin, push.row, "start");
+        write3(first, labels2[0] ?? "", end, push.row, "end");
+        write3(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
       }
       const longest = Math.max(left, right);
@@ -5471,8 +7236,8 @@ ${lines2.join("\n")}
       const top = Math.min(...this.layout.rows);
       const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
       const start = Math.min(Math.max(x2 - way * longest, low), high - longest);
-      write2(first, labels2[0] ?? "", start, top, "start");
-      write2(second, labels2[1] ?? "", start, top + ROW, "start");
+      write3(first, labels2[0] ?? "", start, top, "start");
+      write3(second, labels2[1] ?? "", start, top + ROW, "start");
       return true;
     }
     /** Where names may stand: between the walls. @returns {[number, number]} */
@@ -5481,8 +7246,8 @@ ${lines2.join("\n")}
       const track = this.#run?.header.track;
       const end = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE2, origin + GAP3) : EDGE2,
-        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP3) : width - EDGE2
+        track?.left === "wall" ? Math.max(EDGE3, origin + GAP3) : EDGE3,
+        track?.right === "wall" ? Math.min(width - EDGE3, end - GAP3) : width - EDGE3
       ];
     }
     /** @param {number} size in N */
@@ -5491,14 +7256,14 @@ ${lines2.join("\n")}
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function write2(text, label, x2, y2, anchor) {
+  function write3(text, label, x2, y2, anchor) {
     put(text, "x", px(x2));
     put(text, "y", px(y2));
     put(text, "text-anchor", anchor);
     say(text, label);
   }
 
-  // src/stage.js
+  // src/scene/stage.js
   var Stage = class {
     /** @type {Run} */
     #run;
@@ -5521,7 +7286,7 @@ ${lines2.join("\n")}
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
     }
-    /** Takes a run: boxes for its masses. @param {Run} run @param {import("./windows.js").Touch[]} windows */
+    /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
       const { layout, view } = this;
@@ -5608,7 +7373,7 @@ ${lines2.join("\n")}
     }
     /**
      * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
-     * @param {import("./predict-arrows.js").Guess[]} guesses
+     * @param {import("../predict/arrows.js").Guess[]} guesses
      */
     guess(guesses) {
       const { header } = this.#run;
@@ -5702,7 +7467,7 @@ ${lines2.join("\n")}
     say(mass, box2.label);
   }
 
-  // src/exits.js
+  // ../view/exits.js
   var HALVINGS = 40;
   function exits({ header, trajectory }, { low, high }, camera) {
     const { t: times, x: places, v: v2, a: a2 } = trajectory;
@@ -5726,17 +7491,17 @@ ${lines2.join("\n")}
     return found2;
   }
 
-  // src/story.js
+  // src/scene/story.js
   var MOST_EVENTS2 = 60;
   var IN_FULL = 10;
   var Story = class {
     /** @type {{t: number, sentence: string}[]} */
     told = [];
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {(t: number) => void} seek */
+    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked @param {(t: number) => void} seek */
     constructor(root, baked, seek) {
       const { fence, view } = baked;
       this.view = view;
-      this.layout = /** @type {import("./types.js").Layout} */
+      this.layout = /** @type {import("../../../view/types.js").Layout} */
       view.layouts[0];
       this.telling = {
         decimals: view.decimals,
@@ -5754,7 +7519,7 @@ ${lines2.join("\n")}
         if (button?.dataset.time) seek(Number(button.dataset.time));
       });
     }
-    /** @param {import("./types.js").Run} run */
+    /** @param {import("../../../view/types.js").Run} run */
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
@@ -5797,7 +7562,7 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/timeline.js
+  // src/scene/timeline.js
   var MOST_EVENTS3 = 60;
   var Timeline = class {
     /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
@@ -5809,7 +7574,7 @@ ${lines2.join("\n")}
       this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
       this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
     }
-    /** @param {import("./types.js").Run} run @param {import("./windows.js").Touch[]} windows */
+    /** @param {import("../../../view/types.js").Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
       const pushes = isTold(run) ? pushMarks(header, false) : [];
@@ -5860,7 +7625,7 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/transport.js
+  // src/scene/transport.js
   var Transport = class {
     /** @param {HTMLElement} root @param {Player} player @param {Record<string, number>} decimals */
     constructor(root, player, decimals) {
@@ -5942,367 +7707,7 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/bars.js
-  var HALF = 60;
-  var Bars = class {
-    /** @type {Run | null} */
-    #run = null;
-    /** @type {import("./series.js").Series[]} */
-    #curves = [];
-    /** @type {import("./windows.js").Touch[]} */
-    #windows = [];
-    #full = 1;
-    #first = 0;
-    // of the lesson's own run, so that runs can be compared
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
-    constructor(root, baked) {
-      this.root = root;
-      this.camera = baked.fence.camera;
-      this.decimals = baked.view.decimals.p ?? 2;
-      this.rows = /** @type {NodeListOf<HTMLElement>} */
-      root.querySelectorAll("tbody tr");
-      this.since = need(root, ".carts-touch-note");
-    }
-    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
-    show(run, windows) {
-      this.#run = run;
-      this.#windows = windows;
-      this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
-      let most = this.#first;
-      for (const { values } of this.#curves) {
-        for (let k = 0; k < values.length; k += 1) most = Math.max(most, Math.abs(Number(values[k])));
-      }
-      if (!this.#first) this.#first = most;
-      this.#full = most || 1;
-    }
-    /** @param {number} t in s */
-    at(t3) {
-      const run = this.#run;
-      if (!run) return;
-      const start = latestTouch(this.#windows, t3)?.start ?? 0;
-      say(this.since, tr("at {time} s", { time: fixed(start, 2) }));
-      this.rows.forEach((row, k) => {
-        const curve = this.#curves[k];
-        row.hidden = !curve;
-        if (!curve) return;
-        const at = (when) => {
-          const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
-          return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
-        };
-        const [before, now] = [at(start), at(t3)];
-        say(need(row, "th"), curve.label);
-        const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
-        row.querySelectorAll("td[data-when]").forEach((cell, i2) => {
-          say(cell, texts[i2] ?? "");
-        });
-        bar(need(row, '[data-part="before"]'), before / this.#full);
-        bar(need(row, '[data-part="now"]'), now / this.#full);
-      });
-    }
-  };
-  function bar(rect, part2) {
-    const length = HALF * Math.min(1, Math.abs(part2));
-    put(rect, "x", px(part2 < 0 ? HALF + 4 - length : HALF + 4));
-    put(rect, "width", px(length));
-  }
-
-  // src/free-body.js
-  var WIDTH4 = 260;
-  var HEIGHT2 = 60;
-  var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
-  var AXIS = 38;
-  var MIDDLE = WIDTH4 / 2;
-  var APART = 8;
-  var FULL = 95;
-  var FreeBody = class {
-    /** @type {Run | null} */
-    #run = null;
-    /** @type {import("./windows.js").Touch[]} */
-    #windows = [];
-    #vertical = false;
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => void} redraw */
-    constructor(root, baked, redraw) {
-      this.root = root;
-      this.view = baked.view;
-      this.per = speedUnit(baked.view.velocity)[0];
-      this.zero = 1e-9 * (baked.view.force || 1);
-      this.note = need(root, ".carts-touch-note");
-      const vertical = (
-        /** @type {HTMLInputElement} */
-        need(root, ".carts-vertical")
-      );
-      vertical.addEventListener("change", () => {
-        this.#vertical = vertical.checked;
-        this.root.classList.toggle("carts-with-vertical", vertical.checked);
-        redraw();
-      });
-    }
-    /** @param {Run} run @param {import("./windows.js").Touch[]} windows */
-    show(run, windows) {
-      this.#run = run;
-      this.#windows = windows;
-    }
-    /** @param {number} t in s */
-    at(t3) {
-      const run = this.#run;
-      if (!run) return;
-      const touch = latestTouch(this.#windows, t3);
-      const since = touch && tr("since the touch at {time} s", { time: fixed(touch.start, 2) });
-      say(this.note, since || tr("since the start"));
-      const room = this.#vertical ? this.#roomFor(run) : 0;
-      for (const { name: name2, mass } of run.header.bodies) {
-        const along = [...contactForces(run, name2, t3, this.zero), ...effectForces(run, name2, t3)];
-        this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
-        const resultant = along.reduce((sum, { value }) => sum + value, 0);
-        const { t: times, v: v2, a: a2 } = run.trajectory;
-        const speed = (at) => valueAt(times, v2[name2] ?? [], a2[name2] ?? [], at);
-        const change2 = speed(t3) - speed(touch?.start ?? 0);
-        const { decimals, velocity: velocity2 } = this.view;
-        const seen = Math.abs(change2) < 1e-9 * velocity2 ? 0 : change2 / this.per;
-        this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
-        this.#say(name2, "mass", short(mass));
-        this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
-        this.#say(name2, "dv", fixed(seen, decimals.v ?? 2));
-      }
-    }
-    /** @param {string} name @param {string} quantity @param {string} text */
-    #say(name2, quantity, text) {
-      const cell = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
-      if (cell) say(cell, text);
-    }
-    /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
-    #roomFor({ header }) {
-      const weights = header.bodies.map(({ mass }) => mass * header.gravity);
-      const longest = arrowLength(Math.max(...weights), this.view.force, FULL);
-      return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
-    }
-    /** @param {string} name @param {Force[]} forces @param {number} room */
-    #draw(name2, forces2, room) {
-      const card = need(this.root, `.carts-alone[data-body="${name2}"]`);
-      const group2 = need(card, '[data-part="forces"]');
-      const list = need(card, "ul");
-      while (group2.children.length < forces2.length) group2.append(svg("path"));
-      while (group2.children.length > forces2.length) group2.lastElementChild?.remove();
-      while (list.children.length < forces2.length) list.append(document.createElement("li"));
-      while (list.children.length > forces2.length) list.lastElementChild?.remove();
-      forces2.forEach((force, k) => {
-        const length = arrowLength(force.value, this.view.force, FULL);
-        const cut = isCut(force.value, this.view.force);
-        const path2 = (
-          /** @type {Element} */
-          group2.children[k]
-        );
-        const [x2, y2] = tail(force);
-        put(path2, "class", "carts-block-arrow");
-        put(path2, "d", (cut ? cutArrow : blockArrow)(x2, y2, length));
-        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x2)} ${px(y2)})` : "");
-        say(
-          /** @type {Element} */
-          list.children[k],
-          this.#sentence(force, cut)
-        );
-      });
-      const picture2 = need(card, "svg");
-      put(picture2, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT2 + 2 * room}`);
-      put(picture2, "height", String(HEIGHT2 + 2 * room));
-    }
-    /** @param {Force} force @param {boolean} cut */
-    #sentence({ name: name2, way, value, size: written }, cut) {
-      const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told3 = { name: name2, size };
-      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
-      const said = value === 0 ? `${name2}: ${size}` : ways[value < 0 ? 0 : 1];
-      return `${said}${cut ? tr(", arrow cut") : ""}`;
-    }
-  };
-  function tail({ way, side, value }) {
-    if (way === "up") {
-      const middle = (BOX.top + BOX.bottom) / 2;
-      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
-    }
-    if (side === "middle") return [MIDDLE, AXIS];
-    if (side === "below") return [MIDDLE, BOX.bottom];
-    if (side === "above") return [MIDDLE, BOX.top];
-    return [side === "left" ? BOX.left : BOX.right, AXIS];
-  }
-
-  // src/lens.js
-  var TIMES = 10;
-  var WIDTH5 = 360;
-  var TRACK = 96;
-  var BAR = 70;
-  var SCALE = 3;
-  var Lens = class {
-    /** @type {Run | null} */
-    #run = null;
-    /** @type {Touch[]} */
-    #windows = [];
-    #perMetre = 3e3;
-    // units
-    #perForce = 100;
-    // units of the full scale
-    #t = 0;
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked @param {() => void} redraw */
-    constructor(root, baked, redraw) {
-      this.root = root;
-      this.view = baked.view;
-      this.scene = /** @type {HTMLElement} */
-      root.closest("carts-scene");
-      this.plot = need(root, "svg");
-      this.note = need(root, ".carts-lens-note");
-      new ResizeObserver(() => {
-        this.#measure();
-        redraw();
-      }).observe(root);
-    }
-    /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
-    #measure() {
-      for (const layout of this.view.layouts) {
-        const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
-        const [shown2, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
-        if (!shown2 || !own) continue;
-        const unit = shown2 / layout.width * (WIDTH5 / own);
-        this.#perMetre = TIMES * layout.scale * unit;
-        this.#perForce = layout.force * unit;
-      }
-      const length = niceAbove(BAR / this.#perMetre / 2.5);
-      const bar2 = px(length * this.#perMetre);
-      put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar2}m0 -2.5v5`);
-      const text = need(this.root, '[data-part="bar-text"]');
-      put(text, "x", px(Number(bar2) + 16));
-      say(text, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
-    }
-    /** @param {Run} run @param {Touch[]} windows */
-    show(run, windows) {
-      this.#run = run;
-      this.#windows = windows;
-    }
-    /** @param {number} t in s */
-    at(t3) {
-      const run = this.#run;
-      const touch = this.#windows.find(({ end }) => t3 <= end) ?? this.#windows.at(-1);
-      put(this.plot, "visibility", touch ? "visible" : "hidden");
-      this.root.classList.toggle(
-        "carts-is-slow",
-        Boolean(touch && t3 >= touch.start && t3 <= touch.end)
-      );
-      if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
-      this.#t = t3;
-      const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
-      const overlap = Math.max(0, left.face - right.face);
-      const give = Math.min(overlap, left.bumper + right.bumper);
-      const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
-      const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
-      const faces = [left.face - share, Math.max(right.face, left.face - share)];
-      const force = contactForce(run, touch.pair, t3, 1e-9 * (this.view.force || 1));
-      [left, right].forEach((side, k) => {
-        this.#draw(k, side, Number(faces[k]), middle, force);
-      });
-      const pair = listed(touch.bodies.map(body));
-      const gap = right.face - left.face;
-      const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
-      const size = fixed(force, this.view.decimals.F ?? 2);
-      const push = tr("{size} on each", { size: `${size} N` });
-      say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t3, 4)} s`);
-    }
-    /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
-    #side({ header, trajectory }, touch, k) {
-      const name2 = String(touch.bodies[k]);
-      const cart = header.bodies.find((one) => one.name === name2);
-      if (!cart) {
-        const wall = name2 === "left" ? 0 : header.track.length ?? 0;
-        return { name: name2, edge: wall, face: wall, bumper: 0 };
-      }
-      const { t: t3, x: x2, v: v2 } = trajectory;
-      const centre = valueAt(t3, x2[name2] ?? [], v2[name2] ?? [], this.#t);
-      const way = k === 0 ? 1 : -1;
-      const face = centre + way * cart.length / 2;
-      return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
-    }
-    /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
-    #draw(k, side, face, middle, force) {
-      const at = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
-      const group2 = need(this.root, `[data-side="${k}"]`);
-      const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
-      put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
-      const way = k === 0 ? 1 : -1;
-      const [edge, end] = [at(side.edge), at(face)];
-      const rect = need(group2, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH5 : edge));
-      const bent = need(group2, '[data-part="spring"]');
-      put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
-      put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
-      const plate = need(group2, '[data-part="face"]');
-      put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
-      const name2 = need(group2, '[data-part="name"]');
-      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge - 22 * way));
-      put(name2, "x", px(inside));
-      say(name2, index < 0 ? tr("wall") : side.name);
-      const arrow2 = need(group2, '[data-part="arrow"]');
-      const cut = isCut(force, this.view.force);
-      const length = -way * arrowLength(force, this.view.force, this.#perForce);
-      put(arrow2, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
-    }
-  };
-  function lengthText(metres) {
-    return metres < 0.1 ? `${fixed(metres * 1e3, 1)} mm` : `${fixed(metres * 100, 1)} cm`;
-  }
-
-  // src/views.js
-  var KINDS2 = {
-    "free-body": [tr("forces on each cart"), FreeBody],
-    lens: [tr("lens on the contact, ×10"), Lens],
-    bars: [tr("momentum before and now"), Bars]
-  };
-  var Views = class {
-    /** @type {View[]} */
-    #views = [];
-    /** @type {{run: Run, windows: Touch[], t: number} | null} */
-    #now = null;
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
-    constructor(root, baked) {
-      this.frame = /** @type {HTMLElement | null} */
-      root.querySelector(".carts-views");
-      for (const section of root.querySelectorAll(".carts-view")) {
-        const element = (
-          /** @type {HTMLElement} */
-          section
-        );
-        const kind = KINDS2[element.dataset.view ?? ""];
-        if (kind) this.#views.push(new kind[1](element, baked, () => this.#again()));
-      }
-    }
-    /** @returns {{key: string, label: string, seen: boolean}[]} what a reader can choose from */
-    get choices() {
-      return this.#views.map(({ root }) => {
-        const key = root.dataset.view ?? "";
-        return { key, label: KINDS2[key]?.[0] ?? key, seen: !root.hidden };
-      });
-    }
-    /** @param {string} key @param {boolean} seen */
-    choose(key, seen) {
-      for (const { root } of this.#views) if (root.dataset.view === key) root.hidden = !seen;
-      this.#again();
-    }
-    /** @param {Run} run @param {Touch[]} windows @param {number} t in s */
-    show(run, windows, t3) {
-      if (!isTold(run)) return;
-      if (this.frame) this.frame.hidden = false;
-      this.#now = { run, windows, t: t3 };
-      for (const view of this.#views) view.show(run, windows);
-    }
-    /** @param {number} t in s */
-    at(t3) {
-      if (!this.#now) return;
-      this.#now.t = t3;
-      for (const view of this.#views) if (!view.root.hidden) view.at(t3);
-    }
-    #again() {
-      if (this.#now) this.at(this.#now.t);
-    }
-  };
-
-  // src/scene-view.js
+  // src/scene/scene-view.js
   var HALTS = /* @__PURE__ */ new Set(["contact", "peak", "separate", "stick", "release"]);
   var SceneView = class {
     /** @type {Run} */
@@ -6311,7 +7716,7 @@ ${lines2.join("\n")}
     #windows = [];
     /** @type {Run | null} */
     behind = null;
-    /** @param {HTMLElement} root @param {import("./types.js").Baked} baked */
+    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.root = root;
       this.baked = baked;
@@ -6483,7 +7888,7 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/values.js
+  // src/scene/values.js
   var ONE_CHANGE = 1e3;
   var MOST4 = 50;
   var Values = class {
@@ -6540,16 +7945,16 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/element.js
+  // src/scene/element.js
   function sceneElement(client) {
     return class CartsScene extends HTMLElement {
       /** @type {SceneView | null} */
       #view = null;
-      /** @type {import("./types.js").Baked | null} */
+      /** @type {import("../../../view/types.js").Baked | null} */
       #baked = null;
       /** @type {Controls | null} */
       #controls = null;
-      /** @type {import("./predict.js").Predict | null} */
+      /** @type {import("../predict/predict.js").Predict | null} */
       #predict = null;
       /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
@@ -6799,7 +8204,7 @@ ${lines2.join("\n")}
     };
   }
 
-  // src/features.js
+  // src/shared/features.js
   function missingFeatures() {
     const needed = [
       [tr("custom elements"), typeof customElements === "object"],
@@ -6822,1411 +8227,6 @@ ${lines2.join("\n")}
       "This browser is too old to play the run (missing: {features}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.",
       { features: missing2.join(", ") }
     );
-  }
-
-  // src/hard-words.js
-  var VERDICTS = {
-    right: "right",
-    "blows-up": "blows up",
-    "passes-through": "carts pass through each other",
-    misses: "misses contacts",
-    "makes-energy": "makes energy from nothing",
-    "loses-energy": "loses energy",
-    sticks: "carts stick together",
-    wrong: "wrong"
-  };
-  var UNITS = { v: " m/s", x: " m", last: " s", count: "" };
-  var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
-  var LOADING2 = "Python’s numpy and scipy are being loaded …";
-  var progressWords = (done, of) => `${done} of ${of}`;
-  var stoppedWords = (done) => `Stopped after ${done} cases; the others are as prepared.`;
-  var doneWords = (good, of, seconds) => `${good} of ${of} came out as they must, just now in this browser; exact runs took ${short(seconds, 2)} s in all.`;
-  var COPY = "Copy";
-  var COPIED = "Copied";
-  var KEPT = "What was prepared stays as it is.";
-  function measure(what) {
-    const { kind, name: name2 } = parts(what);
-    if (kind === "v" || kind === "x") {
-      const [last, first] = name2.split("-");
-      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name2}`;
-    }
-    return NAMES[kind] ?? (kind === "work" ? `work of ${name2}` : kind);
-  }
-  function parts(what) {
-    const [kind = "", ...rest] = what.split(".");
-    return { kind, name: rest.join(".") };
-  }
-  function amount2(what, value, figures2) {
-    const { kind } = parts(what);
-    if (kind === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS[kind] ?? " J");
-  }
-  function cameOut(wanted, got, figures2) {
-    let worst = "";
-    let [error, came] = [0, 0];
-    for (const [k, [what, right]] of wanted.entries()) {
-      const value = got[k];
-      if (value === null || value === void 0) return "";
-      const distance = Math.abs(value - right);
-      if (!worst || distance > error) [worst, error, came] = [what, distance, value];
-    }
-    const off = error ? `off by ${amount2(worst, error, 2)}` : "no error";
-    return `${measure(worst)}: ${amount2(worst, came, figures2)}, ${off}`;
-  }
-  function exactCell(wanted, { got }) {
-    return cameOut(wanted, got, 6);
-  }
-  function steppedCell(wanted, { verdict, got }) {
-    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
-  }
-
-  // src/hard-cases.js
-  function hardElement(client) {
-    return class CartsHard extends HTMLElement {
-      /** @type {Record<string, Case> | null} */
-      #cases = null;
-      /** Answers by the name of the case. @type {Record<string, Answer>} */
-      answers = {};
-      /** Resolves when the newest turn is complete or was stopped. @type {Promise<void>} */
-      complete = Promise.resolve();
-      #turn = 0;
-      connectedCallback() {
-        if (this.#cases) return;
-        this.#cases = JSON.parse(need(this, ".carts-hard-baked").textContent ?? "");
-        const go = (
-          /** @type {HTMLButtonElement} */
-          need(this, ".carts-hard-go")
-        );
-        go.disabled = false;
-        go.addEventListener("click", () => {
-          this.complete = this.#run();
-        });
-        need(this, ".carts-hard-stop").addEventListener("click", () => this.stop());
-        for (const block of this.querySelectorAll("pre")) offerCopy(block);
-      }
-      disconnectedCallback() {
-        this.stop();
-      }
-      /** Leaves it where it is; what was run stays. */
-      stop() {
-        if (!this.#turn) return;
-        this.#turn = 0;
-        this.#working(false);
-        this.#say(stoppedWords(Object.keys(this.answers).length));
-      }
-      async #run() {
-        const turn = Math.random() + 1;
-        this.#turn = turn;
-        this.answers = {};
-        this.#working(true);
-        const all = Object.entries(this.#cases ?? {});
-        all.sort(([, a2], [, b2]) => a2.packages.length - b2.packages.length);
-        let [good, seconds] = [0, 0];
-        try {
-          for (const [k, [name2, one]] of all.entries()) {
-            if (one.packages.length) {
-              this.#say(LOADING2);
-              await client.need(one.packages);
-            }
-            if (this.#turn !== turn) return;
-            const { header } = await client.ask(this, () => ({ kind: "hard", ...asked(one) }));
-            if (this.#turn !== turn) return;
-            if (!header.ok) throw refusal2(header.problems ?? []);
-            this.#live();
-            const answer = (
-              /** @type {any} */
-              header
-            );
-            this.answers[name2] = answer;
-            this.#show(name2, one, answer);
-            seconds += answer.exact.seconds;
-            good += isGood(one, answer.exact.got) ? 1 : 0;
-            const bar2 = (
-              /** @type {HTMLProgressElement} */
-              need(this, ".carts-hard-progress")
-            );
-            bar2.value = k + 1;
-            this.#say(progressWords(k + 1, all.length));
-          }
-          this.#say(doneWords(good, all.length, seconds));
-        } catch (error) {
-          this.#fail(
-            /** @type {Error & {reason?: string}} */
-            error
-          );
-        } finally {
-          if (this.#turn === turn) this.#working(false);
-          if (this.#turn === turn) this.#turn = 0;
-        }
-      }
-      /** @param {string} name @param {Case} one @param {Answer} answer */
-      #show(name2, one, answer) {
-        const row = need(this, `[data-case="${name2}"]`);
-        say(need(row, '[data-part="exact"]'), exactCell(one.expected, answer.exact));
-        for (const [k, cell] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
-          const stepped = answer.stepped[k];
-          if (!stepped) continue;
-          const [verdict, distance] = steppedCell(one.expected, stepped);
-          cell.setAttribute("data-verdict", stepped.verdict);
-          say(need(cell, "b"), verdict);
-          say(need(cell, "span"), distance);
-        }
-        row.classList.add("carts-hard-fresh");
-      }
-      /** @param {boolean} on */
-      #working(on) {
-        const [go, stop] = [need(this, ".carts-hard-go"), need(this, ".carts-hard-stop")];
-        const focused = document.activeElement === (on ? go : stop);
-        go.hidden = on;
-        stop.hidden = !on;
-        need(this, ".carts-hard-progress").hidden = !on;
-        if (on)
-          for (const row of this.querySelectorAll(".carts-hard-fresh"))
-            row.classList.remove("carts-hard-fresh");
-        if (focused) (on ? stop : go).focus();
-      }
-      #live() {
-        this.dataset.state = "live";
-        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
-      }
-      /** @param {Error & {reason?: string}} error */
-      #fail(error) {
-        this.dataset.reason = error.reason ?? "failed";
-        const note = need(this, ".carts-note");
-        say(note, `${error.message} ${KEPT}`);
-        note.hidden = false;
-        this.#say("");
-      }
-      /** @param {string} text */
-      #say(text) {
-        say(need(this, ".carts-hard-say"), text);
-      }
-    };
-  }
-  function asked({ scene, expected, events }) {
-    return { scene, expected, events };
-  }
-  function isGood({ expected, within }, got) {
-    return expected.every(([, right], k) => {
-      return Math.abs(Number(got[k] ?? Number.NaN) - right) <= Number(within[k]);
-    });
-  }
-  function offerCopy(block) {
-    const button = html("button", "carts-sign carts-hard-copy", COPY);
-    button.setAttribute("type", "button");
-    button.addEventListener("click", async () => {
-      const selection = getSelection();
-      selection?.selectAllChildren(block);
-      const copied = await navigator.clipboard?.writeText(block.textContent ?? "").then(
-        () => true,
-        () => false
-      );
-      if (copied) say(button, COPIED);
-    });
-    block.before(button);
-  }
-
-  // src/map-axis.js
-  var AxisControl = class {
-    /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
-    constructor(root, axis2, chosen) {
-      this.root = root;
-      this.axis = axis2;
-      this.values = axis2.values;
-      this.slider = /** @type {HTMLInputElement} */
-      need(root, ".carts-slider");
-      this.box = /** @type {HTMLInputElement} */
-      need(root, ".carts-number-box");
-      this.error = need(root, ".carts-error");
-      this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
-      const typed = () => this.#typed(chosen);
-      this.box.addEventListener("change", typed);
-      this.box.addEventListener("keydown", (event) => {
-        if (event.key === "Enter") typed();
-      });
-    }
-    /** @param {boolean} on */
-    enable(on) {
-      this.slider.disabled = !on;
-      this.box.disabled = !on;
-    }
-    /** @param {number[]} values of the grid, SI @param {number} place */
-    show(values, place3) {
-      this.values = values;
-      put(this.slider, "max", String(values.length - 1));
-      this.slider.valueAsNumber = place3;
-      this.box.value = this.text(place3).replace("−", "-");
-      this.#complain("");
-    }
-    /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
-    speak(place3, value) {
-      put(this.slider, "aria-valuetext", `${this.text(place3)} ${this.axis.unit}: ${value}`);
-    }
-    /** @param {number} place @returns {string} in the axis's unit */
-    text(place3) {
-      return fixed(this.#shown(Number(this.values[place3])), this.axis.decimals);
-    }
-    /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
-    nearest(value, per = 1) {
-      let best = 0;
-      for (const [k, at] of this.values.entries()) {
-        if (Math.abs(at / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
-      }
-      return best;
-    }
-    /** @param {number} value SI */
-    #shown(value) {
-      return Number((value / this.axis.per).toPrecision(12));
-    }
-    /** @param {(place: number) => void} chosen */
-    #typed(chosen) {
-      const { low, high, unit, label, per, decimals } = this.axis;
-      const read = readTyped(this.box.value);
-      if ("problem" in read) return this.#complain(read.problem);
-      if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
-      if (read.value < low || read.value > high) {
-        const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
-        return this.#complain(`${label}: ${range}, please.`);
-      }
-      return chosen(this.nearest(read.value, per));
-    }
-    /** @param {string} message */
-    #complain(message) {
-      say(this.error, message);
-      this.error.hidden = !message;
-      this.root.classList.toggle("carts-wrong", Boolean(message));
-      if (message) this.box.setAttribute("aria-invalid", "true");
-      else this.box.removeAttribute("aria-invalid");
-    }
-  };
-
-  // src/map-paint.js
-  var STEP_SLACK2 = 1e-9;
-  var FINE2 = 400;
-  var EDGE3 = 0.72;
-  function band2(value, { low, step, count: count2 }) {
-    if (Number.isNaN(value)) return count2;
-    const place3 = Math.floor((value - low) / step + STEP_SLACK2);
-    return Math.min(count2 - 1, Math.max(0, place3));
-  }
-  function mixed(a2, b2, part2) {
-    if (Number.isNaN(a2) || Number.isNaN(b2)) return part2 < 0.5 ? a2 : b2;
-    return a2 * (1 - part2) + b2 * part2;
-  }
-  function between(values, lines2, count2, factor, next, line) {
-    const fine = (count2 - 1) * factor + 1;
-    const found2 = new Float64Array(lines2 * fine);
-    for (let i2 = 0; i2 < lines2; i2 += 1) {
-      for (let k = 0; k < fine; k += 1) {
-        const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at = i2 * line + left * next;
-        const part2 = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part2);
-      }
-    }
-    return found2;
-  }
-  function pixels(values, columns, scale) {
-    const rows = values.length / columns;
-    const factor = Math.max(1, Math.ceil(FINE2 / (Math.max(columns, rows) - 1)));
-    const width = (columns - 1) * factor + 1;
-    const height = (rows - 1) * factor + 1;
-    const wide = between(values, rows, columns, factor, 1, columns);
-    const fine = between(wide, width, rows, factor, width, 1);
-    const bands = new Uint8Array(width * height);
-    for (let y2 = 0; y2 < height; y2 += 1) {
-      for (let x2 = 0; x2 < width; x2 += 1) {
-        bands[y2 * width + x2] = band2(Number(fine[x2 * height + (height - 1 - y2)]), scale);
-      }
-    }
-    return { places: lines(bands, width, scale), width, height };
-  }
-  function lines(bands, width, { count: count2, zero }) {
-    const places = bands.slice();
-    const line = 2 * count2 + 1;
-    const compare = (at, other) => {
-      const own = Number(bands[at]);
-      const next = Number(bands[other]);
-      if (next === own || own === count2) return;
-      if (next !== count2 && own >= zero !== next >= zero) {
-        places[at] = line;
-        places[other] = line;
-      } else if (places[at] !== line) places[at] = count2 + 1 + own;
-    };
-    for (let at = 0; at < bands.length; at += 1) {
-      if ((at + 1) % width) compare(at, at + 1);
-      if (at + width < bands.length) compare(at, at + width);
-    }
-    return places;
-  }
-  function paint(canvas, { values, columns }, scale) {
-    const { places, width, height } = pixels(values, columns, scale);
-    if (canvas.width !== width) canvas.width = width;
-    if (canvas.height !== height) canvas.height = height;
-    const context = canvas.getContext("2d");
-    if (!context) return;
-    const image = context.createImageData(width, height);
-    const words = new Uint32Array(image.data.buffer);
-    const colours = palette(scale);
-    for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
-    context.putImageData(image, 0, 0);
-  }
-  function palette({ colours, none, line }) {
-    const edges = colours.map((colour) => colour.map((part2) => Math.round(EDGE3 * part2)));
-    const all = [...colours, none, ...edges, line];
-    return Uint32Array.from(all, ([r2 = 0, g2 = 0, b2 = 0]) => 255 << 24 | b2 << 16 | g2 << 8 | r2);
-  }
-
-  // src/map-figure.js
-  var MapFigure = class {
-    /** @type {HTMLCanvasElement | null} */
-    #canvas = null;
-    /** @param {HTMLElement} root @param {MapFacts} facts @param {(places: number[]) => void} point */
-    constructor(root, facts, point) {
-      this.facts = facts;
-      this.holder = need(root, ".carts-map-figure");
-      this.over = need(root, ".carts-map-over");
-      this.axes = facts.axes.map(({ values }) => values);
-      const pointed = (event) => point(this.#placesAt(event));
-      this.over.addEventListener("pointerdown", (event) => {
-        if (!this.#canvas && facts.axes.length === 2) return;
-        this.over.setPointerCapture(event.pointerId);
-        pointed(event);
-      });
-      this.over.addEventListener("pointermove", (event) => {
-        if (event.buttons && this.over.hasPointerCapture(event.pointerId)) pointed(event);
-      });
-    }
-    /** @param {Grid} grid */
-    show(grid) {
-      this.axes = grid.axes;
-      if (grid.axes.length === 1) return this.#curve(grid);
-      this.#canvas ??= this.#laid();
-      paint(this.#canvas, grid, this.facts.scale);
-    }
-    /** @param {number[]} places @param {number} value */
-    mark(places, value) {
-      const [left, top, right, bottom] = this.facts.plot;
-      const x2 = this.#x(this.#fraction(0, places[0] ?? 0));
-      const flat = places.length === 1;
-      const y2 = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
-      const across = flat ? "" : `M${left} ${px(y2)}H${right}`;
-      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x2)} ${top}V${bottom}${across}`);
-      const point = need(this.over, '[data-part="point"]');
-      put(point, "cx", px(x2));
-      put(point, "cy", px(Number.isNaN(y2) ? bottom : y2));
-      put(point, "visibility", Number.isNaN(y2) ? "hidden" : "visible");
-    }
-    /** The canvas lies between the picture, which it hides, and the cross. */
-    #laid() {
-      const canvas = (
-        /** @type {HTMLCanvasElement} */
-        html("canvas", "carts-map-canvas")
-      );
-      canvas.setAttribute("aria-hidden", "true");
-      const [left, top, right, bottom] = this.facts.plot;
-      const [width, height] = this.facts.size;
-      canvas.style.left = `${100 * left / width}%`;
-      canvas.style.top = `${100 * top / height}%`;
-      canvas.style.width = `${100 * (right - left) / width}%`;
-      canvas.style.height = `${100 * (bottom - top) / height}%`;
-      this.over.before(canvas);
-      return canvas;
-    }
-    /** @param {Grid} grid */
-    #curve({ axes, values }) {
-      let path2 = "";
-      let pen = "M";
-      for (const [k, value] of values.entries()) {
-        if (Number.isNaN(value)) pen = "M";
-        else {
-          path2 += `${pen}${px(this.#x(this.#fraction(0, k, axes[0])))} ${px(this.#y(value))}`;
-          pen = "L";
-        }
-      }
-      put(need(this.over, '[data-part="curve"]'), "d", path2);
-    }
-    /** @param {number} k axis @param {number} place @returns {number} 0 to 1 along the axis */
-    #fraction(k, place3, values = this.axes[k] ?? [0]) {
-      const { per, low, high } = (
-        /** @type {import("./map-types.js").Axis} */
-        this.facts.axes[k]
-      );
-      const axis2 = span(low, high, 1);
-      const shown2 = Number((Number(values[place3]) / per).toPrecision(12));
-      return (shown2 - axis2.low) / (axis2.high - axis2.low);
-    }
-    /** @param {number} fraction */
-    #x(fraction) {
-      const [left, , right] = this.facts.plot;
-      return left + fraction * (right - left);
-    }
-    /** @param {number} value */
-    #y(value) {
-      const [, top, , bottom] = this.facts.plot;
-      const { low, high } = this.facts.value;
-      return bottom - (value - low) * ((bottom - top) / (high - low));
-    }
-    /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
-    #placesAt(event) {
-      const box2 = this.over.getBoundingClientRect();
-      const [left, top, right, bottom] = this.facts.plot;
-      const [width, height] = this.facts.size;
-      const x2 = (event.clientX - box2.left) / box2.width * width;
-      const y2 = (event.clientY - box2.top) / box2.height * height;
-      const fractions = [(x2 - left) / (right - left), (bottom - y2) / (bottom - top)];
-      return this.axes.map(({ length }, k) => {
-        const place3 = Math.round(Number(fractions[k]) * (length - 1));
-        return Math.min(length - 1, Math.max(0, place3));
-      });
-    }
-  };
-
-  // src/map-figures.js
-  var SMALLER = 2;
-  function figures(value, most) {
-    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
-    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
-  }
-
-  // src/map-settings.js
-  function showSettings(map, controls, settings) {
-    for (const { set, per, step } of controls) {
-      const value = settings[set];
-      const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
-      if (typeof value !== "number" || !root) continue;
-      const shown2 = Number((value / per).toPrecision(12));
-      const box2 = (
-        /** @type {HTMLInputElement} */
-        need(root, ".carts-number-box")
-      );
-      need(root, ".carts-slider").valueAsNumber = shown2;
-      if (box2 !== document.activeElement) {
-        const decimals = Math.max(decimalsOf(shown2), decimalsOf(step));
-        box2.value = fixed(shown2, decimals).replace("−", "-");
-      }
-    }
-  }
-
-  // src/map-table.js
-  var COLUMNS = 6;
-  var ROWS2 = 11;
-  function spread(count2, most) {
-    const wanted = Math.min(most, count2);
-    return Array.from(
-      { length: wanted },
-      (_2, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
-    );
-  }
-  function fillTable(table, grid, axisText, valueText) {
-    const flat = grid.axes.length === 1;
-    const columns = flat ? [0] : spread(grid.columns, COLUMNS);
-    const rows = flat ? spread(grid.columns, 2 * ROWS2 - 1) : spread(grid.rows, ROWS2);
-    if (!flat) {
-      const head = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
-      for (const [k, cell] of head.entries()) cell.textContent = axisText(0, Number(columns[k]));
-    }
-    const body2 = rows.map((row) => {
-      const line = html("tr");
-      const head = html("th", "", axisText(flat ? 0 : 1, row));
-      head.setAttribute("scope", "row");
-      const at = (column) => flat ? row : row * grid.columns + column;
-      line.append(
-        head,
-        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at(column)]))))
-      );
-      return line;
-    });
-    table.querySelector("tbody")?.replaceChildren(...body2);
-  }
-
-  // src/map-element.js
-  function mapElement(client) {
-    return class CartsMap extends HTMLElement {
-      /** @type {MapFacts | null} */
-      #facts = null;
-      /** @type {MapFigure | null} */
-      #figure = null;
-      /** @type {AxisControl[]} */
-      #axes = [];
-      /** @type {Controls | null} */
-      #controls = null;
-      /** @type {Grid | null} */
-      #grid = null;
-      /** @type {number[]} the chosen point, one place per axis */
-      #places = [];
-      /** @type {Record<string, number | string>} what the further sliders set */
-      #settings = {};
-      #generation = 0;
-      /** @type {Promise<void> | null} */
-      #opening = null;
-      /** @type {Promise<void>} */
-      #filling = Promise.resolve();
-      connectedCallback() {
-        if (this.#facts) return;
-        const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
-        this.#facts = facts;
-        this.#places = facts.here;
-        this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
-        const roots = (
-          /** @type {NodeListOf<HTMLElement>} */
-          this.querySelectorAll(".carts-map-axis")
-        );
-        this.#axes = [...roots].map((root, k) => {
-          const axis2 = (
-            /** @type {import("./map-types.js").Axis} */
-            facts.axes[k]
-          );
-          return new AxisControl(root, axis2, (place3) => this.#chooseOn(k, place3));
-        });
-        this.#controls = new Controls(this, facts.controls, (target, value, at) => {
-          this.set({ [target]: value }, at).catch((error) => {
-            this.#controls?.complain(target, error.message);
-          });
-        });
-        this.#figure.mark(facts.here, facts.at ?? Number.NaN);
-        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = false;
-        need(this, ".carts-map-open").addEventListener("click", () => void this.open());
-        this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
-        addEventListener("beforeprint", () => this.#fillTable());
-        need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
-      }
-      /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
-      get grid() {
-        return this.#grid;
-      }
-      /** The chosen point: SI values by path. @returns {Record<string, number>} */
-      get point() {
-        const chosen = this.#axes.map(({ axis: axis2, values }, k) => [
-          axis2.set,
-          Number(values[Number(this.#places[k])])
-        ]);
-        return Object.fromEntries(chosen);
-      }
-      /** The value at the chosen point, in SI; NaN where there is none. */
-      get value() {
-        return this.#valueAt(this.#places);
-      }
-      /** Resolves when no point is left to be run. */
-      get complete() {
-        return this.#filling;
-      }
-      /** Resolves when the map is live; never rejects: a failure is told in the map. */
-      open() {
-        this.#opening ??= this.#open();
-        return this.#opening;
-      }
-      /**
-       * Changes what all points have in common and resolves when the new map is drawn.
-       * @param {Record<string, number | string>} changes @param {number} at time of the input
-       */
-      async set(changes2, at = performance.now()) {
-        const settings = { ...this.#settings, ...changes2 };
-        await this.#compute(settings, at);
-      }
-      async #open() {
-        this.dataset.state = "starting";
-        const button = (
-          /** @type {HTMLButtonElement} */
-          need(this, ".carts-map-open")
-        );
-        button.disabled = true;
-        say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
-        try {
-          await client.need(this.#facts?.packages ?? []);
-          await this.#compute({}, performance.now());
-          this.dataset.state = "live";
-          need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
-          const focused = button === document.activeElement;
-          for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
-          for (const control of this.#axes) control.enable(true);
-          this.#controls?.enable(true);
-          const run = this.querySelector(".carts-map-run");
-          if (run instanceof HTMLButtonElement) run.disabled = false;
-          if (focused) this.#axes[0]?.slider.focus();
-        } catch (error) {
-          this.#fail(
-            /** @type {Error & {reason?: string}} */
-            error
-          );
-        }
-      }
-      /** @param {Error & {reason?: string}} error */
-      #fail(error) {
-        this.dataset.state = "failed";
-        this.dataset.reason = error.reason ?? "failed";
-        this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
-        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
-      }
-      /** @param {string} message */
-      #tell(message) {
-        const note = need(this, ".carts-note");
-        say(note, message);
-        note.hidden = !message;
-      }
-      /**
-       * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
-       * @param {Record<string, number | string>} settings @param {number} at
-       */
-      async #compute(settings, at) {
-        this.#generation += 1;
-        const generation = this.#generation;
-        const first = await this.#ask(settings, 0);
-        if (generation !== this.#generation) return;
-        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
-        this.#settings = settings;
-        showSettings(this, this.#facts?.controls ?? [], settings);
-        const { axes, rows, columns, why, runs } = first.header;
-        this.#draw({ axes, rows, columns, why, values: first.numbers });
-        await frame();
-        waited("carts:map", at);
-        this.#filling = this.#fill(settings, first.header.done, runs, generation);
-      }
-      /**
-       * The points that have to be run one by one, slice after slice, drawn as they come.
-       * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
-       * @param {number} generation
-       */
-      async #fill(settings, done, runs, generation) {
-        while (done < runs) {
-          this.#progress(done, runs);
-          const { header, numbers } = await this.#ask(settings, done);
-          if (generation !== this.#generation || !header.ok || !this.#grid) return;
-          const half = numbers.length / 2;
-          for (let k = 0; k < half; k += 1) {
-            this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
-          }
-          done = header.done;
-          this.#draw(this.#grid);
-        }
-        this.#progress(1, 1);
-        this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
-      }
-      /** @param {number} done @param {number} runs */
-      #progress(done, runs) {
-        const bar2 = (
-          /** @type {HTMLProgressElement} */
-          need(this, ".carts-map-progress")
-        );
-        bar2.value = done / runs;
-        bar2.style.visibility = done < runs ? "visible" : "hidden";
-      }
-      /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
-      #ask(settings, from) {
-        const map = this.#facts?.map;
-        return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
-      }
-      /** @param {Grid} grid */
-      #draw(grid) {
-        const before = this.#grid?.axes;
-        this.#grid = grid;
-        this.#figure?.show(grid);
-        if (before !== grid.axes) {
-          const point = before ? this.point : null;
-          this.#places = this.#axes.map((control, k) => {
-            const wanted = point?.[control.axis.set] ?? this.#baked(k);
-            control.show(grid.axes[k] ?? [], 0);
-            return control.nearest(Number(wanted));
-          });
-        }
-        this.#choose(this.#places);
-        if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
-        say(need(this, ".carts-map-why"), grid.why);
-      }
-      /** @param {number} k @returns {number} where the point stood in the page as it was built, SI */
-      #baked(k) {
-        return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
-      }
-      /** @param {number} k @param {number} place */
-      #chooseOn(k, place3) {
-        this.#choose(this.#places.map((old, axis2) => axis2 === k ? place3 : old));
-      }
-      /** @param {number[]} places */
-      #choose(places) {
-        if (!this.#grid) return;
-        this.#places = places;
-        const value = this.#valueAt(places);
-        const text = this.#valueText(value, true);
-        for (const [k, control] of this.#axes.entries()) {
-          control.show(this.#grid.axes[k] ?? [], Number(places[k]));
-          control.speak(Number(places[k]), text);
-        }
-        this.#figure?.mark(places, value);
-        say(need(this, ".carts-map-number"), text);
-      }
-      /** @param {number[]} places */
-      #valueAt([column = 0, row = 0]) {
-        return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
-      }
-      /** @param {number} value @param {boolean} unit */
-      #valueText(value, unit = false) {
-        if (Number.isNaN(value)) return "no value";
-        const text = figures(value, this.#facts?.decimals ?? 3);
-        return unit ? `${text} ${this.#facts?.unit}` : text;
-      }
-      #fillTable() {
-        if (!this.#grid) return;
-        const axisText = (k, place3) => this.#axes[k]?.text(place3) ?? "";
-        fillTable(
-          need(this, ".carts-map-table table"),
-          this.#grid,
-          axisText,
-          (value) => this.#valueText(value)
-        );
-      }
-      /** The scene that the map is of runs with the chosen point. */
-      async #run() {
-        const scene = (
-          /** @type {any} */
-          document.getElementById(this.#facts?.of ?? "")
-        );
-        if (typeof scene?.set !== "function") return;
-        try {
-          this.#tell("");
-          await scene.set({ ...this.#settings, ...this.point });
-          scene.time = 0;
-          scene.scrollIntoView({ block: "start" });
-          scene.querySelector(".carts-play")?.focus({ preventScroll: true });
-        } catch (error) {
-          this.#tell(
-            /** @type {Error} */
-            error.message
-          );
-        }
-      }
-    };
-  }
-
-  // src/client.js
-  var RESTARTS = 3;
-  var Client = class extends EventTarget {
-    /** @type {State} */
-    state = "idle";
-    /** @type {(Error & {reason?: string}) | null} */
-    error = null;
-    /** @type {Runtime | null} */
-    #runtime = null;
-    /** @type {Job[]} */
-    #waiting = [];
-    /** @type {Job | null} */
-    #flying = null;
-    #restarts = 0;
-    #lastId = 0;
-    /** @type {string[]} packages that were asked for after the start */
-    #asked = [];
-    /** @type {string[]} those of them that Python has, and gets again after a restart */
-    #more = [];
-    /** @type {Promise<void>} when they are there */
-    #growing = Promise.resolve();
-    /** @param {Start} start */
-    constructor(start) {
-      super();
-      this.start = start;
-    }
-    /** Starts Python if nobody has yet. */
-    wake() {
-      if (this.state === "idle") void this.#boot();
-    }
-    /**
-     * Has packages that no scene of the page called for. A second Python starts with them and takes
-     * over; meanwhile the first goes on answering. Rejects where the site does not carry them.
-     * @param {string[]} names @returns {Promise<void>}
-     */
-    need(names) {
-      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
-      const before = this.#asked;
-      this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
-      const needed = this.#growing.catch(() => {
-      }).then(() => this.#grow(this.#asked));
-      this.#growing = needed;
-      needed.catch(() => {
-        this.#asked = before;
-      });
-      return needed;
-    }
-    /** @param {string[]} names */
-    async #grow(names) {
-      this.wake();
-      await this.#settled();
-      if (this.state === "failed") throw this.error;
-      this.#use(await this.start(names));
-      this.#more = names;
-      this.#become("ready");
-      this.#next();
-    }
-    /** Resolves when Python is not just starting. @returns {Promise<void>} */
-    #settled() {
-      if (this.state !== "starting") return Promise.resolve();
-      return new Promise((resolve) => {
-        this.addEventListener("state", () => resolve(this.#settled()), { once: true });
-      });
-    }
-    /**
-     * Asks for a run. A newer request of the same owner takes the place of one that still waits;
-     * both promises then get the newer answer.
-     * @param {object} owner @param {Message} message @returns {Promise<Reply>}
-     */
-    ask(owner, message) {
-      if (this.state === "failed") return Promise.reject(this.error);
-      this.wake();
-      return new Promise((resolve, reject) => {
-        const settle = { resolve, reject };
-        const older = this.#waiting.find((job) => job.owner === owner);
-        if (older) {
-          older.message = message;
-          older.settle.push(settle);
-        } else this.#waiting.push({ owner, message, settle: [settle] });
-        this.#next();
-      });
-    }
-    #next() {
-      if (this.#flying || !this.#runtime) return;
-      const job = this.#waiting.shift();
-      if (!job) return;
-      this.#flying = job;
-      const runtime = this.#runtime;
-      this.#lastId += 1;
-      const sent = { ...job.message(), id: this.#lastId };
-      const landed = () => {
-        if (runtime !== this.#runtime || this.#flying !== job) return false;
-        this.#flying = null;
-        return true;
-      };
-      runtime.request(sent).then(
-        (reply) => {
-          if (!landed()) return;
-          this.#restarts = 0;
-          for (const { resolve } of job.settle) resolve({ ...reply, sent });
-          this.#next();
-        },
-        (error) => {
-          if (error?.reason !== "python-failed") return this.#lost(runtime, error);
-          if (!landed()) return;
-          for (const { reject } of job.settle) reject(error);
-          this.#next();
-        }
-      );
-    }
-    async #boot() {
-      this.#become("starting");
-      try {
-        this.#use(await this.start(this.#more));
-        this.#become("ready");
-        this.#next();
-      } catch (error) {
-        this.#fail(error);
-      }
-    }
-    /** @param {Runtime} runtime @param {unknown} reason */
-    #lost(runtime, reason) {
-      if (runtime !== this.#runtime) return;
-      this.#runtime = null;
-      runtime.stop();
-      this.#takeBack();
-      this.#restarts += 1;
-      if (this.#restarts > RESTARTS) this.#fail(reason);
-      else void this.#boot();
-    }
-    /** From now on this one answers, in the place of another if there is one. @param {Runtime} runtime */
-    #use(runtime) {
-      const older = this.#runtime;
-      runtime.onlost = (reason) => this.#lost(runtime, reason);
-      this.#runtime = runtime;
-      older?.stop();
-      this.#takeBack();
-    }
-    /** The request under way waits again, in front: whoever could answer it is gone. */
-    #takeBack() {
-      const job = this.#flying;
-      this.#flying = null;
-      if (!job) return;
-      const newer = this.#waiting.find(({ owner }) => owner === job.owner);
-      if (newer) newer.settle.unshift(...job.settle);
-      else this.#waiting.unshift(job);
-    }
-    /** @param {unknown} reason */
-    #fail(reason) {
-      this.error = reason instanceof Error ? reason : new Error(String(reason ?? "the worker stopped"));
-      this.#become("failed");
-      for (const { settle } of this.#waiting.splice(0)) {
-        for (const { reject } of settle) reject(this.error);
-      }
-    }
-    /** @param {State} state */
-    #become(state) {
-      this.state = state;
-      this.dispatchEvent(new Event("state"));
-    }
-  };
-
-  // src/runtime-failure.js
-  var MESSAGES = {
-    "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
-    "payload-missing": tr(
-      "A file of this page is missing, so Python can't start. Copy the whole folder again."
-    ),
-    "payload-damaged": tr(
-      "A file of this page is damaged, so Python can't start. Copy the whole folder again."
-    ),
-    "no-wasm": tr(
-      "This browser has no WebAssembly, so Python can't start here. Try another browser."
-    ),
-    "wasm-refused": tr(
-      "This browser, or the rules of this network, do not allow Python to start. Try another browser."
-    ),
-    "too-old": tr(
-      "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
-    ),
-    "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
-    "worker-lost": tr("Python stopped. It may have run out of memory."),
-    "snapshot-refused": tr("Python could not start the quick way."),
-    "python-failed": tr(
-      "Python could not start. Copy the whole folder again or try another browser."
-    ),
-    stalled: tr("Python does not answer. Close other programs and load the page again."),
-    stopped: tr("Python was stopped.")
-  };
-  var RuntimeFailure = class extends Error {
-    /**
-     * @param {Reason} reason
-     * @param {string} [detail]
-     * @param {string} [file] the payload that is missing or damaged
-     */
-    constructor(reason, detail = "", file = "") {
-      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
-      this.name = "RuntimeFailure";
-      this.reason = reason;
-      this.detail = detail;
-      this.file = file;
-    }
-  };
-
-  // src/leaving.js
-  var STAYS = 3e3;
-  var leaving = false;
-  var waiting = [];
-  function stay() {
-    leaving = false;
-    for (const go of waiting) go();
-    waiting = [];
-  }
-  addEventListener("beforeunload", () => {
-    leaving = true;
-    setTimeout(stay, STAYS);
-  });
-  addEventListener("pagehide", () => {
-    leaving = true;
-  });
-  addEventListener("pageshow", stay);
-  if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {
-  });
-  var isLeaving = () => leaving;
-  function staying() {
-    return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
-  }
-
-  // src/runtime-watch.js
-  var SECOND = 1e3;
-  var PATIENCE2 = 8;
-  function watch(patience, late) {
-    let left = patience;
-    const timer = setInterval(() => {
-      left -= 1;
-      if (left > 0) return;
-      clearInterval(timer);
-      late();
-    }, SECOND);
-    return {
-      progress() {
-        left = patience;
-      },
-      stop() {
-        clearInterval(timer);
-      }
-    };
-  }
-
-  // src/runtime-payload.js
-  var page = self;
-  var indexes = /* @__PURE__ */ new Map();
-  function runScript(src, name2) {
-    return new Promise((resolve, reject) => {
-      const script = document.createElement("script");
-      script.src = src;
-      script.async = true;
-      const settle = (then) => () => {
-        script.remove();
-        then();
-      };
-      script.onload = settle(resolve);
-      script.onerror = settle(() => {
-        if (isLeaving()) staying().then(() => runScript(src, name2).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name2));
-      });
-      document.head.append(script);
-    });
-  }
-  function indexOf(base) {
-    return new URL(`index.js${new URL(base).search}`, base).href;
-  }
-  function patiently(promise) {
-    return new Promise((resolve, reject) => {
-      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
-      promise.then(resolve, reject).finally(waiting2.stop);
-    });
-  }
-  function loadIndex(base) {
-    const known2 = indexes.get(base);
-    if (known2) return known2;
-    const inside = Boolean(page.__cartsInside);
-    const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
-    const loading = read.then(() => {
-      const index = page.__cartsRuntime;
-      if (!inside) delete page.__cartsRuntime;
-      if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
-      if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
-      return index;
-    });
-    loading.catch(() => indexes.delete(base));
-    indexes.set(base, loading);
-    return loading;
-  }
-  async function loadPart(base, name2, number, part2) {
-    const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(new URL(part2.src, base).href, name2);
-    const key = `${name2}.${number}`;
-    const text = page.__cartsParts?.[key];
-    if (text === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name2);
-    if (!inside) delete page.__cartsParts[key];
-    const bytes = decode(text, part2.src, name2);
-    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part2.src, name2);
-    }
-    return bytes;
-  }
-  function decode(text, src, name2) {
-    try {
-      const fast = Uint8Array;
-      return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-    } catch {
-      throw new RuntimeFailure("payload-damaged", src, name2);
-    }
-  }
-  async function matches(bytes, sha256) {
-    if (!globalThis.crypto?.subtle) return true;
-    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
-    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
-  }
-  async function gunzip(parts2) {
-    const zip = new DecompressionStream("gzip");
-    const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts2.map((part2) => writer.write(part2)), writer.close()]);
-    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
-    return bytes;
-  }
-
-  // src/runtime-wasm.js
-  var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
-  function requireWasm() {
-    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
-    try {
-      new WebAssembly.Module(NOTHING);
-    } catch (error) {
-      throw new RuntimeFailure("wasm-refused", String(error));
-    }
-  }
-  async function compile(parts2) {
-    const zip = new DecompressionStream("gzip");
-    const headers = { "Content-Type": "application/wasm" };
-    const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
-    const written = write3(zip.writable.getWriter(), parts2);
-    const [module] = await Promise.all([compiled, written]);
-    return module;
-  }
-  async function write3(writer, parts2) {
-    for (const part2 of parts2) await writer.write(await part2);
-    await writer.close();
-  }
-
-  // as-text:src/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
-
-  // src/runtime-start.js
-  var SNAPSHOT = "memory.snapshot";
-  var LOADER = "pyodide.js";
-  var WASM = "pyodide.asm.wasm";
-  var STDLIB = "python.zip";
-  var MORE = "python-more.zip";
-  var modules = /* @__PURE__ */ new Map();
-  var Start = class {
-    /**
-     * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void}} options
-     * @param {boolean} snapshot
-     */
-    constructor({ folder, index, packages: packages2, onProgress }, snapshot) {
-      this.folder = folder;
-      this.index = index;
-      this.packages = packages2;
-      this.onProgress = onProgress;
-      this.snapshot = snapshot;
-      this.worker = null;
-      this.over = false;
-      this.done = 0;
-      this.names = this.files();
-      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part2) => sum + part2.size, 0);
-    }
-    /** The files to load, the most urgent first. */
-    files() {
-      const { index, packages: packages2, snapshot } = this;
-      const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
-      if (snapshot) names.push(SNAPSHOT);
-      names.push(STDLIB);
-      if (packages2.length && index.tableAt) names.push(MORE);
-      names.push(...this.toLoad().map((name2) => index.wheels[name2]));
-      if (names.every((name2) => name2 in index.files)) return names;
-      throw new RuntimeFailure("not-packed", index.missing || packages2.join());
-    }
-    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
-    toLoad() {
-      const { index, packages: packages2, snapshot } = this;
-      const ours = !snapshot || packages2.length > 0 && index.later.length > 0;
-      return ours ? [index.package, ...packages2] : packages2;
-    }
-    /** @returns {Promise<Started>} */
-    async run() {
-      let reject = () => {
-      };
-      const failed = new Promise((_2, no) => {
-        reject = no;
-      });
-      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
-      try {
-        const parts2 = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
-        return await Promise.race([failed, this.boot(parts2, reject)]);
-      } catch (error) {
-        this.worker?.terminate();
-        throw error;
-      } finally {
-        this.over = true;
-        this.watch.stop();
-      }
-    }
-    /**
-     * All parts of a file are asked for at once and come in any order.
-     * @param {string} name
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
-     */
-    load(name2, reject) {
-      return this.index.files[name2].parts.map(async (part2, number) => {
-        try {
-          const bytes = await loadPart(this.folder, name2, number, part2);
-          this.done += part2.size;
-          this.progress(name2);
-          return bytes;
-        } catch (error) {
-          reject(
-            /** @type {RuntimeFailure} */
-            error
-          );
-          return new Promise(() => {
-          });
-        }
-      });
-    }
-    /** @param {string} stage */
-    progress(stage) {
-      if (this.over) return;
-      this.watch?.progress();
-      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
-    }
-    /**
-     * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
-     * @param {(error: RuntimeFailure) => void} reject
-     * @returns {Promise<any>}
-     */
-    async boot(parts2, reject) {
-      const compiling = this.module(parts2.get(WASM) ?? []);
-      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
-      const loader = await gunzip(await Promise.all(parts2.get(LOADER) ?? []));
-      if (this.over) return null;
-      const { worker, address } = startWorker(loader);
-      this.worker = worker;
-      const ready = new Promise((resolve) => {
-        worker.onmessage = ({ data }) => {
-          if (data.tell === "hello") URL.revokeObjectURL(address);
-          else if (data.tell === "ready") resolve(data);
-          else if (data.tell === "failed") {
-            reject(new RuntimeFailure(data.reason, data.detail, data.file));
-          }
-          this.progress(data.stage ?? data.tell);
-        };
-        worker.onerror = (event) => {
-          event.preventDefault();
-          reject(new RuntimeFailure("worker-refused", event.message));
-        };
-      });
-      const { index, packages: packages2, snapshot } = this;
-      worker.postMessage({
-        do: "boot",
-        lock: index.lock,
-        entry: index.entry,
-        snapshot,
-        tableAt: packages2.length ? index.tableAt : 0,
-        load: this.toLoad(),
-        modules: packages2.length ? [...packages2, ...index.later] : []
-      });
-      for (const [name2, its] of parts2) if (name2 !== LOADER && name2 !== WASM) this.send(name2, its);
-      worker.postMessage({ do: "wasm", module: await compiling });
-      this.progress(WASM);
-      const { start } = await ready;
-      this.onProgress({ fraction: 1, stage: "ready" });
-      return { worker, start };
-    }
-    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
-    async module(parts2) {
-      const module = modules.get(this.folder) ?? await compile(parts2);
-      modules.set(this.folder, module);
-      return module;
-    }
-    /**
-     * @param {string} name
-     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
-     */
-    async send(name2, parts2) {
-      for (const [number, part2] of parts2.entries()) {
-        const bytes = await part2;
-        if (this.over) return;
-        const last = number === parts2.length - 1;
-        this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);
-      }
-    }
-  };
-  function startWorker(loader) {
-    const address = URL.createObjectURL(new Blob([loader, worker_default], { type: "text/javascript" }));
-    try {
-      return { worker: new Worker(address), address };
-    } catch (error) {
-      throw new RuntimeFailure("worker-refused", String(error));
-    }
-  }
-
-  // src/runtime.js
-  var PICK_UP = 3;
-  async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
-  } }) {
-    requireWasm();
-    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
-    const folder = new URL(base, document.baseURI).href;
-    const index = await loadIndex(folder);
-    const options = { folder, index, packages: order(packages2), onProgress };
-    const start = (snapshot) => new Start(options, snapshot).run();
-    if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
-    try {
-      return new Runtime(await start(true));
-    } catch (error) {
-      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
-      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
-      return new Runtime(await start(false));
-    }
-  }
-  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
-  var order = (packages2) => [
-    ...new Set(packages2.flatMap((name2) => name2 === "scipy" ? ["numpy", "scipy"] : [name2]))
-  ];
-  var Runtime = class {
-    /** @param {import("./runtime-start.js").Started} started */
-    constructor({ worker, start }) {
-      this.start = start;
-      this.onlost = () => {
-      };
-      this.worker = worker;
-      this.gone = "";
-      this.number = 0;
-      this.queue = [];
-      worker.onmessage = ({ data }) => this.hear(data);
-      worker.onerror = (event) => {
-        event.preventDefault();
-        this.lose("worker-lost", event.message);
-      };
-    }
-    /**
-     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {object} message
-     * @returns {Promise<Answer>}
-     */
-    request(message) {
-      if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
-      return new Promise((resolve, reject) => {
-        this.number += 1;
-        this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
-        if (this.queue.length === 1) this.send();
-      });
-    }
-    /** Ends Python. What is under way is rejected. */
-    stop() {
-      this.end("stopped", "");
-    }
-    send() {
-      const next = this.queue[0];
-      if (!next) return;
-      this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
-      this.worker.postMessage({ do: "request", number: next.number, text: next.text });
-    }
-    /** @param {any} data */
-    hear(data) {
-      const current = this.queue[0];
-      if (data.number !== current?.number) return;
-      this.watch?.stop();
-      if (data.tell === "begun") {
-        this.watch = watch(PATIENCE2 - PICK_UP, () => this.lose("worker-lost", "no answer"));
-        return;
-      }
-      this.queue.shift();
-      if (data.tell === "answer") {
-        current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
-      } else {
-        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
-        if (data.dead) this.lose("worker-lost", data.detail);
-      }
-      if (!this.gone) this.send();
-    }
-    /** @param {Reason} reason @param {string} detail */
-    lose(reason, detail) {
-      if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
-    }
-    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
-    end(reason, detail) {
-      if (this.gone) return false;
-      this.gone = reason;
-      this.watch?.stop();
-      this.worker.terminate();
-      for (const { reject } of this.queue.splice(0)) reject(new RuntimeFailure(reason, detail));
-      return true;
-    }
-  };
-
-  // src/page-python.js
-  function pagePython(packages2) {
-    const script = (
-      /** @type {HTMLScriptElement | null} */
-      document.currentScript
-    );
-    const own = new URL(script?.src || document.baseURI);
-    const base = new URL(`runtime/${own.search}`, own).href;
-    const client = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
-    client.addEventListener("state", () => tell(client.state));
-    return client;
-  }
-  function startWhenIdle(client) {
-    tell("starting");
-    if (typeof requestIdleCallback === "function") {
-      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
-    } else setTimeout(() => client.wake(), 200);
-  }
-  function tell(state) {
-    document.documentElement.dataset.python = state;
   }
 
   // src/main.js

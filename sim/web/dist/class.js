@@ -1,6 +1,6 @@
 "use strict";
 (() => {
-  // src/dom.js
+  // src/shared/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
     const made = document.createElementNS(SVG, tag);
@@ -87,7 +87,7 @@
   };
   var plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();
 
-  // src/language.js
+  // ../view/language.js
   var catalogue = (
     /** @type {any} */
     globalThis.cartsWords ?? {}
@@ -464,7 +464,7 @@
     };
   }
 
-  // src/download.js
+  // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text, type) {
     downloadBlob(name, new Blob([text], { type }));
@@ -480,7 +480,7 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
-  // src/picture.js
+  // src/shared/picture.js
   var PIXELS = 2;
   async function asPng(text) {
     const image = new Image();
@@ -799,23 +799,7 @@
     };
   }
 
-  // src/features.js
-  function missingFeatures() {
-    const needed = [
-      [tr("custom elements"), typeof customElements === "object"],
-      ["WebAssembly", typeof WebAssembly === "object"],
-      [tr("workers"), typeof Worker === "function"],
-      [tr("decompression"), typeof DecompressionStream === "function"],
-      [tr("array methods"), typeof Array.prototype.findLast === "function"],
-      [
-        tr("container queries"),
-        typeof CSS === "object" && CSS.supports("container-type: inline-size")
-      ]
-    ];
-    return needed.filter(([, there]) => !there).map(([name]) => name);
-  }
-
-  // src/client.js
+  // src/runtime/client.js
   var RESTARTS = 3;
   var Client = class extends EventTarget {
     /** @type {State} */
@@ -977,7 +961,7 @@
     }
   };
 
-  // src/runtime-failure.js
+  // src/runtime/failure.js
   var MESSAGES = {
     "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
     "payload-missing": tr(
@@ -1019,7 +1003,7 @@
     }
   };
 
-  // src/leaving.js
+  // src/shared/leaving.js
   var STAYS = 3e3;
   var leaving = false;
   var waiting = [];
@@ -1043,7 +1027,7 @@
     return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
   }
 
-  // src/runtime-watch.js
+  // src/runtime/watch.js
   var SECOND = 1e3;
   var PATIENCE = 8;
   function watch(patience, late) {
@@ -1064,7 +1048,7 @@
     };
   }
 
-  // src/runtime-payload.js
+  // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
   function runScript(src, name) {
@@ -1143,7 +1127,7 @@
     return bytes;
   }
 
-  // src/runtime-wasm.js
+  // src/runtime/wasm.js
   var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
   function requireWasm() {
     if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
@@ -1166,10 +1150,10 @@
     await writer.close();
   }
 
-  // as-text:src/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  // as-text:src/runtime/worker.js
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
-  // src/runtime-start.js
+  // src/runtime/start.js
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -1330,7 +1314,7 @@
     }
   }
 
-  // src/runtime.js
+  // src/runtime/runtime.js
   var PICK_UP = 3;
   async function startRuntime({ base, packages = [], onProgress = () => {
   } }) {
@@ -1354,7 +1338,7 @@
     ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
   ];
   var Runtime = class {
-    /** @param {import("./runtime-start.js").Started} started */
+    /** @param {import("./start.js").Started} started */
     constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
@@ -1425,7 +1409,7 @@
     }
   };
 
-  // src/page-python.js
+  // src/runtime/page-python.js
   function pagePython(packages) {
     const script = (
       /** @type {HTMLScriptElement | null} */
@@ -1445,6 +1429,22 @@
   }
   function tell(state) {
     document.documentElement.dataset.python = state;
+  }
+
+  // src/shared/features.js
+  function missingFeatures() {
+    const needed = [
+      [tr("custom elements"), typeof customElements === "object"],
+      ["WebAssembly", typeof WebAssembly === "object"],
+      [tr("workers"), typeof Worker === "function"],
+      [tr("decompression"), typeof DecompressionStream === "function"],
+      [tr("array methods"), typeof Array.prototype.findLast === "function"],
+      [
+        tr("container queries"),
+        typeof CSS === "object" && CSS.supports("container-type: inline-size")
+      ]
+    ];
+    return needed.filter(([, there]) => !there).map(([name]) => name);
   }
 
   // src/class-main.js

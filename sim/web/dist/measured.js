@@ -1,32 +1,6 @@
 "use strict";
 (() => {
-  // src/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-
-  // src/features.js
-  function missingFeatures() {
-    const needed = [
-      [tr("custom elements"), typeof customElements === "object"],
-      ["WebAssembly", typeof WebAssembly === "object"],
-      [tr("workers"), typeof Worker === "function"],
-      [tr("decompression"), typeof DecompressionStream === "function"],
-      [tr("array methods"), typeof Array.prototype.findLast === "function"],
-      [
-        tr("container queries"),
-        typeof CSS === "object" && CSS.supports("container-type: inline-size")
-      ]
-    ];
-    return needed.filter(([, there]) => !there).map(([name]) => name);
-  }
-
-  // src/dom.js
+  // src/shared/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
     const made = document.createElementNS(SVG, tag);
@@ -54,7 +28,7 @@
     );
   }
 
-  // src/download.js
+  // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
   function download(name, text2, type) {
     downloadBlob(name, new Blob([text2], { type }));
@@ -199,7 +173,7 @@
     return all.slice(-MOST_EARLIER);
   }
 
-  // src/storage.js
+  // src/shared/storage.js
   var READINGS = "-measured";
   var STORE = "answers";
   var PATIENCE = 2e4;
@@ -382,7 +356,7 @@
     };
   }
 
-  // src/numbers.js
+  // ../view/numbers.js
   function exponent(value) {
     return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
   }
@@ -396,7 +370,7 @@
     return String(rounded === 0 ? 0 : rounded);
   }
 
-  // src/slow.js
+  // src/scene/slow.js
   function slowAt(parts, t) {
     return parts.find((part) => t >= part.from && t < part.to);
   }
@@ -415,7 +389,7 @@
     return Math.min(now, until);
   }
 
-  // src/player.js
+  // src/scene/player.js
   var STEP = 0.04;
   var STILL = 1;
   var LONGEST_FRAME = 0.1;
@@ -521,7 +495,7 @@
     }
   };
 
-  // src/scales.js
+  // ../view/scales.js
   var STEP_SLACK = 1e-9;
   function axisDecimals(axis) {
     return Math.max(0, -exponent(axis.step));
@@ -1551,7 +1525,7 @@
     };
   }
 
-  // src/client.js
+  // src/runtime/client.js
   var RESTARTS = 3;
   var Client = class extends EventTarget {
     /** @type {State} */
@@ -1713,7 +1687,17 @@
     }
   };
 
-  // src/runtime-failure.js
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    const said = catalogue[sentence] ?? sentence;
+    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // src/runtime/failure.js
   var MESSAGES = {
     "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
     "payload-missing": tr(
@@ -1755,7 +1739,7 @@
     }
   };
 
-  // src/leaving.js
+  // src/shared/leaving.js
   var STAYS = 3e3;
   var leaving = false;
   var waiting = [];
@@ -1779,7 +1763,7 @@
     return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
   }
 
-  // src/runtime-watch.js
+  // src/runtime/watch.js
   var SECOND = 1e3;
   var PATIENCE2 = 8;
   function watch(patience, late) {
@@ -1800,7 +1784,7 @@
     };
   }
 
-  // src/runtime-payload.js
+  // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
   function runScript(src, name) {
@@ -1879,7 +1863,7 @@
     return bytes;
   }
 
-  // src/runtime-wasm.js
+  // src/runtime/wasm.js
   var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
   function requireWasm() {
     if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
@@ -1902,10 +1886,10 @@
     await writer.close();
   }
 
-  // as-text:src/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  // as-text:src/runtime/worker.js
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
-  // src/runtime-start.js
+  // src/runtime/start.js
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -2066,7 +2050,7 @@
     }
   }
 
-  // src/runtime.js
+  // src/runtime/runtime.js
   var PICK_UP = 3;
   async function startRuntime({ base, packages = [], onProgress = () => {
   } }) {
@@ -2090,7 +2074,7 @@
     ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
   ];
   var Runtime = class {
-    /** @param {import("./runtime-start.js").Started} started */
+    /** @param {import("./start.js").Started} started */
     constructor({ worker, start }) {
       this.start = start;
       this.onlost = () => {
@@ -2161,7 +2145,7 @@
     }
   };
 
-  // src/page-python.js
+  // src/runtime/page-python.js
   function pagePython(packages) {
     const script = (
       /** @type {HTMLScriptElement | null} */
@@ -2181,6 +2165,22 @@
   }
   function tell(state) {
     document.documentElement.dataset.python = state;
+  }
+
+  // src/shared/features.js
+  function missingFeatures() {
+    const needed = [
+      [tr("custom elements"), typeof customElements === "object"],
+      ["WebAssembly", typeof WebAssembly === "object"],
+      [tr("workers"), typeof Worker === "function"],
+      [tr("decompression"), typeof DecompressionStream === "function"],
+      [tr("array methods"), typeof Array.prototype.findLast === "function"],
+      [
+        tr("container queries"),
+        typeof CSS === "object" && CSS.supports("container-type: inline-size")
+      ]
+    ];
+    return needed.filter(([, there]) => !there).map(([name]) => name);
   }
 
   // src/measured-main.js

@@ -5,7 +5,7 @@ import { Book } from "./answers/book.js";
 import { Panel } from "./answers/panel.js";
 import { questionElement } from "./question/element.js";
 import { quizElement } from "./question/quiz.js";
-import { teacherDoor } from "./teacher-door.js";
+import { teacherDoor } from "./teach/door.js";
 
 const book = new Book();
 customElements.define("carts-question", questionElement(book));

@@ -1,8 +1,8 @@
 /** The script of the page “Class results”: Python with questions and statistics, and its element. */
 
 import { classElement } from "./class/element.js";
-import { missingFeatures } from "./features.js";
-import { pagePython, startWhenIdle } from "./page-python.js";
+import { pagePython, startWhenIdle } from "./runtime/page-python.js";
+import { missingFeatures } from "./shared/features.js";
 
 const CLASSROOM = "newtons-carts-class";
 

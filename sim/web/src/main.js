@@ -1,11 +1,11 @@
 /** The page's script: one worker for all scenes, started when the page is idle or first touched. */
 
-import { costElement } from "./cost-element.js";
-import { sceneElement } from "./element.js";
-import { excuse, missingFeatures } from "./features.js";
-import { hardElement } from "./hard-cases.js";
-import { mapElement } from "./map-element.js";
-import { pagePython, startWhenIdle } from "./page-python.js";
+import { costElement } from "./cost/element.js";
+import { hardElement } from "./hard/element.js";
+import { mapElement } from "./map/element.js";
+import { pagePython, startWhenIdle } from "./runtime/page-python.js";
+import { sceneElement } from "./scene/element.js";
+import { excuse, missingFeatures } from "./shared/features.js";
 
 /** @returns {string[]} what the scenes of this page need besides bare Python */
 function packages() {

@@ -1,8 +1,8 @@
 /** The script of pages with readings of real carts: Python with what reads and fits them, and its element. */
 
-import { missingFeatures } from "./features.js";
 import { measuredElement } from "./measured/element.js";
-import { pagePython, startWhenIdle } from "./page-python.js";
+import { pagePython, startWhenIdle } from "./runtime/page-python.js";
+import { missingFeatures } from "./shared/features.js";
 
 const MEASURED = "newtons-carts-measured";
 

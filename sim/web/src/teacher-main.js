@@ -1,12 +1,12 @@
 /** Teacher mode: a script of its own, loaded when a teacher asks for it, with a Python of its own. */
 
-import { Client } from "./client.js";
-import { missingFeatures } from "./features.js";
-import { startRuntime } from "./runtime.js";
+import { Client } from "./runtime/client.js";
+import { startRuntime } from "./runtime/runtime.js";
+import { missingFeatures } from "./shared/features.js";
+import { OPEN } from "./teach/door.js";
 import { Drafts } from "./teach/drafts.js";
 import { Session } from "./teach/session.js";
 import { loadLesson } from "./teach/source.js";
-import { OPEN } from "./teacher-door.js";
 
 const PACKAGE = "newtons-carts-teacher";
 

@@ -3,8 +3,8 @@
  * button “My answers”. It floats, so that nothing of the page moves when it comes.
  */
 
-import { html, say } from "../dom.js";
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
+import { html, say } from "../shared/dom.js";
 import { outline } from "./outline.js";
 
 export class Bar {

@@ -1,6 +1,13 @@
 /** The answers of one page and one student: read once, written at every input, told to other tabs. */
 
-import { forStudent, openAll, place, READINGS, readStudent, writeStudent } from "../storage.js";
+import {
+  forStudent,
+  openAll,
+  place,
+  READINGS,
+  readStudent,
+  writeStudent,
+} from "../shared/storage.js";
 import { isEmpty, keepEarlier, merged } from "./entry.js";
 import { isCurrent, outline } from "./outline.js";
 
@@ -8,9 +15,9 @@ import { isCurrent, outline } from "./outline.js";
 
 export class Book extends EventTarget {
   student = "";
-  /** @type {import("../storage.js").Store | null} */
+  /** @type {import("../shared/storage.js").Store | null} */
   store = null;
-  /** @type {import("../storage.js").Store | null} */
+  /** @type {import("../shared/storage.js").Store | null} */
   all = null;
   /** What this page knows, kept or not: an answer that a browser refuses to keep can still be saved as a file. */
   /** @type {Map<string, any>} */

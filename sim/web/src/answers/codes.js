@@ -1,6 +1,6 @@
 /** Code words of students, from a printed card: BLUE-FOX-27. Two on one laptop: BLUE-FOX-27+RED-OWL-13. */
 
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
 
 const MOST = 80;
 

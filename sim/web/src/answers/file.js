@@ -1,6 +1,6 @@
 /** The answer file: made, and read with checks. Nothing of a file is taken that is not known. Pure. */
 
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
 import { isEmpty } from "./entry.js";
 
 export const FORMAT = 1;

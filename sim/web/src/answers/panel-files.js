@@ -1,8 +1,8 @@
 /** Files: save, table for a spreadsheet, print, and bring answers back in from a file. */
 
-import { html, say } from "../dom.js";
-import { download } from "../download.js";
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
+import { html, say } from "../shared/dom.js";
+import { download } from "../shared/download.js";
 import { csvText } from "./csv.js";
 import { fileName, makeFiles, readFile } from "./file.js";
 import { button, clock, part, status } from "./parts.js";

@@ -1,7 +1,7 @@
 /** Leaving a shared laptop: clear one's own answers, or everything; and where answers are kept. */
 
-import { html } from "../dom.js";
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
+import { html } from "../shared/dom.js";
 import { askingButton, part } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */

@@ -1,8 +1,8 @@
 /** What was answered on this page, in words; also to questions that are no longer there. */
 
-import { html } from "../dom.js";
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
 import { handedForms } from "../question/quiz.js";
+import { html } from "../shared/dom.js";
 import { isEmpty } from "./entry.js";
 import { inPageOrder, isHere, outline } from "./outline.js";
 import { button, part } from "./parts.js";

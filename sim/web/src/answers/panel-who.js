@@ -1,7 +1,7 @@
 /** New student, or continue as … by the code word from a printed card. Nobody else's answers are shown. */
 
-import { html, say } from "../dom.js";
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
+import { html, say } from "../shared/dom.js";
 import { readCode } from "./codes.js";
 import { button, part, status } from "./parts.js";
 

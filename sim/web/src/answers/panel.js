@@ -1,7 +1,7 @@
 /** “My answers”: who works here, files, what was answered, and how to hand in. One on every page. */
 
-import { html } from "../dom.js";
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
+import { html } from "../shared/dom.js";
 import { filesPart } from "./panel-files.js";
 import { leavePart } from "./panel-leave.js";
 import { listPart } from "./panel-list.js";

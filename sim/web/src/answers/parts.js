@@ -1,7 +1,7 @@
 /** Pieces that the parts of the panel share. */
 
-import { html } from "../dom.js";
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
+import { html } from "../shared/dom.js";
 
 /** A part of the panel with its heading. @param {string} name of the class @param {string} title @returns {HTMLElement} */
 export function part(name, title) {

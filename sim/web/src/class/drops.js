@@ -1,7 +1,7 @@
 /** The fields on which files are dropped, one for the class or one for each of two groups. */
 
 import { button } from "../answers/parts.js";
-import { html, say } from "../dom.js";
+import { html, say } from "../shared/dom.js";
 import { typedIn } from "./list.js";
 
 /** @typedef {(files: File[], group: number) => void} Take */

@@ -1,6 +1,6 @@
 /** `<carts-class>`: the files of a class, read and reported by Python in the page's worker. */
 
-import { html, say } from "../dom.js";
+import { html, say } from "../shared/dom.js";
 import { Classroom } from "./classroom.js";
 import { drops } from "./drops.js";
 import { readAll } from "./intake.js";
@@ -13,7 +13,7 @@ import { actions } from "./saves.js";
 const PACKAGES = ["numpy", "scipy"]; // for intervals and tests; the first table does without
 const SOON = 700; // ms until a first table is made of what has been read so far
 
-/** The element class for a client. @param {import("../client.js").Client} client */
+/** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function classElement(client) {
   return class CartsClass extends HTMLElement {
     classroom = new Classroom();

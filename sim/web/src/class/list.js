@@ -1,6 +1,6 @@
 /** The files that were read, each with a box to leave it out; and hand-in codes typed from paper. */
 
-import { html, say } from "../dom.js";
+import { html, say } from "../shared/dom.js";
 
 /** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
 export function fileList(classroom, changed) {

@@ -1,7 +1,7 @@
 /** The plots of a report as one picture. */
 
-import { svg } from "../dom.js";
-import { asPng } from "../picture.js";
+import { svg } from "../shared/dom.js";
+import { asPng } from "../shared/picture.js";
 
 const WIDTH = 620;
 const GAP = 16;

@@ -1,7 +1,7 @@
 /** One question in words, read across the class and marked by a key: 0, 1, 2 … go on to the next. */
 
 import { button } from "../answers/parts.js";
-import { html, say } from "../dom.js";
+import { html, say } from "../shared/dom.js";
 import { plain } from "./classroom.js";
 
 /**

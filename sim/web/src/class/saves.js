@@ -1,8 +1,8 @@
 /** What can be done with a report: print it, save it, delete everything. */
 
 import { askingButton, button } from "../answers/parts.js";
-import { html } from "../dom.js";
-import { download, downloadBlob } from "../download.js";
+import { html } from "../shared/dom.js";
+import { download, downloadBlob } from "../shared/download.js";
 import { plotsAsPng } from "./plots.js";
 
 /** @typedef {{classroom: import("./classroom.js").Classroom}} Owner */

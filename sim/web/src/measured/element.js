@@ -1,7 +1,7 @@
 /** `<carts-measured>`: readings of real carts, the model laid over them by hand, and its fit by Python. */
 
-import { need } from "../dom.js";
-import { download } from "../download.js";
+import { need } from "../shared/dom.js";
+import { download } from "../shared/download.js";
 import { Hands } from "./hands.js";
 import { keeper } from "./keep.js";
 import { Picture } from "./picture.js";
@@ -16,7 +16,7 @@ import { Source } from "./source.js";
 
 const PACKAGES = ["numpy", "scipy"]; // for the fit; reading and the model by hand do without
 
-/** The element class for a client. @param {import("../client.js").Client} client */
+/** The element class for a client. @param {import("../runtime/client.js").Client} client */
 export function measuredElement(client) {
   return class CartsMeasured extends HTMLElement {
     /** @type {Facts | null} */

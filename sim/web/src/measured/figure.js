@@ -1,10 +1,10 @@
 /** Readings over time as points, the model as lines, what is left over below. Twin of `sim/pages/measured/render.py`. */
 
-import { put, svg } from "../dom.js";
-import { fixed, px } from "../numbers.js";
-import { axisDecimals, span, ticks } from "../scales.js";
+import { fixed, px } from "../../../view/numbers.js";
+import { axisDecimals, span, ticks } from "../../../view/scales.js";
+import { put, svg } from "../shared/dom.js";
 
-/** @typedef {import("../scales.js").Axis} Axis */
+/** @typedef {import("../../../view/scales.js").Axis} Axis */
 /** @typedef {import("./types.js").Track} Track */
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [58, 630, 10, 250];

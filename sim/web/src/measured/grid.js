@@ -1,6 +1,6 @@
 /** Readings typed into a table: a text for the reader of files. A block of cells can be pasted into it. */
 
-import { html } from "../dom.js";
+import { html } from "../shared/dom.js";
 
 const ROWS = 10; // to begin with, and more each time
 const MOST = 500;

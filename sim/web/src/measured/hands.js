@@ -1,6 +1,6 @@
 /** The model set by hand: a slider and a number for each of its quantities, bound together. */
 
-import { need } from "../dom.js";
+import { need } from "../shared/dom.js";
 
 /** @typedef {import("./types.js").Hand} Hand */
 /** @typedef {import("./types.js").Track} Track */

@@ -1,6 +1,6 @@
 /** What a reader opened, typed and set on this page is kept in the browser, apart from the answers. */
 
-import { openAll, place, READINGS } from "../storage.js";
+import { openAll, place, READINGS } from "../shared/storage.js";
 
 /** @typedef {import("./types.js").Kept} Kept */
 

@@ -1,8 +1,8 @@
 /** Everything that is drawn of the readings and of the model: figure, residuals, carts, table, faults. */
 
-import { need, say } from "../dom.js";
-import { fixed } from "../numbers.js";
-import { Player } from "../player.js";
+import { fixed } from "../../../view/numbers.js";
+import { Player } from "../scene/player.js";
+import { need, say } from "../shared/dom.js";
 import { Figure } from "./figure.js";
 import { showResult, showTable } from "./result.js";
 import { Source } from "./source.js";

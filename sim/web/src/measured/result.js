@@ -1,6 +1,6 @@
 /** What a fit says: numbers with their intervals, what is not told and why, sentences. */
 
-import { html } from "../dom.js";
+import { html } from "../shared/dom.js";
 
 /** @typedef {import("./types.js").Report} Report */
 

@@ -1,6 +1,6 @@
 /** Units, the span of time, the law, what else is fitted, and what was weighed: asked once, always shown. */
 
-import { html, need } from "../dom.js";
+import { html, need } from "../shared/dom.js";
 
 /** @typedef {import("./types.js").Kept} Kept */
 /** @typedef {import("./types.js").Read} Read */

@@ -1,7 +1,7 @@
 /** Where readings come from: files, pasted text, a typed table, or those that the lesson brings along. */
 
-import { need } from "../dom.js";
-import { download } from "../download.js";
+import { need } from "../shared/dom.js";
+import { download } from "../shared/download.js";
 import { Grid } from "./grid.js";
 
 const MOST = 4_000_000; // bytes of one file; Python says so too

@@ -1,8 +1,8 @@
 /** The model's carts as they move, with rings where the film saw them. */
 
-import { put, svg } from "../dom.js";
-import { px } from "../numbers.js";
-import { span, ticks } from "../scales.js";
+import { px } from "../../../view/numbers.js";
+import { span, ticks } from "../../../view/scales.js";
+import { put, svg } from "../shared/dom.js";
 
 /** @typedef {import("./types.js").Track} Track */
 /** @typedef {import("./types.js").Curve} Curve */

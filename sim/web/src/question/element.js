@@ -1,8 +1,8 @@
 /** `<carts-question>`: one question, saved at every input, marked where the page has the key. */
 
+import { tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
-import { html, need, say } from "../dom.js";
-import { tr } from "../language.js";
+import { html, need, say } from "../shared/dom.js";
 import { Feedback } from "./feedback.js";
 import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";

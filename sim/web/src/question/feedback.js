@@ -1,8 +1,8 @@
 /** Check, hints, and what the page says to an answer. The texts lie in templates beside the question. */
 
-import { html, need } from "../dom.js";
-import { tr } from "../language.js";
-import { short } from "../numbers.js";
+import { tr } from "../../../view/language.js";
+import { short } from "../../../view/numbers.js";
+import { html, need } from "../shared/dom.js";
 import { mark } from "./marking/mark.js";
 
 const WORDS = {

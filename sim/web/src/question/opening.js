@@ -6,7 +6,7 @@
  *   words: checksums of the words given so far; answered: the worksheet is; handed: when each form was
  */
 
-import { tr } from "../language.js";
+import { tr } from "../../../view/language.js";
 
 const NAMES = /** @type {Record<string, string>} */ ({
   pre: tr("the test before the lesson"),

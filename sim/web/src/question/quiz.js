@@ -1,8 +1,8 @@
 /** `<carts-quiz>`: a form that opens and closes by its rules and is handed in as a whole. */
 
+import { tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
-import { need, say } from "../dom.js";
-import { tr } from "../language.js";
+import { need, say } from "../shared/dom.js";
 import { encode, fits } from "./handin.js";
 import { isOver, reasons, wordSum } from "./opening.js";
 import { shuffleOptions } from "./shuffle.js";

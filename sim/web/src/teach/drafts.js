@@ -4,7 +4,7 @@
  * is still there and is offered.
  */
 
-import { openAll, place } from "../storage.js";
+import { openAll, place } from "../shared/storage.js";
 
 /** @typedef {{text: string, base: string, last: string, hash: string}} Draft `base`: what it began from */
 

@@ -1,6 +1,6 @@
 /** The form of a block: a field for each ordinary value. */
 
-import { html } from "../dom.js";
+import { html } from "../shared/dom.js";
 
 /** @typedef {import("./types.js").Field} Field */
 

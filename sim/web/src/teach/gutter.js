@@ -1,6 +1,6 @@
 /** A text field with the numbers of its lines beside it; lines with a mistake are marked. */
 
-import { html } from "../dom.js";
+import { html } from "../shared/dom.js";
 
 export class Gutter {
   /** @param {string} label @param {(text: string) => void} typed */

@@ -3,7 +3,7 @@
  * the same element, with its run and its settings.
  */
 
-import { html } from "../dom.js";
+import { html } from "../shared/dom.js";
 import { drawFormulas } from "./formulas.js";
 
 const STAYS = ".md-content__button, .carts-teach-door, .md-source-file, .carts-print-head";

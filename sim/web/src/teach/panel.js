@@ -1,8 +1,8 @@
 /** The panel of teacher mode beside the lesson: what can be changed, piece by piece. */
 
 import { button } from "../answers/parts.js";
-import { html, say } from "../dom.js";
-import { download } from "../download.js";
+import { html, say } from "../shared/dom.js";
+import { download } from "../shared/download.js";
 import { PieceEditor } from "./piece.js";
 import { ownFile, toolbar } from "./saves.js";
 

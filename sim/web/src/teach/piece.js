@@ -1,6 +1,6 @@
 /** The editor of one piece of a lesson: a block with its fields and its text, or Markdown. */
 
-import { html, say } from "../dom.js";
+import { html, say } from "../shared/dom.js";
 import { Fields } from "./fields.js";
 import { Gutter } from "./gutter.js";
 

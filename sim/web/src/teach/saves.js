@@ -1,8 +1,8 @@
 /** The toolbar: undo, save, back to the published lesson, the teacher's own file. */
 
 import { askingButton, button } from "../answers/parts.js";
-import { html } from "../dom.js";
-import { download, downloadBlob } from "../download.js";
+import { html } from "../shared/dom.js";
+import { download, downloadBlob } from "../shared/download.js";
 
 /** @param {import("./session.js").Session} session @param {(text: string) => void} tell */
 export function toolbar(session, tell) {

@@ -22,7 +22,7 @@ export class Session {
   #working = false;
 
   /**
-   * @param {{told: import("./source.js").Told, client: import("../client.js").Client, assets: string,
+   * @param {{told: import("./source.js").Told, client: import("../runtime/client.js").Client, assets: string,
    *   drafts: import("./drafts.js").Drafts, link: HTMLElement}} given
    */
   constructor({ told, client, assets, drafts, link }) {

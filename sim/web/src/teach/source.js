@@ -1,6 +1,6 @@
 /** The lesson's text as the build shipped it, see sim/pages/teach/publish.py. */
 
-import { gunzip } from "../runtime-payload.js";
+import { gunzip } from "../runtime/payload.js";
 
 /**
  * @typedef {object} Told

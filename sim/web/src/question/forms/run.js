@@ -1,7 +1,7 @@
 /** Questions on a scene of the page: a reading off the student's own run, and a drawn prediction. */
 
+import { tr } from "../../../../view/language.js";
 import { isEmpty } from "../../answers/entry.js";
-import { tr } from "../../language.js";
 import { reading } from "../marking/own-run.js";
 import { readNumber } from "../marking/typed-number.js";
 

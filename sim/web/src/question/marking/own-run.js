@@ -1,6 +1,6 @@
 /** What a student's own run says about a quantity, in SI. */
 
-import { valueAt } from "../../trajectory.js";
+import { valueAt } from "../../../../view/trajectory.js";
 
 /**
  * @param {any} run `el.trajectory` of the scene @param {Record<string, number>} mass kg, by cart

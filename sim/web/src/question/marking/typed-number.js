@@ -1,7 +1,7 @@
 /** A number that a student typed, in the question's own unit. The same rules as sim/lesson/typed.py. */
 
-import { tr } from "../../language.js";
-import { twoReadings } from "../../typed.js";
+import { tr } from "../../../../view/language.js";
+import { twoReadings } from "../../shared/typed.js";
 
 const LONGEST = 40;
 const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;

@@ -1,0 +1,263 @@
+/** `<carts-cost>`: one scene run twice, by a stepping method and exactly; every method's error against its time. */
+
+import { fixed } from "../../../view/numbers.js";
+import { Player } from "../scene/player.js";
+import { need, say } from "../shared/dom.js";
+import { CostFigure } from "./figure.js";
+import { CostStage } from "./stage.js";
+import { cells, fill, told } from "./table.js";
+
+/** @typedef {import("./figure.js").CostRow} CostRow */
+/** @typedef {import("./table.js").CostHeader} CostHeader */
+/** @typedef {{header: CostHeader, numbers: ArrayLike<number>}} CostRun */
+/**
+ * @typedef {{scenes: Record<string, object>, first: string, labels: Record<string, string>, rows: CostRow[],
+ *   run: CostRun}} CostFacts
+ */
+
+const PACKAGES = ["numpy", "scipy"];
+const ADAPTIVE = ["rk45", "adaptive"]; // they have a tolerance in place of a step
+
+/** The element class for a client. @param {import("../runtime/client.js").Client} client */
+export function costElement(client) {
+  return class CartsCost extends HTMLElement {
+    /** @type {CostFacts | null} */
+    #facts = null;
+    /** @type {CostRow[]} */
+    rows = [];
+    /** @type {CostRun | null} */
+    run = null;
+    /** Resolves when the newest measurement is complete or was stopped. @type {Promise<void>} */
+    complete = Promise.resolve();
+    #generation = 0;
+    #measuring = 0;
+    /** @type {CostStage | null} */
+    #stage = null;
+    /** @type {CostFigure | null} */
+    #figure = null;
+    /** @type {Player | null} */
+    #player = null;
+
+    connectedCallback() {
+      if (this.#facts) return;
+      /** @type {CostFacts} */
+      const facts = JSON.parse(need(this, ".carts-cost-baked").textContent ?? "");
+      this.#facts = facts;
+      this.#stage = new CostStage(this);
+      this.#figure = new CostFigure(this);
+      this.#player = new Player(() => this.#frame());
+      for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
+        /** @type {HTMLInputElement} */ (need(this, `.carts-cost-${part}`)).disabled = false;
+      }
+      this.rows = facts.rows;
+      this.#show(facts.run);
+      this.#mark();
+      this.#select("scene").addEventListener("change", () => this.#newScene());
+      for (const part of ["method", "step", "rtol"]) {
+        this.#select(part).addEventListener("change", () => void this.compute());
+      }
+      need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
+      const scrub = /** @type {HTMLInputElement} */ (need(this, ".carts-cost-scrub"));
+      scrub.addEventListener("input", () => {
+        this.#player?.pause();
+        this.#player?.seek(scrub.valueAsNumber);
+      });
+      need(this, ".carts-cost-go").addEventListener("click", () => void this.measure());
+      need(this, ".carts-cost-stop").addEventListener("click", () => this.stop());
+    }
+
+    disconnectedCallback() {
+      this.#player?.pause();
+      this.stop();
+    }
+
+    /** @param {string} part @returns {HTMLSelectElement} */
+    #select(part) {
+      return /** @type {HTMLSelectElement} */ (need(this, `.carts-cost-${part}`));
+    }
+
+    get #scene() {
+      return this.#facts?.scenes[this.#select("scene").value];
+    }
+
+    /** Runs the chosen scene with the chosen method; resolves when it is drawn. */
+    async compute() {
+      this.#generation += 1;
+      const generation = this.#generation;
+      const method = this.#select("method").value;
+      const adaptive = ADAPTIVE.includes(method);
+      this.#select("step").hidden = adaptive;
+      this.#select("rtol").hidden = !adaptive;
+      const size = adaptive
+        ? { rtol: Number(this.#select("rtol").value) }
+        : { parts: Number(this.#select("step").value) };
+      try {
+        if (adaptive) {
+          this.#note("Python’s scipy is being loaded …");
+          await client.need(PACKAGES);
+        }
+        const scene = this.#scene;
+        const { header, numbers } = await client.ask(this, () => ({
+          kind: "cost",
+          scene,
+          method,
+          ...size,
+        }));
+        if (generation !== this.#generation) return;
+        if (!header.ok) throw refusal(header);
+        this.#live();
+        this.#note("");
+        this.#show({ header: /** @type {any} */ (header), numbers });
+        this.#mark();
+        this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true }));
+      } catch (error) {
+        if (generation === this.#generation) this.#fail(/** @type {Error} */ (error));
+      }
+    }
+
+    /** Measures every method in this browser, row by row. */
+    measure() {
+      this.complete = this.#measure();
+      return this.complete;
+    }
+
+    /** Leaves a measurement where it is; what was measured stays. */
+    stop() {
+      if (!this.#measuring) return;
+      this.#measuring = 0;
+      this.#working(false);
+      say(need(this, ".carts-cost-say"), `Stopped after ${this.rows.length} rows.`);
+    }
+
+    async #measure() {
+      const turn = Math.random() + 1;
+      this.#measuring = turn;
+      this.#working(true);
+      say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
+      try {
+        await client.need(PACKAGES);
+        /** @type {CostRow[]} */
+        const rows = [];
+        const scene = this.#scene;
+        for (let row = 0, of = 1; row < of; row += 1) {
+          if (this.#measuring !== turn) return;
+          const { header } = await client.ask(need(this, ".carts-cost-go"), () => ({
+            kind: "cost",
+            scene,
+            row,
+          }));
+          if (this.#measuring !== turn) return;
+          if (!header.ok) throw refusal(header);
+          this.#live();
+          const answer = /** @type {any} */ (header);
+          of = answer.of;
+          rows.push(...answer.rows);
+          this.#rows(rows);
+          /** @type {HTMLProgressElement} */ (need(this, ".carts-cost-progress")).value =
+            (row + 1) / of;
+          say(need(this, ".carts-cost-say"), `${row + 1} of ${of}`);
+        }
+        this.#measuring = 0;
+        say(need(this, ".carts-cost-say"), "Measured just now, by Python in this browser.");
+      } catch (error) {
+        this.#measuring = 0;
+        this.#fail(/** @type {Error} */ (error));
+        say(need(this, ".carts-cost-say"), "");
+      } finally {
+        if (this.#measuring === 0 || this.#measuring === turn) this.#working(false);
+      }
+    }
+
+    /** @param {boolean} on */
+    #working(on) {
+      const [go, stop] = [need(this, ".carts-cost-go"), need(this, ".carts-cost-stop")];
+      const focused = document.activeElement === (on ? go : stop);
+      go.hidden = on;
+      stop.hidden = !on;
+      const progress = /** @type {HTMLProgressElement} */ (need(this, ".carts-cost-progress"));
+      progress.hidden = !on;
+      progress.value = 0;
+      if (focused) (on ? stop : go).focus();
+    }
+
+    /** Another scene: the measurements were those of the one before. */
+    #newScene() {
+      this.stop();
+      const facts = this.#facts;
+      const first = this.#select("scene").value === facts?.first;
+      this.#rows(first && facts ? facts.rows : []);
+      say(need(this, ".carts-cost-say"), first ? "" : "Not measured yet.");
+      void this.compute();
+    }
+
+    /** @param {CostRow[]} rows */
+    #rows(rows) {
+      this.rows = [...rows];
+      this.#figure?.show(rows);
+      this.#mark();
+      const until = Number(this.run?.header.until);
+      const lines = rows.map((row) => cells(row, until, this.#facts?.labels ?? {}));
+      fill(need(this, ".carts-cost-table table"), lines);
+    }
+
+    /** The ring stands where the chosen method and step were measured. */
+    #mark() {
+      const method = this.#select("method").value;
+      const until = Number(this.run?.header.until);
+      const chosen = this.rows.find((row) => {
+        if (row.method !== method) return false;
+        if (row.rtol) return row.rtol === Number(this.#select("rtol").value);
+        return Math.round(until / Number(row.step)) === Number(this.#select("step").value);
+      });
+      this.#figure?.mark(chosen);
+    }
+
+    /** @param {CostRun} run */
+    #show(run) {
+      this.run = run;
+      this.#stage?.show(run.header, run.numbers);
+      fill(need(this, ".carts-cost-told"), told(run.header));
+      /** @type {HTMLInputElement} */ (need(this, ".carts-cost-scrub")).max = String(
+        run.header.until,
+      );
+      if (!this.#player) return;
+      this.#player.until = run.header.until;
+      this.#player.speed = run.header.until / 4; // a run takes four seconds to watch
+      this.#player.seek(this.#player.playing ? this.#player.time : run.header.until);
+    }
+
+    #frame() {
+      const player = /** @type {Player} */ (this.#player);
+      this.#stage?.at(player.time);
+      this.classList.toggle("carts-is-playing", player.playing);
+      say(need(this, ".carts-cost-play"), player.playing ? "Pause" : "Play");
+      /** @type {HTMLInputElement} */ (need(this, ".carts-cost-scrub")).valueAsNumber = player.time;
+      say(need(this, ".carts-cost-clock"), `${fixed(player.time, 2)} s`);
+    }
+
+    #live() {
+      this.dataset.state = "live";
+      need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+    }
+
+    /** @param {Error & {reason?: string}} error */
+    #fail(error) {
+      this.dataset.reason = error.reason ?? "failed";
+      this.#note(`${error.message} What was prepared stays as it is.`);
+    }
+
+    /** @param {string} message */
+    #note(message) {
+      const note = need(this, ".carts-note");
+      say(note, message);
+      note.hidden = !message;
+    }
+  };
+}
+
+/** @param {{problems?: import("../../../view/types.js").Problem[]}} header @returns {Error} */
+function refusal({ problems }) {
+  const first = problems?.[0];
+  if (!first) return new Error("This does not work.");
+  return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
+}

@@ -1,0 +1,86 @@
+/** Slider and number box of one axis of a map: they choose a point of the grid. */
+
+import { fixed } from "../../../view/numbers.js";
+import { need, put, say } from "../shared/dom.js";
+import { readTyped } from "../shared/typed.js";
+
+/** @typedef {import("./types.js").Axis} Axis */
+
+export class AxisControl {
+  /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
+  constructor(root, axis, chosen) {
+    this.root = root;
+    this.axis = axis;
+    this.values = axis.values;
+    this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-slider"));
+    this.box = /** @type {HTMLInputElement} */ (need(root, ".carts-number-box"));
+    this.error = need(root, ".carts-error");
+    this.slider.addEventListener("input", () => chosen(this.slider.valueAsNumber));
+    const typed = () => this.#typed(chosen);
+    this.box.addEventListener("change", typed);
+    this.box.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") typed();
+    });
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    this.slider.disabled = !on;
+    this.box.disabled = !on;
+  }
+
+  /** @param {number[]} values of the grid, SI @param {number} place */
+  show(values, place) {
+    this.values = values;
+    put(this.slider, "max", String(values.length - 1));
+    this.slider.valueAsNumber = place;
+    this.box.value = this.text(place).replace("−", "-");
+    this.#complain("");
+  }
+
+  /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
+  speak(place, value) {
+    put(this.slider, "aria-valuetext", `${this.text(place)} ${this.axis.unit}: ${value}`);
+  }
+
+  /** @param {number} place @returns {string} in the axis's unit */
+  text(place) {
+    return fixed(this.#shown(Number(this.values[place])), this.axis.decimals);
+  }
+
+  /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
+  nearest(value, per = 1) {
+    let best = 0;
+    for (const [k, at] of this.values.entries()) {
+      if (Math.abs(at / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
+    }
+    return best;
+  }
+
+  /** @param {number} value SI */
+  #shown(value) {
+    return Number((value / this.axis.per).toPrecision(12));
+  }
+
+  /** @param {(place: number) => void} chosen */
+  #typed(chosen) {
+    const { low, high, unit, label, per, decimals } = this.axis;
+    const read = readTyped(this.box.value);
+    if ("problem" in read) return this.#complain(read.problem);
+    if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
+    if (read.value < low || read.value > high) {
+      const range = `${fixed(low, decimals)} to ${fixed(high, decimals)} ${unit}`.trim();
+      return this.#complain(`${label}: ${range}, please.`);
+    }
+    return chosen(this.nearest(read.value, per));
+  }
+
+  /** @param {string} message */
+  #complain(message) {
+    say(this.error, message);
+    this.error.hidden = !message;
+    this.root.classList.toggle("carts-wrong", Boolean(message));
+    if (message) this.box.setAttribute("aria-invalid", "true");
+    else this.box.removeAttribute("aria-invalid");
+  }
+}

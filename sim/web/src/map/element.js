@@ -1,0 +1,273 @@
+/** `<carts-map>`: a picture until the reader opens it; then Python, with numpy, computes it anew. */
+
+import { Controls } from "../scene/controls.js";
+import { need, say } from "../shared/dom.js";
+import { frame, refusal, waited } from "../shared/waiting.js";
+import { AxisControl } from "./axis.js";
+import { MapFigure } from "./figure.js";
+import { figures } from "./figures.js";
+import { showSettings } from "./settings.js";
+import { fillTable } from "./table.js";
+
+/** @typedef {import("./types.js").MapFacts} MapFacts */
+/** @typedef {import("./types.js").Grid} Grid */
+/** @typedef {{header: any, numbers: Float64Array}} Reply */
+
+/** The element class for a client. @param {import("../runtime/client.js").Client} client */
+export function mapElement(client) {
+  return class CartsMap extends HTMLElement {
+    /** @type {MapFacts | null} */
+    #facts = null;
+    /** @type {MapFigure | null} */
+    #figure = null;
+    /** @type {AxisControl[]} */
+    #axes = [];
+    /** @type {Controls | null} */
+    #controls = null;
+    /** @type {Grid | null} */
+    #grid = null;
+    /** @type {number[]} the chosen point, one place per axis */
+    #places = [];
+    /** @type {Record<string, number | string>} what the further sliders set */
+    #settings = {};
+    #generation = 0;
+    /** @type {Promise<void> | null} */
+    #opening = null;
+    /** @type {Promise<void>} */
+    #filling = Promise.resolve();
+
+    connectedCallback() {
+      if (this.#facts) return;
+      /** @type {MapFacts} */
+      const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
+      this.#facts = facts;
+      this.#places = facts.here;
+      this.#figure = new MapFigure(this, facts, (places) => this.#choose(places));
+      const roots = /** @type {NodeListOf<HTMLElement>} */ (
+        this.querySelectorAll(".carts-map-axis")
+      );
+      this.#axes = [...roots].map((root, k) => {
+        const axis = /** @type {import("./types.js").Axis} */ (facts.axes[k]);
+        return new AxisControl(root, axis, (place) => this.#chooseOn(k, place));
+      });
+      this.#controls = new Controls(this, facts.controls, (target, value, at) => {
+        this.set({ [target]: value }, at).catch((error) => {
+          this.#controls?.complain(target, error.message);
+        });
+      });
+      this.#figure.mark(facts.here, facts.at ?? Number.NaN);
+      for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
+      need(this, ".carts-map-open").addEventListener("click", () => void this.open());
+      this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
+      addEventListener("beforeprint", () => this.#fillTable());
+      need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
+    }
+
+    /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
+    get grid() {
+      return this.#grid;
+    }
+
+    /** The chosen point: SI values by path. @returns {Record<string, number>} */
+    get point() {
+      const chosen = this.#axes.map(({ axis, values }, k) => [
+        axis.set,
+        Number(values[Number(this.#places[k])]),
+      ]);
+      return Object.fromEntries(chosen);
+    }
+
+    /** The value at the chosen point, in SI; NaN where there is none. */
+    get value() {
+      return this.#valueAt(this.#places);
+    }
+
+    /** Resolves when no point is left to be run. */
+    get complete() {
+      return this.#filling;
+    }
+
+    /** Resolves when the map is live; never rejects: a failure is told in the map. */
+    open() {
+      this.#opening ??= this.#open();
+      return this.#opening;
+    }
+
+    /**
+     * Changes what all points have in common and resolves when the new map is drawn.
+     * @param {Record<string, number | string>} changes @param {number} at time of the input
+     */
+    async set(changes, at = performance.now()) {
+      const settings = { ...this.#settings, ...changes };
+      await this.#compute(settings, at);
+    }
+
+    async #open() {
+      this.dataset.state = "starting";
+      const button = /** @type {HTMLButtonElement} */ (need(this, ".carts-map-open"));
+      button.disabled = true;
+      say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
+      try {
+        await client.need(this.#facts?.packages ?? []);
+        await this.#compute({}, performance.now());
+        this.dataset.state = "live";
+        need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
+        const focused = button === document.activeElement;
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+        for (const control of this.#axes) control.enable(true);
+        this.#controls?.enable(true);
+        const run = this.querySelector(".carts-map-run");
+        if (run instanceof HTMLButtonElement) run.disabled = false;
+        if (focused) this.#axes[0]?.slider.focus();
+      } catch (error) {
+        this.#fail(/** @type {Error & {reason?: string}} */ (error));
+      }
+    }
+
+    /** @param {Error & {reason?: string}} error */
+    #fail(error) {
+      this.dataset.state = "failed";
+      this.dataset.reason = error.reason ?? "failed";
+      this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
+      for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
+    }
+
+    /** @param {string} message */
+    #tell(message) {
+      const note = need(this, ".carts-note");
+      say(note, message);
+      note.hidden = !message;
+    }
+
+    /**
+     * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
+     * @param {Record<string, number | string>} settings @param {number} at
+     */
+    async #compute(settings, at) {
+      this.#generation += 1;
+      const generation = this.#generation;
+      const first = await this.#ask(settings, 0);
+      if (generation !== this.#generation) return;
+      if (!first.header.ok) throw refusal(first.header.problems ?? []);
+      this.#settings = settings;
+      showSettings(this, this.#facts?.controls ?? [], settings);
+      const { axes, rows, columns, why, runs } = first.header;
+      this.#draw({ axes, rows, columns, why, values: first.numbers });
+      await frame();
+      waited("carts:map", at);
+      this.#filling = this.#fill(settings, first.header.done, runs, generation);
+    }
+
+    /**
+     * The points that have to be run one by one, slice after slice, drawn as they come.
+     * @param {Record<string, number | string>} settings @param {number} done @param {number} runs
+     * @param {number} generation
+     */
+    async #fill(settings, done, runs, generation) {
+      while (done < runs) {
+        this.#progress(done, runs);
+        const { header, numbers } = await this.#ask(settings, done);
+        if (generation !== this.#generation || !header.ok || !this.#grid) return;
+        const half = numbers.length / 2;
+        for (let k = 0; k < half; k += 1) {
+          this.#grid.values[Number(numbers[k])] = Number(numbers[half + k]);
+        }
+        done = header.done;
+        this.#draw(this.#grid);
+      }
+      this.#progress(1, 1);
+      this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
+    }
+
+    /** @param {number} done @param {number} runs */
+    #progress(done, runs) {
+      const bar = /** @type {HTMLProgressElement} */ (need(this, ".carts-map-progress"));
+      bar.value = done / runs;
+      bar.style.visibility = done < runs ? "visible" : "hidden";
+    }
+
+    /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
+    #ask(settings, from) {
+      const map = this.#facts?.map;
+      return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
+    }
+
+    /** @param {Grid} grid */
+    #draw(grid) {
+      const before = this.#grid?.axes;
+      this.#grid = grid;
+      this.#figure?.show(grid);
+      if (before !== grid.axes) {
+        const point = before ? this.point : null;
+        this.#places = this.#axes.map((control, k) => {
+          const wanted = point?.[control.axis.set] ?? this.#baked(k);
+          control.show(grid.axes[k] ?? [], 0);
+          return control.nearest(Number(wanted));
+        });
+      }
+      this.#choose(this.#places);
+      if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
+      say(need(this, ".carts-map-why"), grid.why);
+    }
+
+    /** @param {number} k @returns {number} where the point stood in the page as it was built, SI */
+    #baked(k) {
+      return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
+    }
+
+    /** @param {number} k @param {number} place */
+    #chooseOn(k, place) {
+      this.#choose(this.#places.map((old, axis) => (axis === k ? place : old)));
+    }
+
+    /** @param {number[]} places */
+    #choose(places) {
+      if (!this.#grid) return;
+      this.#places = places;
+      const value = this.#valueAt(places);
+      const text = this.#valueText(value, true);
+      for (const [k, control] of this.#axes.entries()) {
+        control.show(this.#grid.axes[k] ?? [], Number(places[k]));
+        control.speak(Number(places[k]), text);
+      }
+      this.#figure?.mark(places, value);
+      say(need(this, ".carts-map-number"), text);
+    }
+
+    /** @param {number[]} places */
+    #valueAt([column = 0, row = 0]) {
+      return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
+    }
+
+    /** @param {number} value @param {boolean} unit */
+    #valueText(value, unit = false) {
+      if (Number.isNaN(value)) return "no value";
+      const text = figures(value, this.#facts?.decimals ?? 3);
+      return unit ? `${text} ${this.#facts?.unit}` : text;
+    }
+
+    #fillTable() {
+      if (!this.#grid) return;
+      const axisText = (/** @type {number} */ k, /** @type {number} */ place) =>
+        this.#axes[k]?.text(place) ?? "";
+      fillTable(need(this, ".carts-map-table table"), this.#grid, axisText, (value) =>
+        this.#valueText(value),
+      );
+    }
+
+    /** The scene that the map is of runs with the chosen point. */
+    async #run() {
+      const scene = /** @type {any} */ (document.getElementById(this.#facts?.of ?? ""));
+      if (typeof scene?.set !== "function") return;
+      try {
+        this.#tell("");
+        await scene.set({ ...this.#settings, ...this.point });
+        scene.time = 0;
+        scene.scrollIntoView({ block: "start" });
+        scene.querySelector(".carts-play")?.focus({ preventScroll: true });
+      } catch (error) {
+        this.#tell(/** @type {Error} */ (error).message);
+      }
+    }
+  };
+}

@@ -1,0 +1,197 @@
+/**
+ * Where a scene hides the forces: the reader finds one, F = m Δv / Δt, and then sees them all. What
+ * was found is kept with the answers, so the forces are there again at the next visit.
+ */
+
+import { tr } from "../../../view/language.js";
+import { short } from "../../../view/numbers.js";
+import { valueAt } from "../../../view/trajectory.js";
+import { touches } from "../../../view/windows.js";
+import { body, isWall } from "../../../view/words.js";
+import { html, need, say } from "../shared/dom.js";
+import { openStore, place } from "../shared/storage.js";
+import { readTyped } from "../shared/typed.js";
+
+/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {{cart: string, other: string, value: number}} Mean value: N, + to the right */
+
+const NEAR = 0.05; // of the value: speeds are read to two figures
+const MANY = 3; // tries until the numbers are offered
+const TYPE = "found-force";
+
+export class FindForces {
+  /** @type {Mean[]} */
+  #means = [];
+  /** @type {Run | null} */
+  #run = null;
+  #tries = 0;
+
+  /** @param {HTMLElement} root @param {string} id of the scene @param {() => void} found what to do then */
+  constructor(root, id, found) {
+    this.id = `${id}-forces`;
+    this.found = found;
+    this.which = /** @type {HTMLSelectElement} */ (need(root, ".carts-find-which"));
+    this.box = /** @type {HTMLInputElement} */ (need(root, ".carts-find-value input"));
+    this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-find-form button"));
+    this.note = need(root, ".carts-find-note");
+    need(root, ".carts-find-form").addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.#check();
+    });
+  }
+
+  /** @param {Run} run a run that may be told */
+  show(run) {
+    this.#run = run;
+    this.#means = meanForces(run);
+    const names = this.#means.map(({ cart, other }) =>
+      tr("{cart}, while it touches {other}", { cart, other: body(other) }),
+    );
+    const same = [...this.which.options].map((one) => one.text).join() === names.join();
+    if (!same) this.which.replaceChildren(...names.map((name) => new Option(name)));
+    for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
+    say(
+      this.note,
+      names.length ? "" : tr("In this run no two touch for a time that can be read off."),
+    );
+  }
+
+  /** The forces are shown at once where one was found before. */
+  async restore() {
+    const { site, page } = place();
+    const store = await openStore(site);
+    const kept = await store.get(`${page}#${this.id}`).catch(() => null);
+    if (kept?.type === TYPE) this.found();
+  }
+
+  async #check() {
+    const mean = this.#means[this.which.selectedIndex];
+    const read = readTyped(this.box.value.replace(/\s*N\s*$/i, ""));
+    if (!mean || !this.#run) return;
+    if (!("value" in read)) {
+      return say(this.note, "problem" in read ? read.problem : tr("Type the number only, in N."));
+    }
+    this.#tries += 1;
+    const off = read.value / mean.value - 1;
+    if (Math.abs(off) > NEAR) return say(this.note, this.#advice(mean, read.value));
+    const said = tr("mean force on {cart} by {other}: {force} N", {
+      cart: mean.cart,
+      other: body(mean.other),
+      force: short(mean.value),
+    });
+    await this.#keep(this.box.value, said);
+    this.found();
+  }
+
+  /** @param {Mean} mean @param {number} typed in N */
+  #advice(mean, typed) {
+    const ratio = typed / mean.value;
+    if (Math.abs(ratio + 1) <= NEAR) {
+      return tr("The size is right. Which way does the force point? + is to the right.");
+    }
+    const mass = massOf(/** @type {Run} */ (this.#run), mean.cart);
+    const others = isWall(mean.other) ? [] : [massOf(/** @type {Run} */ (this.#run), mean.other)];
+    if (others.some((other) => Math.abs(Math.abs((ratio * mass) / other) - 1) <= NEAR)) {
+      return tr(
+        "That would fit the mass of {other}. The velocity of {cart} goes with the mass of {cart}.",
+        { other: mean.other, cart: mean.cart },
+      );
+    }
+    const steps = tr(
+      "Not yet. Δv is the velocity of {cart} after minus before, with signs; Δt is how long the two touch.",
+      { cart: mean.cart },
+    );
+    if (this.#tries < MANY) return steps;
+    const touch = touchOf(/** @type {Run} */ (this.#run), mean);
+    const v = (/** @type {number} */ t) =>
+      short(velocity(/** @type {Run} */ (this.#run), mean.cart, t));
+    const here = tr(
+      "Here: m = {mass} kg, v before {before} m/s, v after {after} m/s, Δt = {time} s.",
+      {
+        mass: short(mass),
+        before: v(touch.start),
+        after: v(touch.end),
+        time: short(touch.end - touch.start),
+      },
+    );
+    return `${steps} ${here}`;
+  }
+
+  /** @param {string} typed @param {string} said */
+  async #keep(typed, said) {
+    const { site, page } = place();
+    const now = new Date().toISOString();
+    const entry = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
+    try {
+      const store = await openStore(site);
+      await store.put(`${page}#${this.id}`, {
+        ...entry,
+        tries: this.#tries,
+        locked: null,
+        asked: tr("Find a force of this scene"),
+      });
+      document.dispatchEvent(new Event("carts-kept"));
+    } catch {
+      // The forces are shown all the same; at the next visit they have to be found again.
+    }
+  }
+}
+
+/** The inside that shows the forces takes the place of the one that hides them. @param {HTMLElement} element */
+export function showForces(element) {
+  const template = /** @type {HTMLTemplateElement} */ (need(element, "template.carts-shown"));
+  const script = need(element, "script.carts-baked");
+  const baked = JSON.parse(script.textContent ?? "");
+  const differs = JSON.parse(template.dataset.baked ?? "");
+  const frame = need(element, ".carts-frame");
+  frame.replaceWith(template.content);
+  script.textContent = JSON.stringify({ ...baked, ...differs });
+  template.remove();
+  const note = element.querySelector(".carts-found");
+  if (!note) return;
+  note.replaceChildren(
+    html("b", "", tr("You found a force.")),
+    " ",
+    tr(
+      "Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time.",
+    ),
+  );
+  /** @type {HTMLElement} */ (note).hidden = false;
+}
+
+/** Mean resultant force on each cart in each contact that begins and ends. @param {Run} run @returns {Mean[]} */
+export function meanForces(run) {
+  /** @type {Mean[]} */
+  const found = [];
+  for (const touch of ended(run)) {
+    for (const cart of touch.bodies.filter((name) => !isWall(name))) {
+      const other = String(touch.bodies.find((name) => name !== cart));
+      if (found.some((one) => one.cart === cart && one.other === other)) continue;
+      const change = velocity(run, cart, touch.end) - velocity(run, cart, touch.start);
+      const value = (massOf(run, cart) * change) / (touch.end - touch.start);
+      if (value) found.push({ cart, other, value });
+    }
+  }
+  return found;
+}
+
+/** @param {Run} run */
+function ended({ header }) {
+  return touches(header.events, header.until).filter(({ end }) => end < header.until);
+}
+
+/** @param {Run} run @param {Mean} mean */
+function touchOf(run, { cart, other }) {
+  const found = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
+  return found ?? { start: 0, end: 0 };
+}
+
+/** @param {Run} run @param {string} name */
+function massOf({ header }, name) {
+  return header.bodies.find((one) => one.name === name)?.mass ?? 0;
+}
+
+/** @param {Run} run @param {string} name @param {number} t in s @returns {number} m/s */
+function velocity({ trajectory }, name, t) {
+  return valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t);
+}

@@ -1,0 +1,222 @@
+/**
+ * The prediction before the run: saved at every input, locked once, then shown beside the run.
+ * Until it is locked the page knows nothing but the start state.
+ */
+
+import { tr } from "../../../view/language.js";
+import { isCurrent } from "../answers/outline.js";
+import { html, need, say } from "../shared/dom.js";
+import { openStore, place } from "../shared/storage.js";
+import { Again } from "./again.js";
+import { ArrowsForm } from "./arrows.js";
+import { CurveForm } from "./curve.js";
+import { Talk, Why } from "./talk.js";
+import { ChoiceForm, WordsForm } from "./words.js";
+
+/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {import("../../../view/types.js").Baked} Baked */
+/**
+ * One kind of prediction. `problem` says what is still missing; `compare` shows it beside the run.
+ * `said` is the prediction in words.
+ * @typedef {{value: unknown, readonly said: string, enable: (on: boolean) => void, problem: () => string | null,
+ *   compare: (run: Run) => Node[]}} Form
+ */
+/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string,
+ *   talk?: string, before?: {value: unknown, said: string}, why?: string}} Entry
+ * talk: when it was locked for the first time; before: what it was until it was changed after talking */
+
+export class Predict {
+  /** @type {Entry} */
+  #entry;
+  /** @type {import("../shared/storage.js").Store | null} */
+  #store = null;
+
+  /**
+   * @param {HTMLElement} root of the prediction @param {Baked} baked
+   * @param {(arrows: import("./arrows.js").Guess[]) => void} draw arrows on the picture
+   * @param {(now: boolean) => void} locked what to do once the prediction is locked; `now`: by the reader, not long ago
+   * @param {() => void} forgotten what to do once the prediction is forgotten
+   */
+  constructor(root, baked, draw, locked, forgotten) {
+    const spec = /** @type {import("../../../view/types.js").PredictSpec} */ (baked.fence.predict);
+    this.root = root;
+    this.spec = spec;
+    this.locked = locked;
+    this.saved = need(root, ".carts-saved");
+    this.error = need(root, ".carts-predict-error");
+    this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-lock"));
+    this.#entry = {
+      id: baked.fence.id,
+      type: spec.kind,
+      value: null,
+      first: null,
+      last: null,
+      tries: 0,
+      locked: null,
+    };
+    const changed = () => void this.#changed();
+    const forms = {
+      arrows: () => new ArrowsForm(root, baked, draw, changed),
+      curve: () => new CurveForm(root, spec, changed),
+      choice: () => new ChoiceForm(root, changed),
+      text: () => new WordsForm(root, changed),
+    };
+    /** @type {Form} */
+    this.form = forms[spec.kind]();
+    this.button.addEventListener("click", () => void this.#lock());
+    this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
+    this.why = new Why(root, (text) => {
+      this.#entry.why = text;
+      this.#told();
+      void this.#keep();
+    });
+    this.again = new Again(root, async () => {
+      if (await this.#forget()) forgotten();
+    });
+  }
+
+  /** @returns {boolean} */
+  get isLocked() {
+    return this.#entry.locked !== null;
+  }
+
+  /** Brings back what the reader left here before. */
+  async restore() {
+    const { site, page } = place();
+    this.key = `${page}#${this.#entry.id}`;
+    this.#store = await openStore(site);
+    if (this.#store.kind === "memory") {
+      say(
+        this.saved,
+        tr("This browser keeps nothing: your prediction is lost when you close the page."),
+      );
+    }
+    const found = await this.#store.get(this.key).catch(() => null);
+    if (found?.type === this.#entry.type && isCurrent(found)) {
+      this.#entry = found;
+      this.form.value = found.value;
+      say(this.saved, tr("Saved."));
+    }
+    const talking = Boolean(this.#entry.talk) && !this.#entry.before;
+    this.form.enable(!this.isLocked && !talking);
+    this.button.disabled = this.isLocked || talking;
+    this.talk.show(!this.isLocked && talking, false);
+    if (this.#entry.before) this.#showAgain();
+    if (!this.isLocked) return;
+    this.again.offer();
+    this.locked(false);
+  }
+
+  /** Shows the prediction beside the run. @param {Run} run */
+  compare(run) {
+    const place = need(this.root, ".carts-compared");
+    place.replaceChildren(...this.form.compare(run));
+    const { before, why } = this.#entry;
+    if (before) {
+      const both = tr("First you said: {first}. After talking you said: {second}.", {
+        first: before.said,
+        second: this.form.said,
+      });
+      place.append(html("p", "", both));
+    }
+    place.hidden = false;
+    this.why.show(why ?? "");
+    this.again.offer();
+    say(need(this.root, ".carts-heading"), tr("Your prediction"));
+    this.root.classList.add("carts-locked");
+  }
+
+  /** @returns {string} the comparison as it is read out */
+  get spoken() {
+    const parts = this.root.querySelectorAll(
+      ".carts-compared > [aria-label], .carts-compared p, .carts-compared li",
+    );
+    const texts = [...parts].map((part) => part.getAttribute("aria-label") ?? part.textContent);
+    return `${tr("Your prediction.")} ${texts.join(" ")}`;
+  }
+
+  /** @param {string} message for the reader; empty: none */
+  complain(message) {
+    say(this.error, message);
+    this.error.hidden = !message;
+  }
+
+  async #changed() {
+    const now = new Date().toISOString();
+    this.#entry.value = this.form.value;
+    this.#entry.asked = this.spec.ask;
+    this.#told();
+    this.#entry.first ??= now;
+    this.#entry.last = now;
+    this.#entry.tries += 1;
+    this.complain("");
+    await this.#keep();
+  }
+
+  async #lock() {
+    const problem = this.form.problem();
+    if (problem) return this.complain(problem);
+    this.#entry.value = this.form.value;
+    this.form.enable(false);
+    this.button.disabled = true;
+    this.complain("");
+    if (!this.spec.talk || this.#entry.talk) return this.#finish();
+    this.#entry.talk = new Date().toISOString();
+    await this.#keep();
+    this.talk.show(true, true);
+  }
+
+  /** After talking: once more, and then the run. */
+  #change() {
+    this.#entry.before = { value: this.#entry.value, said: this.form.said };
+    this.talk.show(false, true);
+    this.form.enable(true);
+    this.#showAgain();
+    this.button.disabled = false;
+    void this.#keep();
+  }
+
+  #showAgain() {
+    say(this.button, tr("Lock the changed prediction and show the run"));
+  }
+
+  async #finish() {
+    this.#entry.locked = new Date().toISOString();
+    this.talk.show(false, true);
+    await this.#keep();
+    this.again.offer();
+    this.locked(true);
+  }
+
+  /** The prediction in words, as the list of answers shows it. */
+  #told() {
+    const { before, why } = this.#entry;
+    const parts = [this.form.said];
+    if (before) parts.push(tr("First: {said}", { said: before.said }));
+    if (why) parts.push(tr("Why: {said}", { said: why }));
+    this.#entry.said = parts.filter(Boolean).join(" · ");
+  }
+
+  /** @returns {Promise<boolean>} whether the prediction is gone */
+  async #forget() {
+    try {
+      if (this.key) await this.#store?.remove(this.key);
+      return true;
+    } catch {
+      this.complain(tr("This browser refuses to forget it."));
+      return false;
+    }
+  }
+
+  async #keep() {
+    if (!this.#store || !this.key) return;
+    if (this.#store.kind === "kept") say(this.saved, tr("Saving…"));
+    try {
+      await this.#store.put(this.key, this.#entry);
+      document.dispatchEvent(new Event("carts-kept"));
+      if (this.#store.kind === "kept") say(this.saved, tr("Saved."));
+    } catch {
+      say(this.saved, tr("Not saved: this browser refuses to keep it. Write it on paper too."));
+    }
+  }
+}

@@ -1,0 +1,185 @@
+// One attempt at starting Python: loads the files, starts the worker, gives it all it needs.
+import { RuntimeFailure } from "./failure.js";
+import { gunzip, loadPart } from "./payload.js";
+import { compile } from "./wasm.js";
+import { PATIENCE, watch } from "./watch.js";
+// @ts-expect-error: the bundler puts the worker's text here
+import workerText from "./worker.js?text";
+
+/** @typedef {import("./payload.js").Index} Index */
+/** @typedef {{fraction: number, stage: string}} Progress fraction: 0 to 1 of what has to be done */
+/** @typedef {{worker: Worker, start: "snapshot" | "plain"}} Started */
+
+export const SNAPSHOT = "memory.snapshot";
+const LOADER = "pyodide.js";
+const WASM = "pyodide.asm.wasm";
+const STDLIB = "python.zip";
+const MORE = "python-more.zip";
+
+/** Compiled before, by folder. @type {Map<string, WebAssembly.Module>} */
+const modules = new Map();
+
+/** One attempt at starting Python. */
+export class Start {
+  /**
+   * @param {{folder: string, index: Index, packages: string[],
+   *   onProgress: (progress: Progress) => void}} options
+   * @param {boolean} snapshot
+   */
+  constructor({ folder, index, packages, onProgress }, snapshot) {
+    this.folder = folder;
+    this.index = index;
+    this.packages = packages;
+    this.onProgress = onProgress;
+    this.snapshot = snapshot;
+    /** @type {Worker | null} */
+    this.worker = null;
+    this.over = false;
+    this.done = 0;
+    /** @type {string[]} */
+    this.names = this.files();
+    this.total = this.names
+      .flatMap((name) => index.files[name].parts)
+      .reduce((sum, part) => sum + part.size, 0);
+  }
+
+  /** The files to load, the most urgent first. */
+  files() {
+    const { index, packages, snapshot } = this;
+    const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
+    if (snapshot) names.push(SNAPSHOT);
+    names.push(STDLIB);
+    if (packages.length && index.tableAt) names.push(MORE);
+    names.push(...this.toLoad().map((name) => index.wheels[name]));
+    if (names.every((name) => name in index.files)) return names;
+    throw new RuntimeFailure("not-packed", index.missing || packages.join());
+  }
+
+  /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
+  toLoad() {
+    const { index, packages, snapshot } = this;
+    const ours = !snapshot || (packages.length > 0 && index.later.length > 0);
+    return ours ? [index.package, ...packages] : packages;
+  }
+
+  /** @returns {Promise<Started>} */
+  async run() {
+    /** @type {(error: RuntimeFailure) => void} */
+    let reject = () => {};
+    const failed = new Promise((_, no) => {
+      reject = no;
+    });
+    this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+    try {
+      const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
+      return await Promise.race([failed, this.boot(parts, reject)]);
+    } catch (error) {
+      this.worker?.terminate();
+      throw error;
+    } finally {
+      this.over = true;
+      this.watch.stop();
+    }
+  }
+
+  /**
+   * All parts of a file are asked for at once and come in any order.
+   * @param {string} name
+   * @param {(error: RuntimeFailure) => void} reject
+   * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
+   */
+  load(name, reject) {
+    return this.index.files[name].parts.map(async (part, number) => {
+      try {
+        const bytes = await loadPart(this.folder, name, number, part);
+        this.done += part.size;
+        this.progress(name);
+        return bytes;
+      } catch (error) {
+        reject(/** @type {RuntimeFailure} */ (error));
+        return new Promise(() => {}); // `reject` has ended this start
+      }
+    });
+  }
+
+  /** @param {string} stage */
+  progress(stage) {
+    if (this.over) return;
+    this.watch?.progress();
+    this.onProgress({ fraction: (0.9 * this.done) / this.total, stage });
+  }
+
+  /**
+   * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
+   * @param {(error: RuntimeFailure) => void} reject
+   * @returns {Promise<any>}
+   */
+  async boot(parts, reject) {
+    const compiling = this.module(parts.get(WASM) ?? []);
+    compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+    const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
+    if (this.over) return null;
+    const { worker, address } = startWorker(loader);
+    this.worker = worker;
+    const ready = new Promise((resolve) => {
+      worker.onmessage = ({ data }) => {
+        if (data.tell === "hello") URL.revokeObjectURL(address);
+        else if (data.tell === "ready") resolve(data);
+        else if (data.tell === "failed") {
+          reject(new RuntimeFailure(data.reason, data.detail, data.file));
+        }
+        this.progress(data.stage ?? data.tell);
+      };
+      worker.onerror = (event) => {
+        event.preventDefault();
+        reject(new RuntimeFailure("worker-refused", event.message));
+      };
+    });
+    const { index, packages, snapshot } = this;
+    worker.postMessage({
+      do: "boot",
+      lock: index.lock,
+      entry: index.entry,
+      snapshot,
+      tableAt: packages.length ? index.tableAt : 0,
+      load: this.toLoad(),
+      modules: packages.length ? [...packages, ...index.later] : [],
+    });
+    for (const [name, its] of parts) if (name !== LOADER && name !== WASM) this.send(name, its);
+    worker.postMessage({ do: "wasm", module: await compiling });
+    this.progress(WASM);
+    const { start } = await ready;
+    this.onProgress({ fraction: 1, stage: "ready" });
+    return { worker, start };
+  }
+
+  /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
+  async module(parts) {
+    const module = modules.get(this.folder) ?? (await compile(parts));
+    modules.set(this.folder, module);
+    return module;
+  }
+
+  /**
+   * @param {string} name
+   * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
+   */
+  async send(name, parts) {
+    for (const [number, part] of parts.entries()) {
+      const bytes = await part;
+      if (this.over) return;
+      const last = number === parts.length - 1;
+      this.worker?.postMessage({ do: "part", name, bytes, last }, [bytes.buffer]);
+    }
+  }
+}
+
+/** @param {ArrayBuffer} loader */
+function startWorker(loader) {
+  const address = URL.createObjectURL(new Blob([loader, workerText], { type: "text/javascript" }));
+  try {
+    return { worker: new Worker(address), address };
+  } catch (error) {
+    throw new RuntimeFailure("worker-refused", String(error));
+  }
+}

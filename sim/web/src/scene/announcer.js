@@ -1,0 +1,24 @@
+/** One polite live region per scene. It tells events, not every frame. */
+
+import { need } from "../shared/dom.js";
+
+const MOST = 3; // sentences at once; more would never be heard to the end
+
+export class Announcer {
+  /** @param {HTMLElement} root */
+  constructor(root) {
+    this.region = need(root, ".carts-announcer");
+  }
+
+  /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
+  leadTo(next, sentence) {
+    const focused = document.activeElement;
+    if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
+    this.tell([sentence]);
+  }
+
+  /** @param {string[]} sentences */
+  tell(sentences) {
+    if (sentences.length) this.region.textContent = sentences.slice(-MOST).join(" ");
+  }
+}

@@ -1,0 +1,149 @@
+/**
+ * The place of contact, ten times as large as in the picture: bumpers that give way and recover,
+ * and the two forces on the scale of the picture. It looks at the touch that is on, else at the one
+ * that comes next, else at the last.
+ */
+
+import { contactForce } from "../../../../view/forces.js";
+import { tr } from "../../../../view/language.js";
+import { listed } from "../../../../view/listed.js";
+import { fixed, px, short } from "../../../../view/numbers.js";
+import { niceAbove } from "../../../../view/scales.js";
+import { arrowLength, blockArrow, cutArrow, isCut, spring } from "../../../../view/shapes.js";
+import { valueAt } from "../../../../view/trajectory.js";
+import { body } from "../../../../view/words.js";
+import { need, put, say } from "../../shared/dom.js";
+
+/** @typedef {import("../../../../view/types.js").Run} Run */
+/** @typedef {import("../../../../view/windows.js").Touch} Touch */
+/** @typedef {{name: string, edge: number, face: number, bumper: number}} Side one body at the contact, in m */
+
+const TIMES = 10;
+const WIDTH = 360;
+const TRACK = 96; // y of the track
+const BAR = 70; // units, the longest that the bar of lengths may be
+const SCALE = 3; // the springs are drawn so much taller than in the picture
+
+export class Lens {
+  /** @type {Run | null} */
+  #run = null;
+  /** @type {Touch[]} */
+  #windows = [];
+  #perMetre = 3000; // units
+  #perForce = 100; // units of the full scale
+  #t = 0;
+
+  /** @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked @param {() => void} redraw */
+  constructor(root, baked, redraw) {
+    this.root = root;
+    this.view = baked.view;
+    this.scene = /** @type {HTMLElement} */ (root.closest("carts-scene"));
+    this.plot = need(root, "svg");
+    this.note = need(root, ".carts-lens-note");
+    new ResizeObserver(() => {
+      this.#measure();
+      redraw();
+    }).observe(root);
+  }
+
+  /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
+  #measure() {
+    for (const layout of this.view.layouts) {
+      const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
+      const [shown, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+      if (!shown || !own) continue;
+      const unit = (shown / layout.width) * (WIDTH / own);
+      this.#perMetre = TIMES * layout.scale * unit;
+      this.#perForce = layout.force * unit;
+    }
+    const length = niceAbove(BAR / this.#perMetre / 2.5);
+    const bar = px(length * this.#perMetre);
+    put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar}m0 -2.5v5`);
+    const text = need(this.root, '[data-part="bar-text"]');
+    put(text, "x", px(Number(bar) + 16));
+    say(text, length < 0.01 ? `${short(length * 1000)} mm` : `${short(length * 100)} cm`);
+  }
+
+  /** @param {Run} run @param {Touch[]} windows */
+  show(run, windows) {
+    this.#run = run;
+    this.#windows = windows;
+  }
+
+  /** @param {number} t in s */
+  at(t) {
+    const run = this.#run;
+    const touch = this.#windows.find(({ end }) => t <= end) ?? this.#windows.at(-1);
+    put(this.plot, "visibility", touch ? "visible" : "hidden");
+    this.root.classList.toggle(
+      "carts-is-slow",
+      Boolean(touch && t >= touch.start && t <= touch.end),
+    );
+    if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
+    this.#t = t;
+    const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
+    const overlap = Math.max(0, left.face - right.face);
+    const give = Math.min(overlap, left.bumper + right.bumper);
+    const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
+    const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
+    const faces = [left.face - share, Math.max(right.face, left.face - share)];
+    const force = contactForce(run, touch.pair, t, 1e-9 * (this.view.force || 1));
+    [left, right].forEach((side, k) => {
+      this.#draw(k, side, Number(faces[k]), middle, force);
+    });
+    const pair = listed(touch.bodies.map(body));
+    const gap = right.face - left.face;
+    const apart =
+      gap > 0
+        ? tr("{length} apart", { length: lengthText(gap) })
+        : tr("squeezed by {length}", { length: lengthText(overlap) });
+    const size = fixed(force, this.view.decimals.F ?? 2);
+    const push = tr("{size} on each", { size: `${size}\u00a0N` });
+    say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t, 4)} s`);
+  }
+
+  /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
+  #side({ header, trajectory }, touch, k) {
+    const name = String(touch.bodies[k]);
+    const cart = header.bodies.find((one) => one.name === name);
+    if (!cart) {
+      const wall = name === "left" ? 0 : (header.track.length ?? 0);
+      return { name, edge: wall, face: wall, bumper: 0 };
+    }
+    const { t, x, v } = trajectory;
+    const centre = valueAt(t, x[name] ?? [], v[name] ?? [], this.#t);
+    const way = k === 0 ? 1 : -1;
+    const face = centre + (way * cart.length) / 2;
+    return { name, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
+  }
+
+  /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
+  #draw(k, side, face, middle, force) {
+    const at = (/** @type {number} */ x) => WIDTH / 2 + (x - middle) * this.#perMetre;
+    const group = need(this.root, `[data-side="${k}"]`);
+    const index = this.#run?.header.bodies.findIndex(({ name }) => name === side.name) ?? -1;
+    put(group, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
+    const way = k === 0 ? 1 : -1;
+    const [edge, end] = [at(side.edge), at(face)];
+    const rect = need(group, '[data-part="body"]');
+    put(rect, "x", px(k === 0 ? edge - 2 * WIDTH : edge));
+    const bent = need(group, '[data-part="spring"]');
+    put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
+    put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
+    const plate = need(group, '[data-part="face"]');
+    put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
+    const name = need(group, '[data-part="name"]');
+    const inside = Math.min(WIDTH - 34, Math.max(34, edge - 22 * way));
+    put(name, "x", px(inside));
+    say(name, index < 0 ? tr("wall") : side.name);
+    const arrow = need(group, '[data-part="arrow"]');
+    const cut = isCut(force, this.view.force);
+    const length = -way * arrowLength(force, this.view.force, this.#perForce);
+    put(arrow, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
+  }
+}
+
+/** @param {number} metres @returns {string} */
+function lengthText(metres) {
+  return metres < 0.1 ? `${fixed(metres * 1000, 1)}\u00a0mm` : `${fixed(metres * 100, 1)}\u00a0cm`;
+}

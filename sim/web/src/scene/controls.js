@@ -1,0 +1,176 @@
+/** Sliders and their number boxes. A wrong value is explained beside the box; the picture stays. */
+
+import { tr } from "../../../view/language.js";
+import { decimalsOf, fixed } from "../../../view/numbers.js";
+import { need, put, say } from "../shared/dom.js";
+import { readTyped } from "../shared/typed.js";
+import { effectValue, Switches } from "./switches.js";
+
+/** @typedef {import("../../../view/types.js").Control} Control */
+/** @typedef {(target: string, value: any, at: number) => void} Change `value`: SI number, text with a unit, or whether an effect acts; `at`: time of the input */
+
+export class Controls {
+  /** @type {Map<string, ControlView>} */
+  #views = new Map();
+
+  /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("../../../view/types.js").Fence["switches"]} switches */
+  constructor(root, controls, change, switches = []) {
+    this.switches = new Switches(root, switches, change);
+    for (const control of controls) {
+      const element = /** @type {HTMLElement | null} */ (
+        root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
+      );
+      if (element) this.#views.set(control.set, new ControlView(element, control, change));
+    }
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    for (const view of this.#views.values()) view.enable(on);
+    this.switches.enable(on);
+  }
+
+  /** Shows the values of the run on screen. @param {Record<string, unknown>} settings @param {import("../../../view/types.js").Header} header */
+  show(settings, header) {
+    this.switches.show(header);
+    for (const [target, view] of this.#views) {
+      const value = target in settings ? settings[target] : view.control.value;
+      const number = valueIn(header, target) ?? Number(value) * view.control.per;
+      view.show(Number.isFinite(number) ? view.shown(number) : view.control.value);
+    }
+  }
+
+  /** A value from elsewhere than its slider. @param {string} target @param {number} value in the control's unit @param {number} at */
+  take(target, value, at) {
+    this.#views.get(target)?.take(value, at);
+  }
+
+  /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
+  complain(target, message) {
+    this.#views.get(target)?.complain(message);
+    return this.#views.has(target) || this.switches.complain(target, message);
+  }
+}
+
+class ControlView {
+  #sent = ""; // the text in the box that a run was asked for with
+
+  /** @param {HTMLElement} root @param {Control} control @param {Change} change */
+  constructor(root, control, change) {
+    this.root = root;
+    this.control = control;
+    this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-slider"));
+    this.box = /** @type {HTMLInputElement} */ (need(root, ".carts-number-box"));
+    this.error = need(root, ".carts-error");
+    this.decimals = Math.max(
+      ...[control.step, control.low, control.value].map((v) => decimalsOf(v)),
+    );
+    this.change = change;
+    this.slider.addEventListener("input", (event) => {
+      this.take(this.slider.valueAsNumber, event.timeStamp);
+    });
+    this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
+    this.box.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") this.#typed(change, event.timeStamp);
+    });
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    this.slider.disabled = !on;
+    this.box.disabled = !on;
+  }
+
+  /** @param {number} value in the control's unit @param {number} at */
+  take(value, at) {
+    this.#accept(value);
+    this.change(this.control.set, this.#asked(value), at);
+  }
+
+  /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
+  shown(value) {
+    return Number((value / this.control.per).toPrecision(12));
+  }
+
+  /** @param {number} value in the control's unit @returns {number | string} what to ask for: SI, or text with the unit */
+  #asked(value) {
+    return this.control.per === 1 ? value : `${value} ${this.control.unit}`;
+  }
+
+  /** @param {number} value in the control's unit; leaves alone what the reader has typed since */
+  show(value) {
+    this.slider.valueAsNumber = value;
+    put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
+    const typing = document.activeElement === this.box && this.box.value !== this.#sent;
+    if (!typing) this.#write(value);
+    this.clear();
+  }
+
+  /** @param {string} message */
+  complain(message) {
+    this.#sent = ""; // what was refused stays in the box to be mended
+    say(this.error, message);
+    this.error.hidden = false;
+    this.root.classList.add("carts-wrong");
+    this.box.setAttribute("aria-invalid", "true");
+  }
+
+  clear() {
+    this.error.hidden = true;
+    this.root.classList.remove("carts-wrong");
+    this.box.removeAttribute("aria-invalid");
+  }
+
+  /** @param {Change} change @param {number} at */
+  #typed(change, at) {
+    const read = readTyped(this.box.value);
+    const { low, high, unit, label } = this.control;
+    if ("problem" in read) return this.complain(read.problem);
+    if ("text" in read) {
+      this.#sent = this.box.value;
+      return change(this.control.set, read.text, at);
+    }
+    if (read.value < low || read.value > high) {
+      const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
+      return this.complain(
+        tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() }),
+      );
+    }
+    this.#accept(read.value);
+    return change(this.control.set, this.#asked(read.value), at);
+  }
+
+  /** @param {number} value */
+  #accept(value) {
+    this.slider.valueAsNumber = value;
+    put(this.slider, "aria-valuetext", `${this.#text(value)} ${this.control.unit}`);
+    this.#write(value);
+    this.clear();
+  }
+
+  /** @param {number} value */
+  #write(value) {
+    const text = this.#text(value).replace("−", "-");
+    this.#sent = text;
+    if (this.box.value !== text) this.box.value = text;
+  }
+
+  /** @param {number} value */
+  #text(value) {
+    return fixed(value, Math.max(this.decimals, decimalsOf(value)));
+  }
+}
+
+/** What a run says about a control's target; null where the header has no such number. */
+/** @param {import("../../../view/types.js").Header} header @param {string} target @returns {number | null} */
+export function valueIn(header, target) {
+  const [owner, key] = target.split(".");
+  const body = header.bodies.find(({ name }) => name === owner);
+  if (body) return Number(/** @type {any} */ (body)[String(key)]);
+  if (target === "until") return header.until;
+  if (owner === "contact" && (key === "restitution" || key === "stiffness")) {
+    const values = new Set(header.contacts.map((contact) => contact[key]));
+    return values.size === 1 ? ([...values][0] ?? null) : null;
+  }
+  return effectValue(header, target);
+}

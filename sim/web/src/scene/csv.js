@@ -1,0 +1,50 @@
+/** A run as a table for a spreadsheet: every row of the run, in full precision. */
+
+import { agent } from "../../../view/effects-forces.js";
+import { seriesOf } from "../../../view/series.js";
+import { isTold } from "../../../view/trajectory.js";
+import { QUANTITIES } from "../../../view/words.js";
+
+/** @typedef {import("../../../view/types.js").Run} Run */
+
+/**
+ * Text of a CSV file. Time starts at 0; each header names the quantity and its unit. Two rows with
+ * one time are a jump: before and after.
+ * @param {Run} run @param {string[]} quantities @param {number} camera in m/s @returns {string}
+ */
+export function csv(run, quantities, camera) {
+  if (!isTold(run)) return "";
+  const { header, trajectory } = run;
+  /** @type {[string, ArrayLike<number>][]} */
+  const columns = [["t in s", trajectory.t]];
+  for (const quantity of quantities) {
+    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
+    for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
+      const name = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+      columns.push([`${title.toLowerCase()} ${name} in ${unit}`, values]);
+    }
+  }
+  if (quantities.includes("F")) columns.push(...effectColumns(run));
+  const lines = [columns.map(([name]) => quoted(name)).join(",")];
+  for (let k = 0; k < trajectory.t.length; k += 1) {
+    lines.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
+  }
+  return `${lines.join("\r\n")}\r\n`;
+}
+
+/** Forces of effects on single carts: friction, slope, drag, pushes. @param {Run} run @returns {[string, ArrayLike<number>][]} */
+function effectColumns({ header, trajectory }) {
+  return Object.entries(trajectory.E).map(([key, values]) => {
+    const [kind, on] = [key.slice(0, key.indexOf(" ")), key.slice(key.indexOf(" ") + 1)];
+    const own = header.effects.filter(
+      (effect) => effect.kind === kind && effect.active && effect.carts.includes(on),
+    );
+    const by = [...new Set(own.map(agent))].join(" and ");
+    return [`force on ${on} by ${by} (${kind}) in N`, values];
+  });
+}
+
+/** @param {string} text */
+function quoted(text) {
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}

@@ -1,0 +1,263 @@
+/** One graph on the page: curves, axes, key, the cursor linked to the carts. */
+
+import { forceName, sizeName } from "../../../../view/effects-words.js";
+import * as g from "../../../../view/graph.js";
+import { tr } from "../../../../view/language.js";
+import { MARKERS } from "../../../../view/markers.js";
+import { px, speedUnit } from "../../../../view/numbers.js";
+import { seriesOf } from "../../../../view/series.js";
+import { isTold, valueAt } from "../../../../view/trajectory.js";
+import { graphNote } from "../../../../view/words.js";
+import { need, put, say, svg } from "../../shared/dom.js";
+import { ghostCurves } from "../how/ghost.js";
+import { ImpulseLayer } from "./impulse-layer.js";
+import { hasLedger, LedgerLayer } from "./ledger-layer.js";
+import { Table } from "./table.js";
+
+/** @typedef {import("../../../../view/types.js").Run} Run */
+/** @typedef {import("../../../../view/series.js").Series} Series */
+
+export class GraphView {
+  /** @type {Series[]} */
+  #curves = [];
+  /** @type {Run | null} */
+  #run = null;
+  /** @type {Run | null} the first one, as the lesson has it: the axes keep to it */
+  #first = null;
+  /** @type {g.Plane} */
+  #plane = g.planeFor([0, 1], [0, 1]);
+  /** @type {Element[]} */
+  #dots = [];
+  /** @type {Run | null} a run that is drawn pale behind the one that is shown */
+  behind = null;
+  #pressed = false; // “with sign”, “as a ledger”
+  #t = 0; // s, the instant shown
+  /** @type {[number, number] | null} */
+  #window = null;
+
+  /**
+   * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
+   * @param {(t: number) => void} seek when the reader points at a time
+   */
+  constructor(root, baked, seek) {
+    this.root = root;
+    this.quantity = root.dataset.quantity ?? "x";
+    this.camera = baked.fence.camera;
+    this.signedName = forceName(baked.run.header);
+    this.name = sizeName(baked.run.header);
+    this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
+    this.per = speedUnit(baked.view.velocity)[0];
+    this.plot = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-plot")));
+    this.table = new Table(need(root, "details"), this.quantity, baked.view);
+    this.button = /** @type {HTMLButtonElement | null} */ (root.querySelector(".carts-sign"));
+    this.impulse = this.quantity === "F" ? new ImpulseLayer(root, baked.view) : null;
+    this.ledger =
+      this.quantity === "energy" && hasLedger(baked) ? new LedgerLayer(root, baked) : null;
+    if (this.quantity === "energy" && !this.ledger && this.button) this.button.hidden = true;
+    this.button?.addEventListener("click", () => this.#toggle());
+    const point = (/** @type {PointerEvent} */ event) => {
+      if (event.type === "pointermove" && !(event.buttons & 1)) return;
+      const frame = this.plot.getBoundingClientRect();
+      const x = ((event.clientX - frame.left) / frame.width) * g.WIDTH;
+      const part = Math.min(1, Math.max(0, (x - g.LEFT) / (g.RIGHT - g.LEFT)));
+      const { low, high } = this.#plane.time;
+      seek(low + part * (high - low));
+    };
+    this.plot.addEventListener("pointerdown", point);
+    this.plot.addEventListener("pointermove", point);
+  }
+
+  enable() {
+    if (this.button) this.button.disabled = false;
+  }
+
+  /** @param {Run} run @param {number} t the instant shown */
+  show(run, t) {
+    if (!isTold(run)) return; // the axes stay as empty as they were baked
+    this.#run = run;
+    if (run.trajectory.t.length > 1) this.#first ??= run;
+    this.impulse?.show(run);
+    this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
+    this.#draw(t);
+    this.table.show(run, this.#stacked ? (this.ledger?.entries ?? []) : this.#curves);
+  }
+
+  /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
+  zoom(window, t) {
+    this.#window = window;
+    if (this.#run) this.#draw(t);
+  }
+
+  /** @param {number} t in s */
+  at(t) {
+    this.#t = t;
+    const run = this.#run;
+    if (!run) return;
+    const x = px(g.timeX(this.#plane, t));
+    this.impulse?.at(run, this.#plane, t, this.#pressed);
+    if (this.#stacked) this.ledger?.at(t);
+    put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
+    this.#curves.forEach((curve, i) => {
+      const y = g.valueY(this.#plane, valueAt(this.#times(run), curve.values, curve.slopes, t));
+      const dot = this.#dots[i];
+      if (dot) put(dot, "transform", `translate(${x} ${px(y)})`);
+    });
+  }
+
+  get #signed() {
+    return this.#pressed && this.quantity === "F";
+  }
+
+  get #stacked() {
+    return this.#pressed && this.ledger !== null && this.ledger.entries.length > 0;
+  }
+
+  /** @param {Run} run @returns {ArrayLike<number>} s, of what is drawn */
+  #times(run) {
+    return this.#stacked ? (this.ledger?.times ?? []) : run.trajectory.t;
+  }
+
+  #toggle() {
+    this.#pressed = !this.#pressed;
+    this.button?.setAttribute("aria-pressed", String(this.#pressed));
+    const [title, symbol, rest] = this.ledger
+      ? [this.#pressed ? tr("Energy") : tr("Kinetic energy"), "E", tr(" in {unit}", { unit: "J" })]
+      : this.#pressed
+        ? [this.signedName, "F", tr(" in N, + is right")]
+        : [this.name, "|F|", tr(" in {unit}", { unit: "N" })];
+    const italic = Object.assign(document.createElement("i"), { textContent: symbol });
+    need(this.root, ".carts-graph-name").replaceChildren(`${title} `, italic, rest);
+    this.root.dispatchEvent(new CustomEvent("carts-redraw", { bubbles: true }));
+  }
+
+  /** @param {number} t */
+  #draw(t) {
+    const run = /** @type {Run} */ (this.#run);
+    const { header } = run;
+    this.#curves = this.#curvesOf(run);
+    const behind = this.behind && !this.#stacked ? this.#curvesOf(this.behind) : [];
+    const values = g.extent([...this.#curves, ...behind]);
+    const first = g.extent(this.#first ? this.#curvesOf(this.#first) : []);
+    const reached = g.reached(first, this.reach, this.#signed);
+    const both = /** @type {[number, number]} */ ([
+      Math.min(values[0], reached[0]),
+      Math.max(values[1], reached[1]),
+    ]);
+    this.#plane = g.planeFor(both, this.#window ?? [0, header.until]);
+    this.#axes();
+    const group = need(this.root, '[data-part="curves"]');
+    fit(group, this.#curves.length, () => svg("path"));
+    this.#curves.forEach((curve, i) => {
+      const line = /** @type {Element} */ (group.children[i]);
+      put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
+      put(line, "d", g.path(curve, this.#times(run), this.#plane));
+    });
+    ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
+    this.#cursor();
+    if (this.#stacked) this.ledger?.draw(this.#plane);
+    else {
+      this.ledger?.clear();
+      this.#key();
+    }
+    this.at(t);
+  }
+
+  /** @param {Run} run */
+  #curvesOf({ header, trajectory }) {
+    if (this.#stacked) return this.ledger?.tops ?? [];
+    return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
+  }
+
+  #axes() {
+    const times = g.timeMarks(this.#plane);
+    const rows = g.valueMarks(this.#plane);
+    marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
+      const { at, label } = /** @type {{at: string, label: string}} */ (times[i]);
+      put(line, "class", "carts-grid");
+      put(line, "d", `M${at} ${g.TOP}V${g.BOTTOM}`);
+      put(text, "class", "carts-tick-x");
+      put(text, "x", at);
+      put(text, "y", String(g.BOTTOM + 14));
+      say(text, label);
+    });
+    marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
+      const { at, textY, label, zero } = /** @type {(typeof rows)[number]} */ (rows[i]);
+      put(line, "class", zero ? "carts-zero" : "carts-grid");
+      put(line, "d", `M${g.LEFT} ${at}H${g.RIGHT}`);
+      put(text, "class", "carts-tick-y");
+      put(text, "x", String(g.LEFT - 5));
+      put(text, "y", textY);
+      say(text, label);
+    });
+  }
+
+  #cursor() {
+    const group = need(this.root, '[data-part="cursor"]');
+    fit(group, this.#curves.length + 1, () => svg("path"));
+    this.#dots = [...group.children].slice(1);
+    this.#dots.forEach((dot, i) => {
+      const style = this.#curves[i]?.style ?? "b0";
+      put(dot, "class", `carts-dot carts-${style}`);
+      put(dot, "d", MARKERS[style] ?? "");
+    });
+  }
+
+  #key() {
+    const key = need(this.root, ".carts-key");
+    const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
+    const wanted = [...this.#curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
+    if (key.dataset.curves === wanted) return;
+    const first = key.dataset.curves === undefined;
+    key.dataset.curves = wanted;
+    const entries = this.#curves.length + (note ? 1 : 0);
+    if (first && key.children.length === entries) return; // as baked
+    key.replaceChildren(...this.#curves.map(keyEntry), ...(note ? [span(note)] : []));
+  }
+}
+
+/** @param {string} text */
+function span(text) {
+  return Object.assign(document.createElement("span"), { textContent: text });
+}
+
+/** @param {Series} curve @returns {HTMLElement} */
+function keyEntry(curve) {
+  const entry = span("");
+  entry.className = `carts-${curve.style}`;
+  const sample = svg("svg", {
+    viewBox: "0 0 26 10",
+    width: 26,
+    height: 10,
+    "aria-hidden": "true",
+  });
+  const over = curve.over ? " carts-over" : "";
+  sample.append(
+    svg("path", { class: `carts-curve carts-${curve.style}${over}`, d: "M0 5H26" }),
+    svg("path", {
+      class: `carts-dot carts-${curve.style}`,
+      d: MARKERS[curve.style] ?? "",
+      transform: "translate(13 5)",
+    }),
+  );
+  entry.append(sample, curve.label);
+  return entry;
+}
+
+/** Exactly `count` children. @param {Element} group @param {number} count @param {() => Element} make */
+function fit(group, count, make) {
+  while (group.children.length > count) group.lastElementChild?.remove();
+  while (group.children.length < count) group.append(make());
+}
+
+/** @param {Element} group @param {number} count @param {(line: Element, text: Element, i: number) => void} draw */
+function marks(group, count, draw) {
+  while (group.children.length > 2 * count) group.lastElementChild?.remove();
+  while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
+  for (let i = 0; i < count; i += 1) {
+    draw(
+      /** @type {Element} */ (group.children[2 * i]),
+      /** @type {Element} */ (group.children[2 * i + 1]),
+      i,
+    );
+  }
+}

@@ -1,0 +1,63 @@
+/** The shaded impulse in the force graph, with its number and m Δv of both bodies beside it. */
+
+import { contactForce } from "../../../../view/forces.js";
+import * as g from "../../../../view/graph.js";
+import { area, changes } from "../../../../view/impulse.js";
+import { tr } from "../../../../view/language.js";
+import { fixed, px } from "../../../../view/numbers.js";
+import { latestTouch, touches } from "../../../../view/windows.js";
+import { brief } from "../../../../view/words.js";
+import { need, put, say } from "../../shared/dom.js";
+
+const POINTS = 40; // of the shaded outline
+
+export class ImpulseLayer {
+  /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").View} view */
+  constructor(root, view) {
+    this.shade = need(root, '[data-part="areas"]');
+    this.note = need(root, ".carts-area-note");
+    this.decimals = Math.max(3, view.decimals.p ?? 3);
+    /** @type {import("../../../../view/windows.js").Touch[]} */
+    this.windows = [];
+  }
+
+  /** @param {import("../../../../view/types.js").Run} run */
+  show({ header }) {
+    this.windows = touches(header.events, header.until);
+  }
+
+  /** @param {import("../../../../view/types.js").Run} run @param {g.Plane} plane @param {number} t in s @param {boolean} signed */
+  at(run, plane, t, signed) {
+    const touch = latestTouch(this.windows, t);
+    const paths = this.shade.children;
+    for (const path of paths) put(path, "d", "");
+    if (!touch) {
+      const hint = tr("Move into a touch: the shaded area is the impulse.");
+      return say(this.note, this.windows.length ? hint : "");
+    }
+    const end = Math.min(t, touch.end);
+    const outline = (/** @type {number} */ sign) => {
+      const points = Array.from({ length: POINTS + 1 }, (_, k) => {
+        const at = touch.start + ((end - touch.start) * k) / POINTS;
+        const force = sign * contactForce(run, touch.pair, at, 0);
+        return `${px(g.timeX(plane, at))} ${px(g.valueY(plane, force))}`;
+      });
+      const zero = px(g.valueY(plane, 0));
+      return `M${px(g.timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
+    };
+    put(/** @type {Element} */ (paths[0]), "d", outline(1));
+    if (signed) put(/** @type {Element} */ (paths[1]), "d", outline(-1));
+    const impulse = area(run, touch.pair, touch.start, end);
+    const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+    const parts = changes(run, this.windows, touch, end)
+      .filter(({ change }) => change !== null)
+      .map(({ name, change }) =>
+        tr("m\u00a0Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) }),
+      );
+    const shaded =
+      t >= touch.end
+        ? tr("{names}, shaded area: {amount}", { names, amount })
+        : tr("{names}, shaded area so far: {amount}", { names, amount });
+    say(this.note, tr("{values}, all in N\u00a0s.", { values: [shaded, ...parts].join("; ") }));
+  }
+}

@@ -1,0 +1,89 @@
+/**
+ * The table of values behind a graph. Twin of `sim/pages/widget/tables.py`.
+ * It is filled when a reader opens it or the page comes to rest: drawing must not wait for it.
+ */
+
+import { tr } from "../../../../view/language.js";
+import { fixed, speedUnit } from "../../../../view/numbers.js";
+import { span, ticks } from "../../../../view/scales.js";
+import { valueAt } from "../../../../view/trajectory.js";
+import { QUANTITIES } from "../../../../view/words.js";
+import { html, need } from "../../shared/dom.js";
+
+/** @typedef {import("../../../../view/types.js").Run} Run */
+/** @typedef {import("../../../../view/series.js").Series} Series */
+
+const ROWS = 10;
+const MOST_EVENTS = 24;
+const REST = 250; // ms without a new run before a closed table is filled
+
+export class Table {
+  /** @type {{run: Run, curves: Series[]} | null} */
+  #waiting = null;
+  #timer = 0;
+
+  /** @param {HTMLElement} details @param {string} quantity @param {import("../../../../view/types.js").View} view */
+  constructor(details, quantity, view) {
+    this.details = /** @type {HTMLDetailsElement} */ (details);
+    this.quantity = quantity;
+    this.view = view;
+    details.addEventListener("toggle", () => this.fill());
+  }
+
+  /** @param {Run} run @param {Series[]} curves */
+  show(run, curves) {
+    this.#waiting = { run, curves };
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
+  }
+
+  fill() {
+    if (!this.#waiting) return;
+    const { run, curves } = this.#waiting;
+    this.#waiting = null;
+    const speed = speedUnit(this.view.velocity)[1];
+    const unit = this.quantity === "v" ? speed : (QUANTITIES[this.quantity]?.[2] ?? "");
+    const head = html("tr");
+    head.append(
+      heading(tr("t in s")),
+      ...curves.map((curve) => heading(`${curve.label}, ${unit}`)),
+    );
+    need(this.details, "thead").replaceChildren(head);
+    const decimals = this.view.decimals[this.quantity] ?? 3;
+    const scale = greatest(curves);
+    const rows = tableTimes(run).map((t) => {
+      const row = html("tr");
+      row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
+      for (const { values, slopes } of curves) {
+        const value = valueAt(run.trajectory.t, values, slopes, t);
+        row.append(html("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
+      }
+      return row;
+    });
+    need(this.details, "tbody").replaceChildren(...rows);
+  }
+}
+
+/** @param {Run} run @returns {number[]} round times and the times of the events, as far as the run got */
+function tableTimes({ header, trajectory }) {
+  const times = new Set([...ticks(span(0, header.until, ROWS)), header.until]);
+  for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
+  const last = Number(trajectory.t[trajectory.t.length - 1]);
+  return [...times].filter((t) => t <= last).sort((a, b) => a - b);
+}
+
+/** @param {string} text */
+function heading(text) {
+  const cell = html("th", "", text);
+  cell.setAttribute("scope", "col");
+  return cell;
+}
+
+/** @param {Series[]} curves */
+function greatest(curves) {
+  let found = 0;
+  for (const { values } of curves) {
+    for (let k = 0; k < values.length; k += 1) found = Math.max(found, Math.abs(Number(values[k])));
+  }
+  return found || 1;
+}

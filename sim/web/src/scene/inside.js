@@ -1,0 +1,83 @@
+/** What is wired anew each time the inside of a scene is put there: buttons, menus, forces to find. */
+
+import { WANTED } from "../../../view/ledger-effects.js";
+import { FindForces } from "../predict/find-forces.js";
+import { Predict } from "../predict/predict.js";
+import { need } from "../shared/dom.js";
+import { refusal } from "../shared/waiting.js";
+import { How } from "./how/how.js";
+import { offerProjector } from "./projector.js";
+import { TakeAlong } from "./take-along.js";
+
+/** @typedef {import("./values.js").Settings} Settings */
+/**
+ * @typedef {{reset: () => void, undo: () => void, preset: (changes: Settings) => void,
+ *   found: () => void, settings: () => Settings}} Acts
+ */
+
+/**
+ * @param {HTMLElement} element @param {import("../../../view/types.js").Baked} baked
+ * @param {import("./scene-view.js").SceneView} view @param {import("../runtime/client.js").Client} client
+ * @param {Acts} acts
+ */
+export function wireInside(element, baked, view, client, acts) {
+  element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
+  element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
+  for (const button of element.querySelectorAll(".carts-preset")) {
+    const name = /** @type {HTMLElement} */ (button).dataset.preset ?? "";
+    button.addEventListener("click", () => acts.preset(baked.fence.presets[name] ?? {}));
+  }
+  const scene = baked.fence.scene;
+  const [writing, counting] = [{}, {}]; // who asks: apart from the requests for runs
+  const program = async () => {
+    const set = { ...acts.settings() };
+    const { header } = await client.ask(writing, () => ({ kind: "model", scene, set }));
+    if (!header.ok) throw refusal(header.problems ?? []);
+    return String(/** @type {any} */ (header).text);
+  };
+  new TakeAlong(element, baked, () => ({ ...view.now, settings: acts.settings() }), program);
+  offerProjector(element);
+  need(element, ".carts-frame").addEventListener(WANTED, (event) => {
+    const { detail } = /** @type {CustomEvent} */ (event);
+    detail.heard = true;
+    const set = { ...acts.settings() };
+    client
+      .ask(counting, () => ({ kind: "energy", scene, set }))
+      .then(
+        ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
+        () => detail.answer(null),
+      );
+  });
+  const find = element.querySelector(".carts-find")
+    ? new FindForces(element, baked.fence.id, acts.found)
+    : null;
+  const how = new How(element, view, client, (more) => {
+    return { kind: "how", scene, set: { ...acts.settings() }, ...more };
+  });
+  return { find, how };
+}
+
+/**
+ * The prediction that the lesson asks for before the run; null where it asks for none.
+ * @param {HTMLElement} element @param {import("../../../view/types.js").Baked} baked
+ * @param {import("./scene-view.js").SceneView} view
+ * @param {{locked: (now: boolean) => void, forgotten: () => void}} acts
+ */
+export function askFirst(element, baked, view, { locked, forgotten }) {
+  const ask = element.querySelector(".carts-predict");
+  if (!(ask instanceof HTMLElement)) return null;
+  const draw = (/** @type {any} */ guesses) => {
+    for (const stage of view.stages) stage.guess(guesses);
+  };
+  return new Predict(ask, baked, draw, locked, forgotten);
+}
+
+/** @param {any} header @param {Float64Array} numbers @returns {import("../../../view/ledger-effects.js").Parts} */
+function columnsOf({ parts, rows }, numbers) {
+  const column = (/** @type {number} */ k) => numbers.subarray(k * rows, (k + 1) * rows);
+  return {
+    names: parts,
+    t: column(0),
+    columns: parts.map((/** @type {string} */ _, /** @type {number} */ k) => column(k + 1)),
+  };
+}

@@ -1,0 +1,216 @@
+/** The world view: moves the SVG that `sim/pages/widget/stage.py` wrote. Draws a run, knows no physics. */
+
+import { tr } from "../../../view/language.js";
+import { styleOf } from "../../../view/markers.js";
+import { fixed, px, speedUnit } from "../../../view/numbers.js";
+import * as shapes from "../../../view/shapes.js";
+import { valueAt } from "../../../view/trajectory.js";
+import { need, put, say, svg } from "../shared/dom.js";
+import { Effects } from "./effects.js";
+import { Pushes } from "./pushes.js";
+
+/** @typedef {import("../../../view/types.js").Baked} Baked */
+/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {{half: number, edge: number, bumper: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
+
+export class Stage {
+  /** @type {Run} */
+  #run;
+  /** @type {Cart[]} */
+  #carts = [];
+  /** @type {Pushes} */
+  #pushes;
+  /** @type {Effects} */
+  #effects;
+
+  /** @param {SVGElement} root @param {Baked} baked */
+  constructor(root, baked) {
+    const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
+    if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
+    this.root = root;
+    this.torn = false; // whether a box is taller than the picture can show
+    this.layout = layout;
+    this.view = baked.view;
+    this.camera = baked.fence.camera;
+    this.#run = baked.run;
+    this.#pushes = new Pushes(root, layout, baked.view);
+    this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
+  }
+
+  /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+  show(run, windows) {
+    this.#run = run;
+    const { layout, view } = this;
+    const boxes = run.header.bodies.map((body, i) =>
+      shapes.box(body, view, layout, layout.stagger * (i % layout.ranks)),
+    );
+    this.torn = boxes.some((box) => box.cut);
+    const tallest = Math.max(...boxes.map((box) => box.height));
+    this.#carts = run.header.bodies.map((body, i) => {
+      const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
+      const box = /** @type {shapes.Box} */ (boxes[i]);
+      drawBox(group, body.name, box);
+      return {
+        half: (body.length * layout.scale) / 2,
+        edge: -box.x,
+        bumper: Math.max(0, (body.length * layout.scale) / 2 + box.x),
+        top: layout.track + shapes.labelTop(box),
+        lane: shapes.lane(i, tallest, layout),
+        group,
+        velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`),
+      };
+    });
+    this.#pushes.show(run, windows);
+    this.#effects.show(run);
+  }
+
+  /** Draws the instant t. @param {number} t in s */
+  at(t) {
+    const { header, trajectory } = this.#run;
+    const shift = this.camera * t;
+    put(
+      need(this.root, '[data-part="ground"]'),
+      "transform",
+      `translate(${px(-shift * this.layout.scale)} 0)`,
+    );
+    const centres = header.bodies.map((body) => {
+      const x = valueAt(
+        trajectory.t,
+        trajectory.x[body.name] ?? [],
+        trajectory.v[body.name] ?? [],
+        t,
+      );
+      return this.layout.origin + (x - shift) * this.layout.scale;
+    });
+    const { left, right } = this.#squeezes(centres, shift);
+    this.#carts.forEach((cart, i) => {
+      const centre = Number(centres[i]);
+      const faces = /** @type {const} */ ([
+        -cart.half + Number(left[i]),
+        cart.half - Number(right[i]),
+      ]);
+      put(cart.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+      put(need(cart.group, '[data-part="spring-left"]'), "d", shapes.spring(-cart.edge, faces[0]));
+      put(need(cart.group, '[data-part="spring-right"]'), "d", shapes.spring(cart.edge, faces[1]));
+      put(need(cart.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
+      put(
+        need(cart.group, '[data-part="face-right"]'),
+        "transform",
+        `translate(${px(faces[1])} 0)`,
+      );
+      this.#velocity(cart, header.bodies[i]?.name ?? "", centre, t);
+    });
+    /** @type {import("./pushes.js").Face} */
+    const face = (name, side) => {
+      const i = header.bodies.findIndex((body) => body.name === name);
+      if (i < 0) {
+        const wall = name === "left" ? 0 : (header.track.length ?? 0);
+        return this.layout.origin + (wall - shift) * this.layout.scale;
+      }
+      const half = this.#carts[i]?.half ?? 0;
+      const centre = Number(centres[i]);
+      return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
+    };
+    this.#pushes.at(t, face);
+    this.#effects.at(t, face, (name) =>
+      Number(centres[header.bodies.findIndex((body) => body.name === name)]),
+    );
+  }
+
+  /**
+   * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+   * @param {import("../predict/arrows.js").Guess[]} guesses
+   */
+  guess(guesses) {
+    const { header } = this.#run;
+    const group = need(this.root, '[data-part="guess"]');
+    const arrows = guesses.map(({ pair, on, side, size }) => {
+      const i = header.bodies.findIndex((body) => body.name === on);
+      const body = header.bodies[i];
+      const half = (body?.length ?? 0) / 2;
+      const wall = on === "left" ? 0 : (header.track.length ?? 0);
+      const x = body ? body.position + (side === "left" ? half : -half) : wall;
+      const way = side === "left" ? -1 : 1;
+      const length = way * shapes.arrowLength(size, this.view.force || 10, this.layout.force);
+      const from = this.layout.origin + x * this.layout.scale;
+      const draw = shapes.isCut(size, this.view.force || 10) ? shapes.cutArrow : shapes.blockArrow;
+      return svg("path", {
+        class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
+        d: draw(from, this.layout.track - shapes.PUSH, length),
+        "data-pair": pair,
+        "data-on": on,
+      });
+    });
+    group.replaceChildren(...arrows);
+  }
+
+  /**
+   * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
+   * Two carts share the overlap; a bumper gives way by its own length at most.
+   * @param {number[]} centres @param {number} shift of the camera in m
+   */
+  #squeezes(centres, shift) {
+    const { bodies, track } = this.#run.header;
+    const left = bodies.map(() => 0);
+    const right = bodies.map(() => 0);
+    const at = /** @param {number} x */ (x) => this.layout.origin + (x - shift) * this.layout.scale;
+    for (let gap = 0; gap <= bodies.length; gap += 1) {
+      const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
+      if ((!a && track.left !== "wall") || (!b && track.right !== "wall")) continue;
+      const end = a ? Number(centres[gap - 1]) + a.half : at(0);
+      const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
+      const overlap = Math.max(0, end - start);
+      const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
+      const rest = Math.min(b?.bumper ?? 0, overlap - share);
+      if (b) left[gap] = rest;
+      if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+    }
+    return { left, right };
+  }
+
+  /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
+  #velocity(cart, name, x, t) {
+    const { trajectory } = this.#run;
+    const { layout, view } = this;
+    const v =
+      valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
+    const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
+    const exact = shapes.arrowLength(seen, view.velocity, layout.velocity, shapes.FASTEST);
+    const length = shapes.keptInside(x, exact, layout.width);
+    const [at, anchor] = shapes.velocityText(x, length, layout.width);
+    put(need(cart.velocity, '[data-part="arrow"]'), "d", shapes.lineArrow(x, cart.lane, length));
+    put(
+      need(cart.velocity, '[data-part="leader"]'),
+      "d",
+      `M${px(x)} ${px(cart.lane)}V${px(cart.top)}`,
+    );
+    const shortened = length !== exact || shapes.isCut(seen, view.velocity, shapes.FASTEST);
+    const cut = shortened ? tr(", arrow cut") : "";
+    const [per, unit] = speedUnit(view.velocity);
+    const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
+    const text = need(cart.velocity, '[data-part="text"]');
+    const outside = x < 0 || x > layout.width;
+    put(text, "x", px(outside ? (x < 0 ? 8 : layout.width - 8) : at));
+    put(text, "y", px(cart.lane + 4));
+    put(text, "text-anchor", outside ? (x < 0 ? "start" : "end") : anchor);
+    say(text, outside ? tr("{name} is outside: {speed}", { name, speed }) : speed);
+  }
+}
+
+/** @param {Element} group @param {string} name @param {shapes.Box} box */
+function drawBox(group, name, box) {
+  const rect = need(group, '[data-part="box"]');
+  put(rect, "x", px(box.x));
+  put(rect, "y", px(-box.height));
+  put(rect, "width", px(box.width));
+  put(rect, "height", px(box.height));
+  const cut = need(group, '[data-part="break"]');
+  put(cut, "visibility", box.cut ? "visible" : "hidden");
+  const title = need(group, '[data-part="name"]');
+  put(title, "y", px(box.nameY ?? 0));
+  put(title, "visibility", box.nameY === null ? "hidden" : "visible");
+  say(title, name);
+  const mass = need(group, '[data-part="mass"]');
+  put(mass, "y", px(box.labelY));
+  say(mass, box.label);
+}

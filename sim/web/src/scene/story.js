@@ -1,0 +1,79 @@
+/** The run in words: a list of events, each a button that goes there; and the model card. */
+
+import { pushMarks } from "../../../view/effects-words.js";
+import { exits } from "../../../view/exits.js";
+import { tr } from "../../../view/language.js";
+import { fixed } from "../../../view/numbers.js";
+import { isTold } from "../../../view/trajectory.js";
+import { eventSentence, exitSentence, lawsOf, modelSentences } from "../../../view/words.js";
+import { html, need } from "../shared/dom.js";
+
+const MOST_EVENTS = 60;
+const IN_FULL = 10; // events that stand there without scrolling
+
+export class Story {
+  /** @type {{t: number, sentence: string}[]} */
+  told = [];
+
+  /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked @param {(t: number) => void} seek */
+  constructor(root, baked, seek) {
+    const { fence, view } = baked;
+    this.view = view;
+    this.layout = /** @type {import("../../../view/types.js").Layout} */ (view.layouts[0]);
+    this.telling = {
+      decimals: view.decimals,
+      scale: view.velocity,
+      camera: fence.camera,
+      forces: fence.forces === "shown",
+    };
+    this.list = need(root, ".carts-events");
+    this.model = need(root, ".carts-model ul");
+    this.list.addEventListener("click", (event) => {
+      const button = /** @type {Element} */ (event.target).closest("button");
+      if (button?.dataset.time) seek(Number(button.dataset.time));
+    });
+  }
+
+  /** @param {import("../../../view/types.js").Run} run */
+  show(run) {
+    const { header } = run;
+    const decimals = this.view.decimals.v ?? 2;
+    const laws = lawsOf(header.contacts);
+    this.told = [
+      ...(isTold(run) ? pushMarks(header, this.telling.forces) : []),
+      ...header.events.map((event) => ({
+        t: event.t,
+        sentence: eventSentence(event, this.telling, laws),
+      })),
+      ...exits(run, this.layout, this.telling.camera).map((exit) => ({
+        t: exit.t,
+        sentence: exitSentence(exit, decimals, this.view.velocity),
+      })),
+    ].sort((a, b) => a.t - b.t);
+    const items = this.told.slice(0, MOST_EVENTS).map(({ t, sentence }) => {
+      const item = html("li");
+      const button = html("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+      button.setAttribute("type", "button");
+      button.className = "carts-jump";
+      button.dataset.time = String(t);
+      item.append(button, " ", html("span", "", sentence));
+      return item;
+    });
+    const more = this.told.length - items.length;
+    if (more > 0)
+      items.push(
+        html("li", "carts-more-events", tr("… and {count} more events.", { count: more })),
+      );
+    this.list.replaceChildren(...items);
+    const scrolled = items.length > IN_FULL;
+    this.list.classList.toggle("carts-events-scrolled", scrolled);
+    if (scrolled) this.list.setAttribute("tabindex", "0");
+    else this.list.removeAttribute("tabindex");
+    this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
+  }
+
+  /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
+  between(before, now) {
+    return this.told.filter(({ t }) => t > before && t <= now).map(({ sentence }) => sentence);
+  }
+}

@@ -1,0 +1,36 @@
+/** What a reader typed as a number. A decimal comma is fine; “1,000” is refused with both readings. */
+
+import { tr } from "../../../view/language.js";
+
+const LONGEST = 40;
+
+/**
+ * A number in the box's own unit, or text with a unit for Python to read, or why it is neither.
+ * @param {string} typed @returns {{value: number} | {text: string} | {problem: string}}
+ */
+export function readTyped(typed) {
+  const text = typed.trim().replace(/[−–]/g, "-");
+  if (!text) return { problem: tr("Type a number, for example 0.5") };
+  if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
+  if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
+  if (/^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(text)) {
+    const value = Number(text.replace(",", "."));
+    return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
+  }
+  if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
+    return { text: text.replace(/(\d),(\d)/, "$1.$2") };
+  }
+  return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
+}
+
+/** What a comma before three digits can mean. @param {string} text */
+export function twoReadings(text) {
+  const whole = text.replaceAll(",", "");
+  if (text.split(",").length > 2) return tr("Type {number} without commas.", { number: whole });
+  const decimal = String(Number(text.replace(",", ".")));
+  return tr("{text} can mean {decimal} or {whole}: type {decimal} or {whole}", {
+    text,
+    decimal,
+    whole,
+  });
+}
