@@ -21,6 +21,7 @@ from sim.dynamics.laws import Hertz
 from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.polynomial import Poly, value
 from sim.dynamics.series import Expansion, hold_now
+from sim.effects.forces import resistance
 
 RELATIVE = 1e-12
 """Error per step, relative: a hundred steps of a contact stay within 1e-10."""
@@ -69,7 +70,7 @@ class Adaptive(Cluster):
         outside = []
         for i, body in enumerate(bodies):
             load = body.load
-            force = self.row.steady[i] - load.linear * v[i] - load.quadratic * v[i] * abs(v[i])
+            force = self.row.steady[i] + resistance(load.linear, load.quadratic, v[i])
             force += pull[i - 1] if i > 0 else 0.0
             outside.append(force - (pull[i] if i < count else 0.0))
         hold_now(self.branches, push, self.row.inverse, outside)

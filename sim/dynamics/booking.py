@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from sim.dynamics.laws import Bumper
 from sim.dynamics.polynomial import Poly, cube_integral, integral, square_integral, value
+from sim.effects.forces import FRICTION
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Gap
@@ -24,15 +25,15 @@ if TYPE_CHECKING:
     from sim.dynamics.series import Branch
 
 
-def _pulls(
+def _body_forces(
     ledger: Ledger, load: Load, time: float, way: float, squares: tuple[float, float, float]
 ) -> None:
-    """Every pull by name. squares: ∫v² dt, ∫v|v| dt, ∫|v|³ dt."""
-    for pull in load.pulls:
-        impulse = pull.steady * time - pull.linear * way - pull.quadratic * squares[1]
-        ledger.push_from_outside(impulse, pull.kind)
-        work = pull.steady * way - pull.linear * squares[0] - pull.quadratic * squares[2]
-        ledger.work(pull.kind, work)
+    """Every force by name. squares: ∫v² dt, ∫v|v| dt, ∫|v|³ dt."""
+    for one in load.forces:
+        impulse = one.steady * time - one.linear * way - one.quadratic * squares[1]
+        ledger.push_from_outside(impulse, one.kind)
+        work = one.steady * way - one.linear * squares[0] - one.quadratic * squares[2]
+        ledger.work(one.kind, work)
 
 
 def flight(ledger: Ledger, flown: Flight, mass: float, time: float) -> None:
@@ -43,20 +44,20 @@ def flight(ledger: Ledger, flown: Flight, mass: float, time: float) -> None:
     slowed = force * time - mass * (v - flown.v0)  # N s, taken by drag
     taken = force * way - 0.5 * mass * (v - flown.v0) * (v + flown.v0)  # J
     total = load.linear + load.quadratic
-    for pull in load.pulls:
-        share = (pull.linear + pull.quadratic) / total if total else 0.0  # one of the two is nought
-        ledger.push_from_outside(pull.steady * time - share * slowed, pull.kind)
-        ledger.work(pull.kind, pull.steady * way - share * taken)
+    for one in load.forces:
+        share = (one.linear + one.quadratic) / total if total else 0.0  # one of the two is nought
+        ledger.push_from_outside(one.steady * time - share * slowed, one.kind)
+        ledger.work(one.kind, one.steady * way - share * taken)
     if load.kinetic:
-        ledger.push_from_outside(-flown.sliding * load.kinetic * time, "friction")
-        ledger.work("friction", -flown.sliding * load.kinetic * way)
+        ledger.push_from_outside(-flown.sliding * load.kinetic * time, FRICTION)
+        ledger.work(FRICTION, -flown.sliding * load.kinetic * way)
 
 
 def cluster(ledger: Ledger, step: Cluster, t: float) -> None:
     """A step of the power series, up to t s."""
     for i, body in enumerate(step.bodies):
         load = body.load
-        if not body.carts or not (load.pulls or load.grips):
+        if not body.carts or not (load.forces or load.grips):
             continue
         way, speed = value(step.path[i], t), step.speed[i]
         squares = (0.0, 0.0, 0.0)
@@ -64,14 +65,14 @@ def cluster(ledger: Ledger, step: Cluster, t: float) -> None:
             square = square_integral(speed, t)
             cube = body.sliding * cube_integral(speed, t) if load.quadratic else 0.0
             squares = (square, body.sliding * square, cube)
-        _pulls(ledger, load, t, way, squares)
+        _body_forces(ledger, load, t, way, squares)
         if body.held:
             impulse = -value(integral(step.other_force(i)), t)
-            ledger.push_from_outside(impulse, "friction")
+            ledger.push_from_outside(impulse, FRICTION)
         elif load.kinetic and body.sliding:
             force = step.row.steady[i] - load.steady
-            ledger.push_from_outside(force * t, "friction")
-            ledger.work("friction", force * way)
+            ledger.push_from_outside(force * t, FRICTION)
+            ledger.work(FRICTION, force * way)
     for k, gap in enumerate(step.members):
         for link in gap.links:
             damping = link.damping()
@@ -85,9 +86,9 @@ def cluster(ledger: Ledger, step: Cluster, t: float) -> None:
 def pair_phase(ledger: Ledger, phase: PairPhase, t: float) -> None:
     """A closed form of two neighbours, up to t s."""
     for body in phase.bodies:
-        if body.carts and body.mass < math.inf and body.load.pulls:
+        if body.carts and body.mass < math.inf and body.load.forces:
             way = phase.state(phase.side(body), t)[0]
-            _pulls(ledger, body.load, t, way, (0.0, 0.0, 0.0))
+            _body_forces(ledger, body.load, t, way, (0.0, 0.0, 0.0))
     gap = phase.members[0]
     for link in gap.links:
         if link.damping():

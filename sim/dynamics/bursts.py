@@ -7,23 +7,23 @@ import math
 from sim.dynamics import resolve
 from sim.dynamics.chain import Body, Chain, Gap
 from sim.dynamics.clock import ZERO, Time
-from sim.dynamics.effects.base import Burst
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.record import Record
+from sim.effects.forces import EnergyRelease
 
 TOUCHING = 1e-12
 """m. Room that rounding leaves between two carts that touch."""
 
 
-def latch(chain: Chain, burst: Burst, record: Record) -> None:
+def latch(chain: Chain, release: EnergyRelease, record: Record) -> None:
     """Two that touch at the start with one velocity stay together until they are set free."""
-    gap = chain.gaps[burst.gap]
+    gap = chain.gaps[release.gap]
     if gap is not None and gap.room <= 0.0 and gap.rate == 0.0 and not gap.joined:
         resolve.merge(chain, gap, ZERO, record)
 
 
 def set_free(
-    chain: Chain, gap: Gap, burst: Burst, now: Time, record: Record, ledger: Ledger
+    chain: Chain, gap: Gap, release: EnergyRelease, now: Time, record: Record, ledger: Ledger
 ) -> bool:
     """½ mu w'² = ½ mu w² + E for the speed of separation w. False where the two do not touch."""
     if gap.joined:
@@ -41,13 +41,13 @@ def set_free(
     left, right, mu = gap.left, gap.right, gap.mu
     left.held = right.held = False  # that they start is told by the release itself
     before = (left.v, right.v)
-    apart = math.sqrt(gap.rate * gap.rate + 2.0 * burst.energy / mu)
+    apart = math.sqrt(gap.rate * gap.rate + 2.0 * release.energy / mu)
     impulse = mu * (apart - gap.rate)
     centre = resolve.common_velocity(left, right)
     a, b = resolve.shares(left, right, mu)
     left.v, right.v = centre - a * apart, centre + b * apart
     gap.rate, gap.time = apart, now
-    ledger.work("release", burst.energy)
+    ledger.work(release.kind, release.energy)
     resolve.outside(left, right, impulse, ledger)
     record.event("release", gap, now, before, (left.v, right.v), impulse, None)
     for other in chain.neighbours(gap):

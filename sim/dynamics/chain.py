@@ -26,7 +26,7 @@ from sim.dynamics.touching import Touching
 from sim.scene.model import Contact, Scene
 
 if TYPE_CHECKING:
-    from sim.dynamics.effects import Link
+    from sim.effects.forces import PairForce
 
 Solver = PairContact | PairPhase | Cluster
 Motion = PairContact | PairPhase | Cluster | Flight
@@ -66,7 +66,7 @@ class Gap:
     memory: float = 0.0  # m, of the bumper
     turn: int = 0  # counts predictions: an older one in the calendar is void
     touching: Touching | None = None
-    links: tuple[Link, ...] = ()  # springs and magnets across it
+    links: tuple[PairForce, ...] = ()  # springs and magnets across it
     solver: Solver | None = None  # what moves it, while it touches or is linked
     joined: bool = False
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known

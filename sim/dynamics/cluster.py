@@ -61,7 +61,7 @@ class Cluster:
     tier = 2
 
     def __post_init__(self) -> None:
-        watch.refuse_magnets_too_near(self.members, self.begun)
+        watch.refuse_too_near(self.members, self.begun)
         self.touched = [gap.touching is not None for gap in self.members]
         self.loads = [body.load for body in self.bodies]
         self.branches = [watch.branch_of(gap) for gap in self.members]

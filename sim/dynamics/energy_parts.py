@@ -2,24 +2,26 @@
 
     start + given by pushes and releases  =  in motion + stored + warmed
 
-Stored energy is a function of the state: springs and magnets by their own formulas, height
-−m g sin(angle) (x − x0), and what squeezed bumpers will give back: e² N²/(2 k) for `bumper`, k d²/2
-for the laws with a damper, 2 K d^2.5/5 for hertz. A push is constant, so it has given F times the
-way that its cart went meanwhile. What is left over is warm. Only scenes with effects need this, and
-only a reader who opens the ledger asks for it.
+Stored energy is a function of the state: springs and magnets by their own formulas, a force that
+stores it in a cart's place −F (x − x0), and what squeezed bumpers will give back: e² N²/(2 k) for
+`bumper`, k d²/2 for the laws with a damper, 2 K d^2.5/5 for hertz. A steady force that stores
+nothing has given F times the way that its cart went meanwhile. What is left over is warm. Only
+scenes with effects need this, and only a reader who opens the ledger asks for it.
 """
 
 from __future__ import annotations
 
 import math
 from array import array
+from dataclasses import dataclass
+from itertools import pairwise
 
-from sim.dynamics.effects import Acting, acting
 from sim.dynamics.finished import Run
 from sim.dynamics.ledger import kinetic
 from sim.dynamics.trajectory import Trajectory, sample
-from sim.scene import Scene
-from sim.scene.model import Contact
+from sim.effects.forces import Acting, BodyForce, acting
+from sim.scene.effects import kinds
+from sim.scene.model import Contact, Scene
 
 TOUCH = 1e-12
 """m. An overlap below that is rounding."""
@@ -54,67 +56,99 @@ def energy_parts(run: Run, samples: Trajectory) -> Parts:
     return found
 
 
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """A steady force [N] on a cart, from `begin` to `end` s, between two of its places [m]."""
+
+    kind: str
+    cart: int
+    force: float
+    begin: float
+    end: float
+    start: float
+    stop: float
+
+    def work(self, x: list[float], t: float) -> float:
+        """J up to t."""
+        return self.force * ((x[self.cart] if t < self.end else self.stop) - self.start)
+
+
 class _Account:
-    """What does not change in a run: which kinds there are, where pushes begin and end."""
+    """What does not change in a run: who stores energy, and who brings it when."""
 
     def __init__(self, run: Run) -> None:
         self.scene = scene = run.scene
-        self.acting: tuple[Acting, ...] = acting(scene)
-        kinds = {effect.kind for effect in scene.effects}
+        self.acting = acting(scene)
         lasting = any(contact is not None and contact.stiffness for contact in scene.contacts)
-        order = ("spring", "magnets", "incline", "push", "release")
-        self.names = (*(["bumpers"] if lasting else []), *(k for k in order if k in kinds))
-        number = {cart.name: i for i, cart in enumerate(scene.carts)}
-        self.pushes = []
-        for effect in scene.effects:
-            if effect.kind == "push":
-                begin = effect.numbers.get("from", 0.0)
-                end = effect.numbers.get("until", math.inf)
-                ways = [sample(run, min(t, run.t))[0] for t in (begin, end)]
-                i = number[effect.carts[0]]
-                self.pushes.append((i, effect.numbers["force"], begin, end, ways[0][i], ways[1][i]))
-        happened = {
-            (event.t, event.bodies) for event in run.record.events if event.kind == "release"
-        }
+        listed = {effect.kind for effect in scene.effects}
+        stores = {name: kind.stores for name, kind in kinds().items() if name in listed}
+        in_gaps, in_places = (
+            [k for k, w in stores.items() if w == way] for way in ("gap", "place")
+        )
+        self.giving = [name for name in stores if kinds()[name].gives]
+        self.storing = [*(["bumpers"] if lasting else []), *in_gaps, *in_places]
+        self.names = (*self.storing, *self.giving)
+        self.heights, self.pushes = _body_forces(run, self.acting)
+        happened = {(e.t, e.bodies) for e in run.record.events if e.kind == "release"}
         self.releases = [
-            (at, effect.numbers["energy"])
-            for effect in scene.effects
-            if effect.kind == "release"
-            and ((at := effect.numbers.get("at", 0.0)), effect.between) in happened
+            release
+            for effect in self.acting
+            for release in effect.releases()
+            if (release.time, scene.names_at(release.gap)) in happened
         ]
 
     def stored(self, x: list[float], v: list[float], forces: dict[int, float]) -> dict[str, float]:
         """J by kind. `forces` [N] by gap: all that a pair does to each other, links too."""
         scene = self.scene
-        found = {name: 0.0 for name in self.names if name not in ("push", "release")}
+        found = dict.fromkeys(self.storing, 0.0)
         for gap, contact in enumerate(scene.contacts):
             room, rate = _room(scene, x, v, gap)
             between = 0.0
             for one in self.acting:
-                link = one.link(gap)
+                link = one.pair_force(gap)
                 if link is not None:
                     found[one.kind] += link.energy(max(room, TOUCH))
                     between += link.force(max(room, TOUCH), rate)
             if contact is not None and contact.stiffness:
                 found["bumpers"] += _squeezed(contact, -room, forces.get(gap, math.inf) - between)
-        for effect in scene.effects:
-            if effect.kind == "incline":
-                down = scene.gravity * math.sin(effect.numbers["angle"])
-                for cart, place in zip(scene.carts, x, strict=True):
-                    if cart.name in effect.carts:
-                        found["incline"] -= cart.mass * down * (place - cart.position)
+        for cart, force in self.heights:
+            found[force.kind] -= force.steady * (x[cart] - scene.carts[cart].position)
         return found
 
     def given(self, x: list[float], t: float, *, before: bool) -> dict[str, float]:
         """J by kind up to t; `before`: this is the first of two samples at a jump."""
-        found = {name: 0.0 for name in self.names if name in ("push", "release")}
-        for i, force, begin, end, start, stop in self.pushes:
-            if t > begin:
-                found["push"] += force * ((x[i] if t < end else stop) - start)
-        for at, energy in self.releases:
-            if t > at or (t == at and not before):
-                found["release"] += energy
+        found = dict.fromkeys(self.giving, 0.0)
+        for one in self.pushes:
+            if t > one.begin:
+                found[one.kind] += one.work(x, t)
+        for release in self.releases:
+            if t > release.time or (t == release.time and not before):
+                found[release.kind] += release.energy
         return found
+
+
+def _body_forces(
+    run: Run, effects: tuple[Acting, ...]
+) -> tuple[list[tuple[int, BodyForce]], list[_Given]]:
+    """Steady forces by cart: those whose work is stored, and those whose work comes from outside."""
+    stored: list[tuple[int, BodyForce]] = []
+    given: list[_Given] = []
+    for effect in effects:
+        kind = kinds()[effect.kind]
+        times = sorted({0.0, *effect.switches(), math.inf})
+        for k in range(len(run.scene.carts)):
+            for begin, end in pairwise(times):
+                one = effect.body_force(k, begin)
+                if one is None or not one.steady:
+                    continue
+                if kind.stores:
+                    stored.append((k, one))
+                    continue
+                if not kind.gives:
+                    raise ValueError(f"{kind.name} brings energy: it needs gives or stores")
+                start, stop = (sample(run, min(t, run.t))[0][k] for t in (begin, end))
+                given.append(_Given(kind.name, k, one.steady, begin, end, start, stop))
+    return stored, given
 
 
 def _room(scene: Scene, x: list[float], v: list[float], gap: int) -> tuple[float, float]:

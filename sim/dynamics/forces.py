@@ -10,8 +10,7 @@ import math
 from collections import defaultdict
 from dataclasses import dataclass
 
-from sim.dynamics.effects import Link, Pull, acting
-from sim.dynamics.effects.base import Burst
+from sim.effects.forces import FRICTION, BodyForce, EnergyRelease, PairForce, acting
 from sim.scene.model import Scene
 
 
@@ -19,7 +18,7 @@ from sim.scene.model import Scene
 class Load:
     """All that acts on one body besides its neighbours: sums in N, N s/m, N s²/m², N."""
 
-    pulls: tuple[Pull, ...] = ()
+    forces: tuple[BodyForce, ...] = ()
     steady: float = 0.0
     linear: float = 0.0
     quadratic: float = 0.0
@@ -40,25 +39,27 @@ class Forces:
         self.used: defaultdict[str, int] = defaultdict(int)
         self._loads: dict[tuple[int, ...], Load] = {}
         gaps = range(len(scene.carts) + 1)
-        self.links: list[tuple[Link, ...]] = [
-            tuple(link for one in self._acting if (link := one.link(gap)) is not None)
+        self.links: list[tuple[PairForce, ...]] = [
+            tuple(link for one in self._acting if (link := one.pair_force(gap)) is not None)
             for gap in gaps
         ]
-        self.bursts: tuple[Burst, ...] = tuple(b for one in self._acting for b in one.bursts())
+        self.releases: tuple[EnergyRelease, ...] = tuple(
+            release for one in self._acting for release in one.releases()
+        )
         switches = {t for one in self._acting for t in one.switches()}
         self.switches = sorted(t for t in switches if 0.0 < t < math.inf)
 
     def switches_after(self, t: float) -> bool:
-        """Does anything begin, end or burst after t s?"""
-        return any(s > t for s in (*self.switches, *(burst.time for burst in self.bursts)))
+        """Does anything begin, end or set energy free after t s?"""
+        return any(s > t for s in (*self.switches, *(release.time for release in self.releases)))
 
-    def on_cart(self, cart: int, t: float) -> list[Pull]:
-        """The pulls on one cart just after t s, for drawing."""
-        return [p for one in self._acting if (p := one.pull(cart, t)) is not None]
+    def on_cart(self, cart: int, t: float) -> list[BodyForce]:
+        """The forces on one cart just after t s, for drawing."""
+        return [f for one in self._acting if (f := one.body_force(cart, t)) is not None]
 
-    def grip_of(self, cart: int) -> float | None:
+    def friction_on(self, cart: int) -> float | None:
         """N. Kinetic friction on one cart; None where there is none."""
-        grips = [grip.kinetic for one in self._acting if (grip := one.grip(cart)) is not None]
+        grips = [grip.kinetic for one in self._acting if (grip := one.friction(cart)) is not None]
         return math.fsum(grips) if grips else None
 
     def move_to(self, t: float) -> None:
@@ -74,30 +75,33 @@ class Forces:
         return load
 
     def _sum(self, carts: tuple[int, ...]) -> Load:
-        pulls = tuple(
-            pull
+        forces = tuple(
+            force
             for one in self._acting
             for cart in carts
-            if (pull := one.pull(cart, self.time)) is not None
+            if (force := one.body_force(cart, self.time)) is not None
         )
         grips = tuple(
-            grip for one in self._acting for cart in carts if (grip := one.grip(cart)) is not None
+            grip
+            for one in self._acting
+            for cart in carts
+            if (grip := one.friction(cart)) is not None
         )
-        if not pulls and not grips:
+        if not forces and not grips:
             return NO_LOAD
         return Load(
-            pulls,
-            math.fsum(pull.steady for pull in pulls),
-            math.fsum(pull.linear for pull in pulls),
-            math.fsum(pull.quadratic for pull in pulls),
+            forces,
+            math.fsum(force.steady for force in forces),
+            math.fsum(force.linear for force in forces),
+            math.fsum(force.quadratic for force in forces),
             math.fsum(grip.kinetic for grip in grips),
             math.fsum(grip.static for grip in grips),
             bool(grips),
         )
 
-    def count(self, load: Load, links: tuple[Link, ...], times: int) -> None:
+    def count(self, load: Load, links: tuple[PairForce, ...], times: int) -> None:
         """Book that the formulas of these effects were evaluated so many times."""
-        for kind in {pull.kind for pull in load.pulls} | {link.kind for link in links}:
+        for kind in {force.kind for force in load.forces} | {link.kind for link in links}:
             self.used[kind] += times
         if load.grips:
-            self.used["friction"] += times
+            self.used[FRICTION] += times

@@ -20,7 +20,7 @@ from sim.dynamics.modes import decide
 from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
 from sim.dynamics.resolve import pair_contact
-from sim.dynamics.series import LINEAR, ORDER
+from sim.dynamics.series import ORDER
 from sim.dynamics.watch import branch_of
 
 
@@ -90,7 +90,7 @@ def _is_linear(row: list[Body], gap: Gap) -> bool:
         gap.law is None or isinstance(gap.law, Hertz) or branch_of(gap).locked
     ):
         return False
-    return all(link.kind in LINEAR for link in gap.links)
+    return all(link.linear for link in gap.links)
 
 
 def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion | None:

@@ -209,14 +209,14 @@ class Happenings:
         """A push begins or ends, or an exploder sets its energy free."""
         forces = self.forces
         assert forces is not None
-        if number < len(forces.bursts):
-            burst = forces.bursts[number]
-            gap = self.chain.gaps[burst.gap]
+        if number < len(forces.releases):
+            release = forces.releases[number]
+            gap = self.chain.gaps[release.gap]
             assert gap is not None
             bodies, gaps = self.settle([gap.left, gap.right], now)
-            changed = bursts.set_free(self.chain, gap, burst, now, self.record, self.ledger)
+            changed = bursts.set_free(self.chain, gap, release, now, self.record, self.ledger)
             self.happened += changed
-            forces.used["release"] += changed
+            forces.used[release.kind] += changed
             bodies = [b for b in dict.fromkeys([*bodies, gap.left, gap.right]) if b.carts]
             self.form_again(bodies, [*gaps, gap], now)
             return

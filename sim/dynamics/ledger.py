@@ -16,6 +16,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from sim.scene.effects import kinds
 from sim.scene.model import Scene
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ class Ledger:
         self._warmed = [0.0, 0.0]
         self._impulses: dict[str, list[float]] = {}
         self._works: dict[str, list[float]] = {}
+        self._heights: dict[str, list[float]] = {}
+        self._stores = {e.kind for e in scene.effects if kinds()[e.kind].stores == "place"}
 
     def warm(self, energy: float) -> None:
         """A contact kept `energy` [J]."""
@@ -44,8 +47,9 @@ class Ledger:
         _add(self._impulses.setdefault(by, [0.0, 0.0]), impulse)
 
     def work(self, by: str, energy: float) -> None:
-        """An effect gave the carts `energy` [J]."""
-        _add(self._works.setdefault(by, [0.0, 0.0]), energy)
+        """An effect gave the carts `energy` [J]; what it had stored in their places, or else."""
+        totals = self._heights if by in self._stores else self._works
+        _add(totals.setdefault(by, [0.0, 0.0]), energy)
 
     @property
     def warmed(self) -> float:
@@ -64,14 +68,17 @@ class Ledger:
 
     @property
     def works(self) -> dict[str, float]:
-        """J, by effect. What an incline gives is height that was stored."""
-        return {
-            by: total[0] + total[1] for by, total in self._works.items() if by not in CONSERVATIVE
-        }
+        """J, by effect; left out is what was stored."""
+        return {by: total[0] + total[1] for by, total in self._works.items()}
 
     def totals(self) -> tuple[float, ...]:
         """All sums kept so far: finite, or the run was none."""
-        sums = (self._warmed, *self._impulses.values(), *self._works.values())
+        sums = (
+            self._warmed,
+            *self._impulses.values(),
+            *self._works.values(),
+            *self._heights.values(),
+        )
         return tuple(part for total in sums for part in total)
 
     def imbalance(self) -> float:
@@ -89,10 +96,8 @@ class Ledger:
     @property
     def potential(self) -> dict[str, tuple[float, float]]:
         """J per effect that stores energy: at the start and at the end."""
-        height = self._works.get("incline")
-        if height is None:
-            return self._links
-        return self._links | {"incline": (0.0, -(height[0] + height[1]))}
+        heights = {by: (0.0, -(total[0] + total[1])) for by, total in self._heights.items()}
+        return self._links | heights
 
     @property
     def momentum_initial(self) -> float:
@@ -120,9 +125,6 @@ class Ledger:
 
 TINY = 1e-300
 """J. Where nothing moves, nothing is out of balance."""
-
-CONSERVATIVE = ("incline",)
-"""Effects whose work is a change of stored energy."""
 
 
 def _add(total: list[float], term: float) -> None:

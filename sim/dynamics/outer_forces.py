@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from sim.dynamics.finished import Run
 from sim.dynamics.record import Piece
+from sim.effects.forces import FRICTION
 
 
 def names(run: Run) -> list[tuple[str, str]]:
@@ -37,14 +38,14 @@ def at(
     forces: dict[tuple[str, str], float] = {}
     for k, (cart, (_, v, a)) in enumerate(zip(run.scene.carts, states, strict=True)):
         total = between.get(k, 0.0) - between.get(k + 1, 0.0)
-        for pull in run.forces.on_cart(k, t):
-            force = pull.steady - pull.linear * v - pull.quadratic * v * abs(v)
-            key = (pull.kind, cart.name)
+        for one in run.forces.on_cart(k, t):
+            force = one.at(v)
+            key = (one.kind, cart.name)
             forces[key] = forces.get(key, 0.0) + force
             total += force
-        grip = run.forces.grip_of(k)
+        grip = run.forces.friction_on(k)
         if grip is not None:
             sliding = motion[k].sliding
             force = -sliding * grip if sliding else cart.mass * a - total
-            forces["friction", cart.name] = force
+            forces[FRICTION, cart.name] = force
     return forces

@@ -14,7 +14,7 @@ from itertools import pairwise
 from sim.dynamics import reasons
 from sim.dynamics.finished import Run
 from sim.dynamics.record import Solved
-from sim.scene.effects import KINDS
+from sim.scene.effects import kinds
 from sim.scene.model import Scene
 
 MOST_PHASES = 60
@@ -86,4 +86,4 @@ def packages(phases: tuple[Phase, ...]) -> tuple[str, ...]:
 def not_simulated(scene: Scene) -> tuple[str, ...]:
     """Effects that this program knows and this scene does not call for."""
     listed = {effect.kind for effect in scene.effects}
-    return tuple(kind for kind in KINDS if kind not in listed)
+    return tuple(kind for kind in kinds() if kind not in listed)

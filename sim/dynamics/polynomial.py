@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.effects.base import Poly
 from sim.dynamics.safe_step import SAFE_STEPS, safe_step
+from sim.effects.forces import Poly
 
 __all__ = ["Poly"]
 

@@ -8,6 +8,7 @@ from sim.dynamics.contact import PairContact
 from sim.dynamics.flight import Fading, Flight, Slowing
 from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Solved
+from sim.effects.forces import FRICTION
 from sim.scene.model import Scene
 
 FLIGHT = "nothing touches and no effect acts: every cart keeps its velocity, x = x₀ + v t is exact"
@@ -56,8 +57,8 @@ def _clusters(scene: Scene, solvers: list[Cluster | PairPhase]) -> list[str]:
             if touches
         ]
         linked = [gap.index for gap in solver.members if gap.links]
-        acting = sorted({pull.kind for load in solver.loads for pull in load.pulls})
-        acting += ["friction"] if any(load.grips for load in solver.loads) else []
+        acting = sorted({force.kind for load in solver.loads for force in load.forces})
+        acting += [FRICTION] if any(load.grips for load in solver.loads) else []
         causes = []
         if touching:
             causes.append(f"{_names(scene, touching)} in contact")
@@ -86,8 +87,8 @@ def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
         ]
         if not own:
             continue
-        kinds = sorted({pull.kind for solver in own for pull in solver.load.pulls})
-        kinds += ["friction"] if any(solver.load.grips for solver in own) else []
+        kinds = sorted({force.kind for solver in own for force in solver.load.forces})
+        kinds += [FRICTION] if any(solver.load.grips for solver in own) else []
         names = " and ".join(dict.fromkeys(n for s in own for n in _carts(scene, s)))
         text = PARABOLA if form is None else FORMS[form]
         found.append(f"{' and '.join(kinds)} on {names}, touched by nobody: {text}")

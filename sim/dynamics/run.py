@@ -103,11 +103,11 @@ class _Run(Happenings):
         forces = self.forces
         assert forces is not None
         ledger.store(self.ledger, self.chain, first=True)
-        for number, burst in enumerate(forces.bursts):
-            bursts.latch(self.chain, burst, self.record)
-            self.calendar.from_outside(number, burst.time)
+        for number, release in enumerate(forces.releases):
+            bursts.latch(self.chain, release, self.record)
+            self.calendar.from_outside(number, release.time)
         for t in forces.switches:
-            self.calendar.from_outside(len(forces.bursts), t)
+            self.calendar.from_outside(len(forces.releases), t)
         gaps = [gap for gap in self.chain.gaps if gap is not None]
         for gap in gaps:
             if gap.room < 0.0 and gap.law is not None and not gap.joined:

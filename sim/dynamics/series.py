@@ -18,8 +18,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from sim.dynamics.effects.base import Link
 from sim.dynamics.polynomial import Poly
+from sim.effects.forces import PairForce
 
 ORDER = 26
 REACH = 2.0
@@ -61,7 +61,7 @@ class Row:
     overlaps: list[float]
     rates: list[float]
     branches: list[Branch]
-    links: list[tuple[Link, ...]]
+    links: list[tuple[PairForce, ...]]
     steady: list[float]
     linear: list[float]
     quadratic: list[float]
@@ -69,12 +69,7 @@ class Row:
     @property
     def nonlinear(self) -> bool:
         """Does the series have a finite radius of convergence?"""
-        return any(self.quadratic) or any(
-            link.kind not in LINEAR for links in self.links for link in links
-        )
-
-
-LINEAR = ("spring",)
+        return any(self.quadratic) or any(not link.linear for links in self.links for link in links)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +87,7 @@ def step_length(row: Row) -> float:
     count = len(row.branches)
     stiff, damp = [], []
     for k, branch in enumerate(row.branches):
-        linear = [link for link in row.links[k] if link.kind in LINEAR]
+        linear = [link for link in row.links[k] if link.linear]
         bounds = [link.bounds(-row.overlaps[k]) for link in linear]
         stiff.append(branch.kappa + math.fsum(b[0] for b in bounds))
         damp.append(branch.gamma + math.fsum(b[1] for b in bounds))

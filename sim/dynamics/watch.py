@@ -35,10 +35,6 @@ RIGID = 1e-7
 greatest overlap as one with e = 0 is: followed exactly it would swing 1/e times as fast as all
 else. Velocities are off by at most this part of the approach speed; alone, a pair is exact."""
 
-NEAREST = 1e-9
-"""m. Nearer than atoms are to each other: magnets with n = 1 would let a fast cart come as close as
-1e-100 m."""
-
 
 def force_now(gap: Gap, branch: Branch) -> float:
     """N. The contact's force just now; 0 for a locked one."""
@@ -90,12 +86,14 @@ def contact(gap: Gap, branch: Branch, over: Poly, force: Poly) -> list[tuple[Cau
     return [("apart", force), ("climb", [gap.memory - over[0], *(-c for c in over[1:])])]
 
 
-def refuse_magnets_too_near(gaps: list[Gap], now: Time) -> None:
-    """Raise UnsolvedError where magnets are closer than their law can be followed."""
+def refuse_too_near(gaps: list[Gap], now: Time) -> None:
+    """Raise UnsolvedError where two are closer than the force across their gap can be followed."""
     for gap in gaps:
-        if gap.room < NEAREST and any(link.kind == "magnets" for link in gap.links):
+        for link in gap.links:
+            if gap.room >= link.nearest or link.nearest == 0.0:
+                continue
             raise UnsolvedError(
-                f"at t = {now[0]:.6g} s the magnets are nearer than {NEAREST:g} m: they are too "
+                f"at t = {now[0]:.6g} s the {link.kind} are nearer than {link.nearest:g} m: they are too "
                 "weak to keep their carts apart",
                 "a larger strength or power, or a lower speed",
                 now[0],

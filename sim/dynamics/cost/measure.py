@@ -22,6 +22,7 @@ from sim.dynamics.ledger import kinetic
 from sim.dynamics.run import run
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, batchable, outcome
 from sim.dynamics.stepping.stepper import Stepper
+from sim.scene.effects import kinds
 from sim.scene.model import Scene
 
 PHASES, FEW_PHASES = 64, 8
@@ -218,8 +219,8 @@ def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -
             pushes = pair.force.push(d, rate, memory[pair.gap])
             total += law.stored(d, rate, memory[pair.gap]) if pushes else 0.0
         total += math.fsum(link.energy(-d) for link in pair.links)
-    for pulls, way in zip(field.pulls(0.0), s, strict=True):
-        total -= math.fsum(pull.steady * way for pull in pulls if pull.kind == "incline")
+    for forces, way in zip(field.body_forces(0.0), s, strict=True):
+        total -= math.fsum(f.steady * way for f in forces if kinds()[f.kind].stores == "place")
     return total
 
 

@@ -25,6 +25,7 @@ from sim.dynamics.stepping.field import Detail, Pair, Row
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.story import Story
 from sim.dynamics.trajectory import Trajectory
+from sim.effects.forces import acting
 from sim.scene.model import Scene
 
 MOST_ROWS = 20_000
@@ -109,8 +110,8 @@ class _Recorder:
         for blow in run.impacts.blows:
             self.story.blow(t, blow)
             self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
-            if blow.kind == "release":
-                ledger.work("release", -blow.warmed)
+            if blow.release:
+                ledger.work(blow.release, -blow.warmed)
             else:
                 ledger.warm(blow.warmed)
         run.impacts.blows.clear()
@@ -191,7 +192,7 @@ class _Recorder:
         ledger.stored_final = self._stored(self._now(scene.until)[1].push)
         self._links(first=False)
         evaluations = run.field.evaluations
-        kinds = {effect.kind for effect in scene.effects if effect.kind != "release"}
+        kinds = {one.kind for one in acting(scene) if not one.releases()}
         finished = Run(
             scene=scene,
             t=scene.until,

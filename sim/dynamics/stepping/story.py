@@ -74,7 +74,15 @@ class Story:
 
     def blow(self, t: float, blow: Blow) -> None:
         """An impulse without duration."""
-        self._tell(t, blow.kind, blow.pair, blow.before, blow.after, blow.impulse, None)
+        self._tell(
+            t,
+            "release" if blow.release else "contact",
+            blow.pair,
+            blow.before,
+            blow.after,
+            blow.impulse,
+            None,
+        )
 
     def finish(self, t: float, v: Row) -> None:
         """The end of the run."""

@@ -1,6 +1,6 @@
 """spring: a spring between two neighbouring carts, or a cart and a wall, edge to edge.
 
-    N = k (L − r) − c r'       r [m] is the room between the edges, L the natural length
+    N = k (L − r) − c r'       r [m] is the gap between the edges, L the natural length
 
 N > 0 pushes the two apart, N < 0 pulls them together: the same number on both, opposite in
 direction. k [N/m] is `stiffness`, c [N s/m] `damping`. Energy ½ k (r − L)²; the damper takes
@@ -14,29 +14,31 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar
 
-from sim.dynamics.effects.base import Acting, Link, Poly
-from sim.dynamics.effects.pairs import gap_of
+from sim.effects.forces import Acting, PairForce, Poly
+from sim.effects.where import gap_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
 
-class SpringLink:
-    """Linear in room and rate."""
+class SpringForce:
+    """Linear in gap and rate."""
 
     kind: ClassVar[str] = "spring"
+    linear: ClassVar[bool] = True
+    nearest: ClassVar[float] = 0.0
 
     def __init__(self, stiffness: float, length: float, damping: float) -> None:
         self.stiffness, self.length, self._damping = stiffness, length, damping
 
-    def force(self, room: float, rate: float) -> float:
+    def force(self, gap: float, rate: float) -> float:
         """k (L − r) − c r'."""
-        return self.stiffness * (self.length - room) - self._damping * rate
+        return self.stiffness * (self.length - gap) - self._damping * rate
 
-    def energy(self, room: float) -> float:
+    def energy(self, gap: float) -> float:
         """½ k (r − L)²."""
-        return 0.5 * self.stiffness * (room - self.length) ** 2
+        return 0.5 * self.stiffness * (gap - self.length) ** 2
 
-    def bounds(self, room: float) -> tuple[float, float]:
+    def bounds(self, gap: float) -> tuple[float, float]:
         """k and c."""
         return self.stiffness, self._damping
 
@@ -56,20 +58,18 @@ class SpringLink:
 
 
 class Spring(Acting):
-    """A link across one gap."""
+    """A force across one gap."""
 
     kind = "spring"
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
         numbers = effect.numbers
         self._gap = gap_of(effect, scene)
-        self._link = SpringLink(
-            numbers["stiffness"], numbers["length"], numbers.get("damping", 0.0)
-        )
+        self._force = SpringForce(numbers["stiffness"], numbers["length"], numbers["damping"])
 
-    def link(self, gap: int) -> Link | None:
+    def pair_force(self, gap: int) -> PairForce | None:
         """The spring, in its gap."""
-        return self._link if gap == self._gap else None
+        return self._force if gap == self._gap else None
 
 
 act = Spring

@@ -11,7 +11,8 @@ for c; any textbook.
 
 from __future__ import annotations
 
-from sim.dynamics.effects.base import Acting, Pull
+from sim.effects.forces import Acting, BodyForce
+from sim.effects.where import carts_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
@@ -22,16 +23,16 @@ class Drag(Acting):
     kind = "drag"
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
-        self._carts = {k for k, cart in enumerate(scene.carts) if cart.name in effect.carts}
-        self._pull = Pull(
+        self._carts = carts_of(effect, scene)
+        self._force = BodyForce(
             "drag",
-            linear=effect.numbers.get("linear", 0.0),
-            quadratic=effect.numbers.get("quadratic", 0.0),
+            linear=effect.numbers["linear"],
+            quadratic=effect.numbers["quadratic"],
         )
 
-    def pull(self, cart: int, t: float) -> Pull | None:
+    def body_force(self, cart: int, t: float) -> BodyForce | None:
         """−b v − c v |v|."""
-        return self._pull if cart in self._carts else None
+        return self._force if cart in self._carts else None
 
 
 act = Drag

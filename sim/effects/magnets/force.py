@@ -1,6 +1,6 @@
 """magnets: repelling ends of two neighbouring carts, or of a cart and a wall.
 
-    N = C / r^n        r [m] is the room between the edges, n is `power`, C [N m^n] `strength`
+    N = C / r^n        r [m] is the gap between the edges, n is `power`, C [N m^n] `strength`
 
 N pushes the two apart, the same on both. Energy C / ((n − 1) r^(n−1)), for n = 1 −C ln(r / 1 m):
 it grows without limit as r falls to nought, so the two never touch, and what they had comes back
@@ -17,33 +17,38 @@ import math
 from collections.abc import Callable
 from typing import ClassVar
 
-from sim.dynamics.effects.base import Acting, Link, Poly
-from sim.dynamics.effects.pairs import gap_of
+from sim.effects.forces import Acting, PairForce, Poly
+from sim.effects.where import gap_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
+NEAREST = 1e-9
+"""m. Nearer than atoms are to each other: with n = 1 a fast cart would come as close as 1e-100 m."""
 
-class MagnetLink:
-    """A power of the room."""
+
+class MagnetForce:
+    """A power of the gap."""
 
     kind: ClassVar[str] = "magnets"
+    linear: ClassVar[bool] = False
+    nearest: ClassVar[float] = NEAREST
 
     def __init__(self, strength: float, power: float) -> None:
         self.strength, self.power = strength, power
 
-    def force(self, room: float, rate: float) -> float:
+    def force(self, gap: float, rate: float) -> float:
         """C / r^n."""
-        return float(self.strength * room**-self.power)
+        return float(self.strength * gap**-self.power)
 
-    def energy(self, room: float) -> float:
+    def energy(self, gap: float) -> float:
         """C / ((n − 1) r^(n−1)); for n = 1 −C ln r."""
         if self.power == 1.0:
-            return -self.strength * math.log(room)
-        return float(self.strength / (self.power - 1.0) * room ** (1.0 - self.power))
+            return -self.strength * math.log(gap)
+        return float(self.strength / (self.power - 1.0) * gap ** (1.0 - self.power))
 
-    def bounds(self, room: float) -> tuple[float, float]:
+    def bounds(self, gap: float) -> tuple[float, float]:
         """n C / r^(n+1); no damping."""
-        return float(self.power * self.strength * room ** (-self.power - 1.0)), 0.0
+        return float(self.power * self.strength * gap ** (-self.power - 1.0)), 0.0
 
     def expansion(self) -> Callable[[int, Poly], float]:
         """Euler's recurrence for a power of a series."""
@@ -66,17 +71,17 @@ class MagnetLink:
 
 
 class Magnets(Acting):
-    """A link across one gap."""
+    """A force across one gap."""
 
     kind = "magnets"
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
         self._gap = gap_of(effect, scene)
-        self._link = MagnetLink(effect.numbers["strength"], effect.numbers.get("power", 3.0))
+        self._force = MagnetForce(effect.numbers["strength"], effect.numbers["power"])
 
-    def link(self, gap: int) -> Link | None:
+    def pair_force(self, gap: int) -> PairForce | None:
         """The magnets, in their gap."""
-        return self._link if gap == self._gap else None
+        return self._force if gap == self._gap else None
 
 
 act = Magnets

@@ -11,24 +11,25 @@ its own. E is the work of the release. Source: conservation of momentum and ener
 
 from __future__ import annotations
 
-from sim.dynamics.effects.base import Acting, Burst
-from sim.dynamics.effects.pairs import gap_of
+from sim.effects.forces import Acting, EnergyRelease
+from sim.effects.where import gap_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
 
 class Release(Acting):
-    """One burst."""
+    """One release."""
 
     kind = "release"
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
         numbers = effect.numbers
-        self._burst = Burst(gap_of(effect, scene), numbers["energy"], numbers.get("at", 0.0))
+        gap = gap_of(effect, scene)
+        self._one = EnergyRelease(self.kind, gap, numbers["energy"], numbers["at"])
 
-    def bursts(self) -> tuple[Burst, ...]:
+    def releases(self) -> tuple[EnergyRelease, ...]:
         """The energy, the pair and the time."""
-        return (self._burst,)
+        return (self._one,)
 
 
 act = Release

@@ -16,37 +16,35 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.effects.base import Acting, Grip
+from sim.effects.forces import Acting, CoulombFriction
+from sim.effects.incline import angle_under
+from sim.effects.where import carts_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
 
 class Friction(Acting):
-    """A grip on each listed cart."""
+    """Friction on each listed cart."""
 
     kind = "friction"
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
         kinetic = effect.numbers["coefficient"]
         static = max(kinetic, effect.numbers.get("static", kinetic))
-        self._grips = {}
-        for k, cart in enumerate(scene.carts):
-            if cart.name in effect.carts:
-                support = cart.mass * scene.gravity * math.cos(angle_under(cart.name, scene))
-                self._grips[k] = Grip(kinetic * support, static * support)
+        self._on: dict[int, CoulombFriction] = {}
+        for k in carts_of(effect, scene):
+            support = support_of(k, scene)
+            self._on[k] = CoulombFriction(kinetic * support, static * support)
 
-    def grip(self, cart: int) -> Grip | None:
+    def friction(self, cart: int) -> CoulombFriction | None:
         """μ N and μ_s N."""
-        return self._grips.get(cart)
+        return self._on.get(cart)
 
 
-def angle_under(cart: str, scene: Scene) -> float:
-    """rad. Angle of the track under a cart."""
-    return sum(
-        other.numbers["angle"]
-        for other in scene.effects
-        if other.kind == "incline" and cart in other.carts
-    )
+def support_of(cart: int, scene: Scene) -> float:
+    """N. m g cos θ, the force with which the track carries a cart."""
+    one = scene.carts[cart]
+    return one.mass * scene.gravity * math.cos(angle_under(one.name, scene))
 
 
 act = Friction

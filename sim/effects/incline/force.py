@@ -12,7 +12,8 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.effects.base import Acting, Pull
+from sim.effects.forces import Acting, BodyForce
+from sim.effects.where import carts_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
@@ -24,15 +25,14 @@ class Incline(Acting):
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
         slope = scene.gravity * math.sin(effect.numbers["angle"])
-        self._pulls = {
-            k: Pull("incline", steady=cart.mass * slope)
-            for k, cart in enumerate(scene.carts)
-            if cart.name in effect.carts
+        self._forces = {
+            k: BodyForce("incline", steady=scene.carts[k].mass * slope)
+            for k in carts_of(effect, scene)
         }
 
-    def pull(self, cart: int, t: float) -> Pull | None:
+    def body_force(self, cart: int, t: float) -> BodyForce | None:
         """m g sin θ."""
-        return self._pulls.get(cart)
+        return self._forces.get(cart)
 
 
 act = Incline

@@ -10,26 +10,26 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.effects.base import Acting, Pull
+from sim.effects.forces import Acting, BodyForce
+from sim.effects.where import carts_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
 
 class Push(Acting):
-    """A constant pull between two switches."""
+    """A constant force between two switches."""
 
     kind = "push"
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
-        names = [cart.name for cart in scene.carts]
-        self._cart = names.index(effect.carts[0])
-        self._pull = Pull("push", steady=effect.numbers["force"])
-        self._from = effect.numbers.get("from", 0.0)
+        (self._cart,) = carts_of(effect, scene)
+        self._force = BodyForce("push", steady=effect.numbers["force"])
+        self._from = effect.numbers["from"]
         self._until = effect.numbers.get("until", math.inf)
 
-    def pull(self, cart: int, t: float) -> Pull | None:
+    def body_force(self, cart: int, t: float) -> BodyForce | None:
         """The force while it lasts."""
-        return self._pull if cart == self._cart and self._from <= t < self._until else None
+        return self._force if cart == self._cart and self._from <= t < self._until else None
 
     def switches(self) -> tuple[float, ...]:
         """Its beginning and its end."""
