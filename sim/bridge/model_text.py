@@ -12,10 +12,12 @@ from array import array
 from collections.abc import Mapping
 from typing import Any
 
-from sim.bridge import model_pieces as piece
+from sim.bridge import model_pieces as text_of
 from sim.bridge.protocol import plain_of
 from sim.dynamics.laws.lookup import finite_law
+from sim.effects.plain_model import Piece, piece_of
 from sim.scene import Scene, read_scene
+from sim.scene.effects import kinds
 
 PARTS = 100
 """Steps in a quarter swing: the end of a contact is then met within a hundredth of it."""
@@ -28,11 +30,12 @@ STEPPED = ("bumper", "paper", "push-only", "push-only-uncorrected", "hertz")
 
 def model_text(scene: Scene) -> str:
     """The program. It prints where the carts are, twenty times, and how fast they end."""
-    kinds = {effect.kind for effect in scene.effects}
+    own = _pieces(scene)
+    pieces = [own[kind] for kind in kinds() if kind in own]
     laws = {contact.law for contact in scene.contacts if contact is not None}
-    joins = "velcro" in laws or "release" in kinds
+    joins = "velcro" in laws or any(one.joins for one in pieces)
     kicked = joins or "instant" in laws
-    text = piece.HEAD.format(
+    text = text_of.HEAD.format(
         title=" ".join((scene.title or "Carts").split()),
         names=[cart.name for cart in scene.carts],
         mass=[cart.mass for cart in scene.carts],
@@ -44,19 +47,19 @@ def model_text(scene: Scene) -> str:
         dt=_step(scene),
         contacts="".join(f"    {row},\n" for row in _contacts(scene)),
     )
-    text += "".join(f"{name} = {rows!r}  # {says}\n" for name, rows, says in _effects(scene))
-    text += piece.PLACES
+    text += _lists(scene, own)
+    text += text_of.PLACES
     if kicked:
-        text += piece.KICK
-    if kicked or "friction" in kinds:
-        text += piece.GROUPS if joins else piece.ALONE
-    text += piece.STEP
-    text += piece.CONTACT_FORCES if laws & set(STEPPED) else ""
-    text += "".join(force for kind, force in piece.FORCES.items() if kind in kinds)
-    text += piece.FRICTION if "friction" in kinds else piece.MOVE if joins else piece.MOVE_ALONE
-    text += piece.IMPACTS if laws & {"instant", "velcro"} else ""
-    text += piece.RELEASE if "release" in kinds else ""
-    return text + piece.RUN
+        text += text_of.KICK
+    moves = next((one.move for one in pieces if one.move), "")
+    if kicked or moves:
+        text += text_of.GROUPS if joins else text_of.ALONE
+    text += text_of.STEP
+    text += text_of.CONTACT_FORCES if laws & set(STEPPED) else ""
+    text += "".join(one.force for one in pieces)
+    text += moves or (text_of.MOVE if joins else text_of.MOVE_ALONE)
+    text += text_of.IMPACTS if laws & {"instant", "velcro"} else ""
+    return text + "".join(one.after for one in pieces) + text_of.RUN
 
 
 def model_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
@@ -81,41 +84,20 @@ def _contacts(scene: Scene) -> list[tuple[int | None, int | None, str, float, fl
     return found
 
 
-def _effects(scene: Scene) -> list[tuple[str, list[tuple[object, ...]], str]]:
+def _pieces(scene: Scene) -> dict[str, Piece]:
+    """By kind; those that move the carts themselves last: they may need what others say."""
+    pieces = {name: piece_of(name) for name in dict.fromkeys(e.kind for e in scene.effects)}
+    return dict(sorted(pieces.items(), key=lambda item: bool(item[1].move)))
+
+
+def _lists(scene: Scene, pieces: Mapping[str, Piece]) -> str:
     """The lists that the pieces of the effects read."""
-    number = {cart.name: i for i, cart in enumerate(scene.carts)}
-    g = scene.gravity
-    angle = [0.0] * len(scene.carts)
-    rows: dict[str, list[tuple[object, ...]]] = {}
-    for effect in scene.effects:
-        n = effect.numbers
-        on = [number[name] for name in effect.carts]
-        pair = tuple(number.get(name) for name in effect.between or ())
-        if effect.kind == "incline":
-            for i in on:
-                angle[i] += n["angle"]
-            rows.setdefault("slopes", []).extend((i, g * math.sin(n["angle"])) for i in on)
-        elif effect.kind == "drag":
-            both = (n.get("linear", 0.0), n.get("quadratic", 0.0))
-            rows.setdefault("drags", []).extend((i, *both) for i in on)
-        elif effect.kind == "push":
-            times = (n.get("from", 0.0), n.get("until", scene.until))
-            rows.setdefault("pushes", []).append((on[0], n["force"], *times))
-        elif effect.kind == "spring":
-            three = (n["stiffness"], n["length"], n.get("damping", 0.0))
-            rows.setdefault("springs", []).append((*pair, *three))
-        elif effect.kind == "magnets":
-            rows.setdefault("magnets", []).append((*pair, n["strength"], n.get("power", 3.0)))
-        elif effect.kind == "release":
-            rows.setdefault("releases", []).append((n.get("at", 0.0), *pair, n["energy"]))
-    for effect in scene.effects:
-        if effect.kind == "friction":
-            n, low = effect.numbers, effect.numbers["coefficient"]
-            for i in (number[name] for name in effect.carts):
-                press = scene.carts[i].mass * g * math.cos(angle[i])
-                high = max(low, n.get("static", low))
-                rows.setdefault("rough", []).append((i, low * press, high * press))
-    return [(name, listed, piece.SAYS[name]) for name, listed in rows.items()]
+    text = ""
+    for name, piece in pieces.items():
+        own = [effect for effect in scene.effects if effect.kind == name]
+        rows = [row for effect in own for row in piece.rows(effect, scene)]
+        text += f"{piece.name} = {rows!r}  # {piece.says}\n"
+    return text
 
 
 def _reduced(scene: Scene, k: int) -> float:
@@ -134,8 +116,7 @@ def _step(scene: Scene) -> float:
                 steep /= contact.restitution**2
             step = min(step, 0.5 * math.pi * math.sqrt(_reduced(scene, k) / steep) / PARTS)
     for effect in scene.effects:
-        if effect.kind == "spring":
-            lightest = min(cart.mass for cart in scene.carts)
-            quarter = 0.5 * math.pi * math.sqrt(lightest / 2 / effect.numbers["stiffness"])
-            step = min(step, quarter / PARTS)
+        quarter = piece_of(effect.kind).quarter
+        if quarter is not None:
+            step = min(step, quarter(effect, scene) / PARTS)
     return float(f"{max(step, scene.until / MOST_STEPS):.2g}")

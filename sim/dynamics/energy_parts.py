@@ -130,7 +130,7 @@ class _Account:
 def _body_forces(
     run: Run, effects: tuple[Acting, ...]
 ) -> tuple[list[tuple[int, BodyForce]], list[_Given]]:
-    """Steady forces by cart: those whose work is stored, and those whose work comes from outside."""
+    """Steady forces by cart: those whose work is stored, and those that bring energy."""
     stored: list[tuple[int, BodyForce]] = []
     given: list[_Given] = []
     for effect in effects:

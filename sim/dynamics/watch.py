@@ -93,8 +93,8 @@ def refuse_too_near(gaps: list[Gap], now: Time) -> None:
             if gap.room >= link.nearest or link.nearest == 0.0:
                 continue
             raise UnsolvedError(
-                f"at t = {now[0]:.6g} s the {link.kind} are nearer than {link.nearest:g} m: they are too "
-                "weak to keep their carts apart",
+                f"at t = {now[0]:.6g} s the {link.kind} are nearer than {link.nearest:g} m: they "
+                "are too weak to keep their carts apart",
                 "a larger strength or power, or a lower speed",
                 now[0],
                 (),

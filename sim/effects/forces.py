@@ -69,7 +69,7 @@ class PairForce(Protocol):
     linear: ClassVar[bool]
     """Is the force linear in gap and rate? Else its power series has a radius of convergence."""
     nearest: ClassVar[float]
-    """m. Nearer than this the force cannot be followed, and the run is refused; 0: it always can."""
+    """m. Nearer than this the force cannot be followed: the run is refused. 0: it always can."""
 
     def force(self, gap: float, rate: float) -> float:
         """N, pushing apart; gap in m, its rate in m/s."""

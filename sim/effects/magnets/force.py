@@ -23,7 +23,7 @@ from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
 NEAREST = 1e-9
-"""m. Nearer than atoms are to each other: with n = 1 a fast cart would come as close as 1e-100 m."""
+"""m. Nearer than atoms are to each other; with n = 1 a fast cart would come to 1e-100 m."""
 
 
 class MagnetForce:
