@@ -18,17 +18,28 @@ ROOT = Path(__file__).parents[1]
 SIM = ROOT / "sim"
 
 # A layer may import those to its right and itself: cli, pages, bridge -> classroom -> lesson and
-# cli, pages, bridge -> measured -> dynamics -> effects -> scene. `pages` computes only in bake.py,
-# and inside functions.
+# cli, pages, bridge -> measured -> dynamics -> effects, laws -> scene. `pages` computes only in
+# bake.py, and inside functions.
 MAY_IMPORT = {
     "scene": {"scene"},
     "effects": {"effects", "scene"},
-    "dynamics": {"dynamics", "effects", "scene"},
+    "laws": {"laws", "scene"},
+    "dynamics": {"dynamics", "effects", "laws", "scene"},
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
-    "measured": {"measured", "dynamics", "effects", "scene"},
-    "bridge": {"bridge", "classroom", "measured", "lesson", "dynamics", "effects", "scene"},
-    "pages": {"pages", "bridge", "classroom", "measured", "lesson", "dynamics", "effects", "scene"},
+    "measured": {"measured", "dynamics", "effects", "laws", "scene"},
+    "bridge": {"bridge", "classroom", "measured", "lesson", "dynamics", "effects", "laws", "scene"},
+    "pages": {
+        "pages",
+        "bridge",
+        "classroom",
+        "measured",
+        "lesson",
+        "dynamics",
+        "effects",
+        "laws",
+        "scene",
+    },
     "cli": {
         "cli",
         "pages",
@@ -88,7 +99,7 @@ def test_the_browsers_own_modules_are_imported_in_one_file_only() -> None:
             assert only in (None, inside) or in_the_page, f"{inside} imports {name}"
 
 
-@pytest.mark.parametrize("layer", ["dynamics", "measured"])
+@pytest.mark.parametrize("layer", ["dynamics", "laws", "measured"])
 def test_numerics_import_numpy_and_scipy_only_when_used(layer: str) -> None:
     for path in modules(layer):
         for node in ast.parse(path.read_text(encoding="utf-8")).body:

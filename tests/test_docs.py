@@ -16,11 +16,11 @@ from sim.pages.measured.block import KEYS as MEASURED_KEYS
 from sim.pages.yaml_source import load
 from sim.scene import fields, read_fence
 from sim.scene.effects import EffectKind, kinds
+from sim.scene.laws import laws
 from sim.scene.map import MAP_KEYS
 from sim.scene.predict import KINDS as PREDICTIONS
 from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS, VIEWS
 from sim.scene.read import SCENE_KEYS
-from sim.scene.read_contact import LAWS
 from tests import registry
 
 ROOT = Path(__file__).parents[1]
@@ -30,7 +30,7 @@ TEXTS = sorted(
 )
 
 CART_KEYS = [field.key for field in fields.CART]
-OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *LAWS, *PREDICTIONS, *SHOWS, *VIEWS, *PACKAGES]
+OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *laws(), *PREDICTIONS, *SHOWS, *VIEWS, *PACKAGES]
 
 
 @pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])

@@ -14,8 +14,8 @@ from typing import Any
 
 from sim.bridge import model_pieces as text_of
 from sim.bridge.protocol import plain_of
-from sim.dynamics.laws.lookup import finite_law
 from sim.effects.plain_model import Piece, piece_of
+from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
 from sim.scene.effects import kinds
 
@@ -76,7 +76,7 @@ def _contacts(scene: Scene) -> list[tuple[int | None, int | None, str, float, fl
         if contact is None:
             continue
         left, right = (k - 1 if k else None), (k if k < n else None)
-        law = finite_law(contact)
+        law = contact_law(contact)
         damper = getattr(law, "damper", None)
         c = damper(_reduced(scene, k)) if damper and contact.law != "bumper" else 0.0
         e = 0.0 if contact.restitution is None else contact.restitution

@@ -17,7 +17,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from sim.dynamics.cluster import Cluster
-from sim.dynamics.laws import Hertz
 from sim.dynamics.outcome import UnsolvedError
 from sim.dynamics.polynomial import Poly, value
 from sim.dynamics.series import Expansion, hold_now
@@ -60,7 +59,7 @@ class Adaptive(Cluster):
         push, loss, pull = [], [], []
         for k, gap in enumerate(self.members):
             law, branch = gap.law, self.branches[k]
-            if isinstance(law, Hertz) and self.touched[k]:
+            if law is not None and not law.linear and self.touched[k]:
                 push.append(law.force(gap.mu, over[k], rate[k]))
                 loss.append(law.dissipated(gap.mu, over[k], rate[k]))
             else:
@@ -115,7 +114,12 @@ class Adaptive(Cluster):
         masses = [body.mass for body in self.bodies if body.mass < math.inf]
         speed = max([abs(v) for v in (*self.row.speeds, *self.row.rates)], default=0.0) or 1e-6
         stiff = max(
-            [gap.law.stiffness for gap in self.members if isinstance(gap.law, Hertz)], default=1.0
+            [
+                gap.law.stiffness
+                for gap in self.members
+                if gap.law is not None and not gap.law.linear
+            ],
+            default=1.0,
         )
         way = speed * (min(masses) ** 2 / (stiff**2 * speed)) ** 0.2
         way = max([way, *(abs(o) for o in self.row.overlaps if abs(o) < way)])
@@ -148,7 +152,7 @@ class Adaptive(Cluster):
         """N, by the law itself."""
         gap, over = self.members[k], self.series.over[k]
         rate = [n * c for n, c in enumerate(over)][1:]
-        if isinstance(gap.law, Hertz) and self.touched[k]:
+        if gap.law is not None and not gap.law.linear and self.touched[k]:
             return gap.law.force(gap.mu, value(over, t), value(rate, t))
         return self.branches[k].force(value(over, t), value(rate, t))
 
@@ -162,7 +166,8 @@ class Adaptive(Cluster):
 
     def warmed(self, k: int, t: float) -> float:
         """J, integrated with the motion; what a bumper keeps follows from its law."""
-        if isinstance(self.members[k].law, Hertz):
+        law = self.members[k].law
+        if law is not None and not law.linear:
             return value(self.losses[k], t)
         return Cluster.warmed(self, k, t)
 

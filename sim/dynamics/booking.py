@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from sim.dynamics.laws import Bumper
 from sim.dynamics.polynomial import Poly, cube_integral, integral, square_integral, value
 from sim.effects.forces import FRICTION
 
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
     from sim.dynamics.forces import Load
     from sim.dynamics.ledger import Ledger
     from sim.dynamics.pair_phase import PairPhase
-    from sim.dynamics.series import Branch
+    from sim.laws.branch import Branch
 
 
 def _body_forces(
@@ -113,13 +112,4 @@ def warmed(gap: Gap, branch: Branch, over: Poly, t: float) -> float:
     if branch.gamma:
         rate = [n * c for n, c in enumerate(over)][1:]
         loss += branch.gamma * square_integral(rate, t)
-    return loss + kept_by_bumper(gap, branch, over[0], value(over, t))
-
-
-def kept_by_bumper(gap: Gap, branch: Branch, start: float, end: float) -> float:
-    """J. The part 1 − e² of the work that presses a bumper in from overlap `start` to `end` [m]."""
-    law = gap.law
-    if not isinstance(law, Bumper) or branch.kappa != law.stiffness or law.e == 1.0:
-        return 0.0
-    kept = 0.5 * law.stiffness * (1.0 - law.e) * (1.0 + law.e)
-    return kept * (end - start) * (end + start)
+    return loss + (gap.law.kept(branch, over[0], value(over, t)) if gap.law is not None else 0.0)

@@ -20,9 +20,10 @@ from sim.dynamics.cluster import Cluster
 from sim.dynamics.contact import PairContact
 from sim.dynamics.flight import Flight
 from sim.dynamics.forces import NO_LOAD, Forces, Load
-from sim.dynamics.laws import Figures, FiniteLaw, finite_law
 from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.touching import Touching
+from sim.laws.contact_law import ContactLaw, Figures
+from sim.laws.lookup import contact_law
 from sim.scene.model import Contact, Scene
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ class Gap:
     room: float  # m, at `time`
     rate: float  # m/s, right velocity minus left
     contact: Contact
-    law: FiniteLaw | None
+    law: ContactLaw | None
     time: Time = ZERO
     memory: float = 0.0  # m, of the bumper
     turn: int = 0  # counts predictions: an older one in the calendar is void
@@ -111,13 +112,13 @@ class Chain:
         row = [_wall(scene, 0), *self.bodies, _wall(scene, count)]
         self.gaps: list[Gap | None] = []
         known: Contact | None = None
-        law: FiniteLaw | None = None
+        law: ContactLaw | None = None
         for k, contact in enumerate(scene.contacts):
             if contact is None:
                 self.gaps.append(None)
                 continue
             if contact is not known:
-                known, law = contact, finite_law(contact)
+                known, law = contact, contact_law(contact)
             left, right = row[k], row[k + 1]
             gap = Gap(k, left, right, scene.gaps[k], scene.approaches[k], contact, law)
             if forces is not None:

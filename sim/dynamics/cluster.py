@@ -25,7 +25,8 @@ from sim.dynamics.polynomial import (
     value,
     value_and_slope,
 )
-from sim.dynamics.series import Branch, Expansion, Row, converged_step, expand, step_length
+from sim.dynamics.series import Expansion, Row, converged_step, expand, step_length
+from sim.laws.branch import Branch
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
@@ -151,12 +152,11 @@ class Cluster:
         found: list[tuple[watch.End, Poly]] = []
         for k, (gap, branch) in enumerate(zip(self.members, self.branches, strict=True)):
             over, force = self.series.over[k], self.series.force[k]
-            if gap.touching is None:
-                found += [((cause, k), p) for cause, p in watch.linked(gap, over)]
-            elif branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
+            if gap.touching is not None and branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
                 found.append((("apart", k), [-1.0]))  # nobody pushes them together any more
-            elif sizes[k] >= noise:
-                found += [((cause, k), p) for cause, p in watch.contact(gap, branch, over, force)]
+            elif gap.touching is None or sizes[k] >= noise:
+                guards = watch.guards_of(gap, branch)
+                found += [((g.cause, k), watch.along(gap, g, over, force)) for g in guards]
         for i, body in enumerate(self.bodies):
             if body.carts and body.held:
                 found += [(("slip", i), p) for p in watch.grip(body, self.other_force(i))]

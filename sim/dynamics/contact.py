@@ -20,8 +20,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from sim.dynamics.clock import Time, elapsed
-from sim.dynamics.laws import Figures, FiniteLaw
-from sim.dynamics.laws.swing import Swing, first_turn, greatest_force
+from sim.laws.contact_law import ContactLaw, Figures
+from sim.laws.damped_oscillation import Swing, first_turn, greatest_force
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body
@@ -38,7 +38,7 @@ class PairContact:
     """A contact that began at `begun` with overlap d0 and approach speed u."""
 
     gap: int
-    law: FiniteLaw
+    law: ContactLaw
     mu: float  # kg
     begun: Time
     d0: float  # m

@@ -13,9 +13,9 @@ from sim.dynamics import pushed_again
 from sim.dynamics.chain import Body, Gap, velocity
 from sim.dynamics.clock import Time, elapsed, later
 from sim.dynamics.flight import Flight
-from sim.dynamics.laws import PushOnly
 from sim.dynamics.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.series import is_rounding
+from sim.laws.contact_law import ContactLaw
 
 TOUCH_ROUNDING = 1e-15
 """Relative to the search's span. A room that would close within this time has closed."""
@@ -39,7 +39,7 @@ def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     law = gap.law
     if gap.rate < 0.0:
         return max(0.0, (gap.room + resting(gap)) / -gap.rate)
-    if gap.room < 0.0 and isinstance(law, PushOnly) and not own_separation:
+    if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
         return 0.0 if pushed_again.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
 
@@ -59,7 +59,7 @@ def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False
     horizon = min(motion.time_left(now) for motion in (left, right) if motion is not None)
     horizon = min(horizon, elapsed(now, end))
     gap.clear_at = None
-    if gap.room < 0.0 and isinstance(gap.law, PushOnly):
+    if gap.room < 0.0 and gap.law is not None and gap.law.recontacts:
         return _pushed_again(gap, gap.law, now, horizon, own_separation)
     rest = resting(gap)
     if rest == 0.0 and _is_parabola(gap.left) and _is_parabola(gap.right):
@@ -199,7 +199,7 @@ def _first_fall(
 
 
 def _pushed_again(
-    gap: Gap, law: PushOnly, now: Time, horizon: float, own_separation: bool
+    gap: Gap, law: ContactLaw, now: Time, horizon: float, own_separation: bool
 ) -> float:
     """A push-only pair that still overlaps, until it clears."""
     if own_separation is False and pushed_again.pushes(law, gap.mu, gap.room, gap.rate):

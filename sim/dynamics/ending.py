@@ -12,7 +12,6 @@ from sim.dynamics import resolve
 from sim.dynamics.chain import Gap
 from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.cluster import Cluster
-from sim.dynamics.laws import Bumper, Paper, PushOnly
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.polynomial import value
@@ -62,12 +61,8 @@ def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
         gap.touching = None
         return 0
     ledger.warm(law.stored(-gap.room, -gap.rate, gap.memory))
-    last = 0.0
-    if isinstance(law, Paper):
-        gap.room = 0.0
-        last = law.force(gap.mu, 0.0, -gap.rate)
-    elif isinstance(law, Bumper):
-        gap.room = -law.resting_overlap(gap.memory)
+    gap.room = -law.left_over(-gap.room, gap.memory)
+    last = law.last_force(gap.mu, -gap.rate)
     if gap.room >= 0.0:
         gap.room = gap.memory = 0.0
     resolve.tell_separation(gap, now, last, record)
@@ -112,4 +107,4 @@ def _slip(cluster: Cluster, k: int, now: Time) -> None:
 
 def is_push(gap: Gap) -> bool:
     """Does the gap touch because an overlap that is left begins to push again?"""
-    return gap.room < 0.0 and isinstance(gap.law, PushOnly)
+    return gap.room < 0.0 and gap.law is not None and gap.law.recontacts

@@ -20,6 +20,7 @@ from sim.dynamics.finished import Run
 from sim.dynamics.ledger import kinetic
 from sim.dynamics.trajectory import Trajectory, sample
 from sim.effects.forces import Acting, BodyForce, acting
+from sim.laws.lookup import contact_law
 from sim.scene.effects import kinds
 from sim.scene.model import Contact, Scene
 
@@ -161,12 +162,7 @@ def _room(scene: Scene, x: list[float], v: list[float], gap: int) -> tuple[float
 
 def _squeezed(contact: Contact, overlap: float, force: float) -> float:
     """J. What the bumpers of a pair give back; infinite force: not known, as at the start."""
-    stiffness = contact.stiffness or 0.0
-    if overlap <= TOUCH or force <= 0.0:
+    law = contact_law(contact)
+    if law is None or overlap <= TOUCH or force <= 0.0:
         return 0.0
-    if contact.law == "hertz":
-        return 0.4 * stiffness * float(overlap**2.5)
-    if contact.law != "bumper":
-        return 0.5 * stiffness * overlap**2
-    push = min(force, stiffness * overlap)
-    return ((contact.restitution or 0.0) * push) ** 2 / (2.0 * stiffness)
+    return law.stored_under(overlap, force)

@@ -15,7 +15,6 @@ from sim.dynamics.clock import Time, elapsed
 from sim.dynamics.cluster import Cluster
 from sim.dynamics.flight import Flight
 from sim.dynamics.forces import NO_LOAD, Forces
-from sim.dynamics.laws import Hertz
 from sim.dynamics.modes import decide
 from sim.dynamics.pair_phase import PairPhase
 from sim.dynamics.record import Record
@@ -71,7 +70,7 @@ def _solver(
     if len(row) == 1:
         return _flight(row[0], now, end, forces) if loaded else None
     law = gaps[0].law
-    closed = law is not None and not isinstance(law, Hertz)
+    closed = law is not None and law.linear
     if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
         return pair_contact(gaps[0], now)
     if len(gaps) == 1 and _is_linear(row, gaps[0]):
@@ -87,7 +86,7 @@ def _is_linear(row: list[Body], gap: Gap) -> bool:
     if any(body.load.linear or body.load.quadratic or body.load.grips for body in row):
         return False
     if gap.touching is not None and (
-        gap.law is None or isinstance(gap.law, Hertz) or branch_of(gap).locked
+        gap.law is None or not gap.law.linear or branch_of(gap).locked
     ):
         return False
     return all(link.linear for link in gap.links)
@@ -111,7 +110,7 @@ def _cluster(
 ) -> Cluster:
     _count(row, gaps, forces, ORDER - 1)
     limit = max(elapsed(now, end), 0.0)
-    if any(gap.touching is not None and isinstance(gap.law, Hertz) for gap in gaps):
+    if any(gap.touching is not None and gap.law is not None and not gap.law.linear for gap in gaps):
         from sim.dynamics.adaptive import Adaptive  # only where a scene calls for it
 
         return Adaptive(row, gaps, now, limit)

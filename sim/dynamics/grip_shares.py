@@ -12,7 +12,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sim.dynamics.series import Branch, Expansion
+from sim.dynamics.series import Expansion
+from sim.laws.branch import Branch
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body

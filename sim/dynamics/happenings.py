@@ -89,7 +89,7 @@ class Happenings:
         """Two bodies touch."""
         self.happened += 1 if gap.law is None else 2
         free = gap.left.motion is None and gap.right.motion is None
-        if self.forces is not None or not free or gap.contact.law == "hertz":
+        if self.forces is not None or not free or (gap.law is not None and not gap.law.linear):
             self.join(gap, now)
             return
         self.around(gap, now)
@@ -118,7 +118,7 @@ class Happenings:
     def at_once(self, gap: Gap, now: Time, *, stays: bool) -> None:
         """A contact without duration between two bodies that are free, or settled."""
         self.solvers[gap.contact.law] += 1
-        if gap.contact.law == "instant":
+        if not gap.contact.joins:
             self.fastest = max(self.fastest, -gap.rate)
             resolve.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
             return

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.laws.swing import Rate, first_turn, solve
+from sim.laws.damped_oscillation import Rate, first_turn, solve
 
 LAST_BIT = 4e-16
 """Relative to the bracket."""

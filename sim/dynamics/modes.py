@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from sim.dynamics import watch
-from sim.dynamics.series import Branch
+from sim.laws.branch import Branch
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap

@@ -17,17 +17,17 @@ from typing import TYPE_CHECKING
 
 from sim.dynamics import booking, watch
 from sim.dynamics.clock import Time, elapsed
-from sim.dynamics.laws import Bumper, Paper, PushOnly
-from sim.dynamics.laws.swing import Rate, first_turn, solve
 from sim.dynamics.level import first_fall_to
 from sim.dynamics.pushed_again import PUSH_ROUNDING
 from sim.dynamics.series import REACH, is_rounding
+from sim.laws.branch import Guard
+from sim.laws.damped_oscillation import Rate, first_turn, solve
 
 if TYPE_CHECKING:
     from sim.dynamics.chain import Body, Gap
     from sim.dynamics.forces import Load
     from sim.dynamics.ledger import Ledger
-    from sim.dynamics.series import Branch
+    from sim.laws.branch import Branch
 
 FADED = 1e-4
 """Of the first swing. Fainter ones are not drawn one by one."""
@@ -93,11 +93,12 @@ class PairPhase:
                 (a.load.steady + b.load.steady) / total,
             )
         self.duration = self.limit
-        for cause, t in self._watched(gap, branch):
+        for guard in watch.guards_of(gap, branch):
+            t = self._happens(gap, branch, guard)
             if t <= self.duration:
                 if t < self.duration:
                     self.ends.clear()
-                self.ends.append((cause, 0))
+                self.ends.append((guard.cause, 0))
                 self.duration = t
 
     def _falls(self, over: float, rate: float, level: float) -> float:
@@ -106,35 +107,21 @@ class PairPhase:
         bend = -2.0 * self.rate.beta * v0 - self.rate.w0 * self.rate.w0 * y0
         return first_fall_to(self.rate, over * y0 + rate * v0, over * v0 + rate * bend, level)
 
-    def _watched(self, gap: Gap, branch: Branch) -> list[tuple[watch.Cause, float]]:
-        law, c = gap.law, self.centre
-        if not self.touched[0]:
-            return self._touches(gap)
-        kappa, gamma = branch.kappa, branch.gamma
-        gone = self._falls(kappa, gamma, kappa * (branch.rest - c))
-        if isinstance(law, Paper):
-            return [("apart", self._falls(1.0, 0.0, -c))]
-        if not isinstance(law, Bumper) or law.e == 1.0:
-            return [("apart", gone)]
-        if branch.kappa == law.stiffness:
-            return [("apart", gone), ("turn", self._falls(0.0, 1.0, 0.0))]
-        return [("apart", gone), ("climb", self._falls(-1.0, 0.0, c - gap.memory))]
-
-    def _touches(self, gap: Gap) -> list[tuple[watch.Cause, float]]:
-        law, c = gap.law, self.centre
-        if gap.room < 0.0 and isinstance(law, PushOnly):
-            k, damper = law.stiffness, law.damper(gap.mu)
-            y0, v0 = self.start[0] - c, self.start[1]
-            push = k * self.start[0] + damper * v0
-            none = abs(push) <= PUSH_ROUNDING * k * self.start[0]
-            level = -k * y0 + -damper * v0 if none else k * c
-            found = [("touch", self._falls(-k, -damper, level))]
-            return [*found, ("clear", self._falls(1.0, 0.0, -c))]  # type: ignore[list-item]
-        rest = 0.0
-        if gap.room < 0.0 and law is not None:
-            rest = law.resting_overlap(gap.memory)
-        touch: list[tuple[watch.Cause, float]] = [("touch", self._falls(-1.0, 0.0, c - rest))]
-        return [*touch, ("clear", self._falls(1.0, 0.0, -c))] if rest > 0.0 else touch
+    def _happens(self, gap: Gap, branch: Branch, guard: Guard) -> float:
+        """First t at which the guard's event happens."""
+        c, sign = self.centre, -1.0 if guard.rises else 1.0
+        if guard.of == "force":
+            return self._falls(branch.kappa, branch.gamma, branch.kappa * (branch.rest - c))
+        if guard.of == "rate":
+            return self._falls(0.0, 1.0, 0.0)
+        if guard.of == "overlap":
+            return self._falls(sign, 0.0, sign * (guard.level - c))
+        assert gap.law is not None
+        k, damper = gap.law.stiffness, gap.law.damper(gap.mu)
+        y0, v0 = self.start[0] - c, self.start[1]
+        push = k * self.start[0] + damper * v0
+        none = abs(push) <= PUSH_ROUNDING * k * self.start[0]
+        return self._falls(-k, -damper, -k * y0 + -damper * v0 if none else k * c)
 
     @property
     def swings(self) -> bool:
@@ -267,7 +254,9 @@ class PairPhase:
         """J. What the contact does not give back, up to t."""
         gap, branch = self.members[0], self.branches[0]
         loss = branch.gamma * self.damped(t) if branch.gamma else 0.0
-        return loss + booking.kept_by_bumper(gap, branch, self.start[0], self.over(0, t)[0])
+        if gap.law is None:
+            return loss
+        return loss + gap.law.kept(branch, self.start[0], self.over(0, t)[0])
 
     def book(self, ledger: Ledger, t: float) -> None:
         """Impulses from outside and work, by name."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from sim.dynamics.laws import PushOnly
+from sim.laws.contact_law import ContactLaw
 
 PUSH_ROUNDING = 1e-12
 """Of k d. Spring and damper cancel at separation; what rounding leaves of them is no push."""
@@ -24,13 +24,13 @@ BISECTED = 1e-15
 """Relative to the span: the last bit of the time."""
 
 
-def pushes(law: PushOnly, mu: float, room: float, rate: float) -> bool:
+def pushes(law: ContactLaw, mu: float, room: float, rate: float) -> bool:
     """Is the force of an overlap positive, by more than rounding?"""
     return law.force(mu, -room, -rate) > PUSH_ROUNDING * law.stiffness * -room
 
 
 def scan(
-    law: PushOnly, mu: float, place: Callable[[float], tuple[float, float]], horizon: float
+    law: ContactLaw, mu: float, place: Callable[[float], tuple[float, float]], horizon: float
 ) -> tuple[float, bool]:
     """First t at which the pair pushes, and False; or the t at which it has cleared, and True.
 

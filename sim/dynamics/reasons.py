@@ -33,8 +33,9 @@ def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
     if sentences:
         return "; ".join(sentences)
     text = NOTHING_CHANGES if scene.effects else FLIGHT
-    text += AT_ONCE if "instant" in used else ""
-    return text + (STUCK if "velcro" in used else "")
+    sudden = [contact for contact in scene.contacts if contact is not None and contact.law in used]
+    text += AT_ONCE if any(not contact.joins for contact in sudden) else ""
+    return text + (STUCK if any(contact.joins for contact in sudden) else "")
 
 
 def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:

@@ -20,33 +20,11 @@ from dataclasses import dataclass
 
 from sim.dynamics.polynomial import Poly
 from sim.effects.forces import PairForce
+from sim.laws.branch import Branch
 
 ORDER = 26
 REACH = 2.0
 """REACH^ORDER / ORDER! is 2e-19: a thousandth of the rounding of the sum itself."""
-
-
-@dataclass(frozen=True, slots=True)
-class Branch:
-    """One linear branch of a contact force; kappa in N/m, gamma in N s/m, rest in m.
-
-    `locked`: the overlap stays as it is, and the force is whatever that takes (a bumper with e = 0
-    at its greatest overlap). The forces of neighbouring locked gaps solve a tridiagonal system.
-    """
-
-    kappa: float
-    gamma: float
-    rest: float
-    locked: bool = False
-
-    def force(self, over: float, rate: float) -> float:
-        """N, at overlap [m] and its rate [m/s]; 0 where locked: no formula gives it."""
-        return self.kappa * (over - self.rest) + self.gamma * rate
-
-
-LOCKED = Branch(0.0, 0.0, 0.0, locked=True)
-APART = Branch(0.0, 0.0, 0.0)
-"""A gap that is only linked: no contact force."""
 
 
 @dataclass(frozen=True, slots=True)

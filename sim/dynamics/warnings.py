@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.dynamics.finished import Run
-from sim.dynamics.watch import RIGID
+from sim.laws.bumper.law import RIGID
+from sim.laws.lookup import contact_law
+from sim.scene.laws import laws
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +40,14 @@ def warnings(run: Run) -> tuple[Warning, ...]:
             f"room for {100 * room:.3g} cm."
         )
         contact = scene.contacts[gap]
-        if room > 0.0 and speed > 0.0 and contact is not None and contact.stiffness is not None:
-            hertz = contact.law == "hertz"
-            stiffness = contact.stiffness * (deepest / room) ** (2.5 if hertz else 2.0)
-            slower = speed * (room / deepest) ** (1.25 if hertz else 1.0)
+        law = None if contact is None else contact_law(contact)
+        field = None if contact is None else laws()[contact.law].stiffness
+        if room > 0.0 and speed > 0.0 and law is not None and field is not None:
+            harder, faster = law.grows
+            stiffness = law.stiffness * (deepest / room) ** harder
+            slower = speed * (room / deepest) ** faster
             message += (
-                f" Raise the stiffness to at least {_up(stiffness)} N/m{'^1.5' if hertz else ''}, "
+                f" Raise the stiffness to at least {_up(stiffness)} {field.dimension.si}, "
                 f"or let them meet at {_down(slower)} m/s or less."
             )
         found.append((deepest - room, Warning("bumper-bottoms", message)))

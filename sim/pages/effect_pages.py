@@ -18,7 +18,8 @@ from sim.scene.effects import kinds
 PLACE = "physics/effects/"
 INDEX = f"{PLACE}index.md"
 ROWS = "<!-- one row for each effect -->"
-SCENES = "sim/effects/*/scenes"
+EFFECTS = "sim/effects/"
+SCENES = f"{EFFECTS}*/scenes"
 """Where effects keep their scenes, from the root of the project."""
 
 

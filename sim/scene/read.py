@@ -62,7 +62,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         if gap is None or gap >= 0:
             continue
         contact = contacts[k] if k < len(contacts) else None
-        at_once = contact is not None and contact.law in ("instant", "velcro")
+        at_once = contact is not None and contact.sudden
         if at_once or not overlap_allowed:  # without a duration there is nothing to be pressed in
             _overlap(k, gap, names, released, problems, at_once=at_once)
     if len(problems) == before:

@@ -17,11 +17,11 @@ from typing import Any
 
 from sim.dynamics.cost.exact import Exact, exact
 from sim.dynamics.finished import Run
-from sim.dynamics.laws import finite_law
 from sim.dynamics.ledger import kinetic
 from sim.dynamics.run import run
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, batchable, outcome
 from sim.dynamics.stepping.stepper import Stepper
+from sim.laws.lookup import contact_law
 from sim.scene.effects import kinds
 from sim.scene.model import Scene
 
@@ -214,7 +214,7 @@ def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -
     field, total = run.field, 0.0
     for pair in field.pairs:
         d, rate = field.overlap(pair, s, v)
-        law = finite_law(pair.contact)
+        law = contact_law(pair.contact)
         if d > 0.0 and law is not None and pair.force is not None:
             pushes = pair.force.push(d, rate, memory[pair.gap])
             total += law.stored(d, rate, memory[pair.gap]) if pushes else 0.0

@@ -19,10 +19,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.laws import finite_law
 from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.stepping.contact_force import ContactForce, Mode, contact_force
 from sim.effects.forces import FRICTION, BodyForce, PairForce, acting
+from sim.laws.lookup import contact_law
+from sim.laws.stepping import Mode, SteppedContact
 from sim.scene.model import Contact, Scene
 
 Row = list[Any]
@@ -39,7 +39,7 @@ class Pair:
     room: float  # m, at the start
     contact: Contact
     mu: float
-    force: ContactForce | None
+    force: SteppedContact | None
     links: tuple[PairForce, ...]
 
 
@@ -103,7 +103,7 @@ class Field:
         right = gap if gap < self.count else None
         masses = [scene.carts[k].mass for k in (left, right) if k is not None]
         mu = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1])
-        law = finite_law(contact)
+        law = contact_law(contact)
         links = (one.pair_force(gap) for one in self._acting)
         return Pair(
             gap,
@@ -112,7 +112,7 @@ class Field:
             scene.gaps[gap],
             contact,
             mu,
-            contact_force(law, mu) if law is not None else None,
+            law.stepping(mu) if law is not None else None,
             tuple(link for link in links if link is not None),
         )
 

@@ -83,7 +83,7 @@ class Impacts:
         field, e = self.field, pair.contact.restitution or 0.0
         (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
         out = outgoing_of(m1, m2, v1, v2, e)
-        if pair.contact.law == "velcro":
+        if pair.contact.joins:
             field.join(pair.gap)
         mu = 1.0 / (1.0 / m1 + 1.0 / m2)
         self._set(pair, left, right, v, (v1, v2), out, mu)

@@ -89,8 +89,7 @@ def batchable(scene: Scene) -> bool:
         frictions = [effect.friction(k) for k in range(len(scene.carts))]
         if effect.switches() or effect.releases() or any(frictions):
             return False
-    laws = {contact.law for contact in scene.contacts if contact is not None}
-    return not laws & {"instant", "velcro"}
+    return not any(contact is not None and contact.sudden for contact in scene.contacts)
 
 
 def batch(scene: Scene, way: Way, phases: NDArray[np.float64]) -> tuple[Row, Row, Stepper]:

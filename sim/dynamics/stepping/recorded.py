@@ -16,16 +16,15 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.dynamics.finished import Run
-from sim.dynamics.laws import finite_law
 from sim.dynamics.ledger import Ledger
 from sim.dynamics.record import Record
 from sim.dynamics.report import finite, report
-from sim.dynamics.stepping.contact_force import BumperForce, DashpotForce
 from sim.dynamics.stepping.field import Detail, Pair, Row
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.story import Story
 from sim.dynamics.trajectory import Trajectory
 from sim.effects.forces import acting
+from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 
 MOST_ROWS = 20_000
@@ -121,22 +120,18 @@ class _Recorder:
             self._row(t, a, detail)
 
     def _bumpers(self, push: Row) -> None:
-        """What pressing further in costs for good, and what an overlap that is left still held.
-
-        `held` is the greatest overlap of a bumper, and the energy in a contact that may only push.
-        """
+        """What a step left in the bumpers for good."""
         field = self.run.field
         for pair in field.pairs:
-            gap, held = pair.gap, self.held.get(pair.gap, 0.0)
-            if isinstance(pair.force, BumperForce):
-                self.held[gap] = field.memory[gap]
-                if field.memory[gap] > held:
-                    self.ledger.warm(pair.force.kept(field.memory[gap]) - pair.force.kept(held))
-            elif isinstance(pair.force, DashpotForce) and not pair.force.pulls:
-                if held and not push[gap]:
-                    self.ledger.warm(held)
+            gap = pair.gap
+            if pair.force is not None:
                 d, rate = field.overlap(pair, self.run.s, self.run.v)
-                self.held[gap] = _stored(pair, d, rate, 0.0) if push[gap] else 0.0
+                stored = _stored(pair, d, rate, 0.0)
+                warm, self.held[gap] = pair.force.settle(
+                    self.held.get(gap, 0.0), push[gap], field.memory[gap], stored
+                )
+                if warm:
+                    self.ledger.warm(warm)
 
     def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
         if impulse and (left is None or right is None):
@@ -209,7 +204,7 @@ class _Recorder:
 
 
 def _stored(pair: Pair, d: float, rate: float, memory: float) -> float:
-    law = finite_law(pair.contact)
+    law = contact_law(pair.contact)
     return law.stored(d, rate, memory) if law is not None and d > 0.0 else 0.0
 
 

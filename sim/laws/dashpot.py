@@ -23,9 +23,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import ClassVar
 
-from sim.dynamics.laws.base import Figures, Memory
-from sim.dynamics.laws.swing import Rate, Swing, first_zero
+from sim.laws.branch import Branch
+from sim.laws.contact_law import Figures, Memory
+from sim.laws.damped_oscillation import Rate
 
 SERIES_BELOW = 1e-2
 """|phi²|. Below it sqrt(q) cot sqrt(q) is summed as a series: five terms leave less than 1e-16."""
@@ -102,9 +104,11 @@ def _q_cot(q: float) -> tuple[float, float]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Dashpot:
+class Dashpot:
     """What the three laws share: one linear stretch. Subclasses say when it ends."""
 
+    linear: ClassVar[bool] = True
+    grows: ClassVar[tuple[float, float]] = (2.0, 1.0)
     stiffness: float
     e: float
     damping: Damping = field(init=False)
@@ -118,9 +122,10 @@ class _Dashpot:
         fade = math.exp(-d.zeta / d.sine * angle)
         return angle / (w0 * d.sine), math.sqrt(self.stiffness * mu) * fade, 2.0 * d.zeta * fade
 
-    def _figures(
+    def figures_from(
         self, mu: float, duration: float, e: float, out_overlap: float, last_force: float = 0.0
     ) -> Figures:
+        """Those of a law whose contact ends then, so fast and with that overlap left."""
         w0 = math.sqrt(self.stiffness / mu)
         peak_time, peak_force, peak_rate = self._greatest_force(w0, mu)
         d = self.damping
@@ -156,62 +161,18 @@ class _Dashpot:
         """Nothing to remember."""
         return 0.0
 
+    def branch(self, mu: float, d: float, v: float, memory: Memory, *, pressing: bool) -> Branch:
+        """The only one."""
+        return Branch(self.stiffness, self.damper(mu), 0.0)
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Paper(_Dashpot):
-    """Equation (3), mended: ends at overlap zero."""
+    def stored_under(self, d: float, force: float) -> float:
+        """k d²/2."""
+        return 0.5 * self.stiffness * d**2
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "damping", damping_to_zero_overlap(self.e))
+    def dissipated(self, mu: float, d: float, v: float) -> float:
+        """c v²: asked of curved laws only."""
+        return self.damper(mu) * v * v
 
-    def figures(self, mu: float) -> Figures:
-        """Exact e for every e in 0 to 1; e = 0 never separates."""
-        w = math.sqrt(self.stiffness / mu) * self.damping.sine
-        pull = -2.0 * self.damping.zeta * self.e * math.sqrt(self.stiffness * mu)
-        return self._figures(mu, math.pi / w if w > 0.0 else math.inf, self.e, 0.0, pull)
-
-    def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
-        """Until the overlap is zero."""
-        rate = self.damping.rate(self.stiffness, mu)
-        return (Swing(rate, 0.0, first_zero(rate, d0, v0), 0.0, d0, v0),)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PushOnly(_Dashpot):
-    """Ends at force zero, damping corrected."""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "damping", damping_to_zero_force(self.e))
-
-    @property
-    def delivered(self) -> float:
-        """The restitution that comes out."""
-        return self.e
-
-    def figures(self, mu: float) -> Figures:
-        """Exact e for 0 < e <= 1."""
-        w0, d = math.sqrt(self.stiffness / mu), self.damping
-        e = self.delivered
-        return self._figures(mu, 2.0 / (w0 * d.sinc), e, 2.0 * d.zeta * e / w0)
-
-    def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
-        """Until the force is zero."""
-        rate = self.damping.rate(self.stiffness, mu)
-        if d0 == 0.0:  # from first touch the half-angle form is exact at any damping
-            return (Swing(rate, 0.0, 2.0 / (rate.w0 * self.damping.sinc), 0.0, d0, v0),)
-        n0 = rate.w0 * rate.w0 * d0 + 2.0 * rate.beta * v0  # N/mu solves the same equation
-        n1 = rate.w0 * rate.w0 * v0 - 2.0 * rate.beta * n0
-        return (Swing(rate, 0.0, first_zero(rate, n0, n1), 0.0, d0, v0),)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PushOnlyUncorrected(PushOnly):
-    """Ends at force zero, damping of the printed formula: delivers more than was asked for."""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "damping", damping_to_zero_overlap(self.e))
-
-    @property
-    def delivered(self) -> float:
-        """exp(−2 phi cot phi), 1 at e = 1 and exp(−2) as e goes to 0."""
-        return math.exp(-2.0 * self.damping.zeta / self.damping.sinc)
+    def kept(self, branch: Branch, start: float, end: float) -> float:
+        """Its damper takes, nothing else."""
+        return 0.0

@@ -18,15 +18,26 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
-from sim.dynamics.laws.base import Figures, Memory
-from sim.dynamics.laws.swing import Swing, undamped
+from sim.laws.branch import APART_AT_NO_FORCE, LOCKED, Branch, Guard
+from sim.laws.bumper.stepping import BumperForce
+from sim.laws.contact_law import Figures, Memory
+from sim.laws.damped_oscillation import Swing, undamped
+
+RIGID = 1e-7
+"""Restitution. In a group of contacts, a bumper that springs back less than this is held at its
+greatest overlap as one with e = 0 is: followed exactly it would swing 1/e times as fast as all
+else. Velocities are off by at most this part of the approach speed; alone, a pair is exact."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bumper:
     """Bilinear hysteresis with stiffness k [N/m] and restitution e."""
 
+    linear: ClassVar[bool] = True
+    recontacts: ClassVar[bool] = False
+    grows: ClassVar[tuple[float, float]] = (2.0, 1.0)
     stiffness: float
     e: float
 
@@ -93,3 +104,63 @@ class Bumper:
     def remember(self, d: float, memory: Memory) -> Memory:
         """The greatest overlap so far."""
         return max(d, memory)
+
+    def force(self, mu: float, d: float, v: float) -> float:
+        """What the force is depends on what is remembered: `branch` says."""
+        raise NotImplementedError
+
+    def damper(self, mu: float) -> float:
+        """None."""
+        return 0.0
+
+    def branch(self, mu: float, d: float, v: float, memory: Memory, *, pressing: bool) -> Branch:
+        """Pressing in, springing back, or held at its greatest overlap."""
+        # a fresh touch without speed is about to be pressed: there is nothing to spring back yet
+        if self.e == 1.0 or (d >= memory and (v > 0.0 or pressing or d == 0.0)):
+            return Branch(self.stiffness, 0.0, 0.0)
+        if self.e <= RIGID:
+            return LOCKED
+        return Branch(self.stiffness / self.e**2, 0.0, self.resting_overlap(max(memory, d)))
+
+    def guards(self, branch: Branch, d: float, memory: Memory) -> tuple[Guard, ...]:
+        """It comes apart, turns, or is pressed further."""
+        if self.e == 1.0:
+            return APART_AT_NO_FORCE
+        if branch.locked:
+            climb = Guard("climb", "force", rises=True, level=self.stiffness * d)
+        elif branch.kappa == self.stiffness:
+            return (*APART_AT_NO_FORCE, Guard("turn", "rate"))
+        else:
+            climb = Guard("climb", "overlap", rises=True, level=memory)
+        return (*APART_AT_NO_FORCE, climb)
+
+    def left_over(self, d: float, memory: Memory) -> float:
+        """Where the springing-back line meets zero force."""
+        return self.resting_overlap(memory)
+
+    def last_force(self, mu: float, v: float) -> float:
+        """It ends where there is none."""
+        return 0.0
+
+    def stored_under(self, d: float, force: float) -> float:
+        """e² N²/(2 k)."""
+        push = min(force, self.stiffness * d)
+        return (self.e * push) ** 2 / (2.0 * self.stiffness)
+
+    def dissipated(self, mu: float, d: float, v: float) -> float:
+        """No damper."""
+        return 0.0
+
+    def kept(self, branch: Branch, start: float, end: float) -> float:
+        """The part 1 − e² of the work that presses in."""
+        if branch.kappa != self.stiffness or self.e == 1.0:
+            return 0.0
+        kept = 0.5 * self.stiffness * (1.0 - self.e) * (1.0 + self.e)
+        return kept * (end - start) * (end + start)
+
+    def stepping(self, mu: float) -> BumperForce:
+        """Its two lines."""
+        return BumperForce(self.stiffness, self.e)
+
+
+make = Bumper

@@ -8,7 +8,7 @@ e = 1 is Hertz's own law. Energy (2/5) K d^(5/2). With the approach speed u and 
 
     greatest overlap (5 mu u²/(4 K))^(2/5)      duration 3.21806545972 (mu²/(K² u))^(1/5)
 
-There is no closed form for d(t): this law is integrated (`sim.dynamics.adaptive`). Sources: Hertz,
+There is no closed form for d(t): this law is integrated (an adaptive method). Sources: Hertz,
 J. reine angew. Math. 92 (1882) 156; the mapping: Antypov & Elliott, EPL 94 (2011) 50004.
 """
 
@@ -16,16 +16,22 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import ClassVar
 
-from sim.dynamics.laws.base import Figures, Memory
-from sim.dynamics.laws.dashpot import damping_to_zero_overlap
-from sim.dynamics.laws.swing import Swing
+from sim.laws.branch import APART_AT_NO_OVERLAP, CURVED, Branch, Guard
+from sim.laws.contact_law import Figures, Memory
+from sim.laws.damped_oscillation import Swing
+from sim.laws.dashpot import damping_to_zero_overlap
+from sim.laws.hertz.stepping import HertzForce
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hertz:
     """A force law without a closed form in time."""
 
+    linear: ClassVar[bool] = False
+    recontacts: ClassVar[bool] = False
+    grows: ClassVar[tuple[float, float]] = (2.5, 1.25)
     stiffness: float  # N/m^1.5
     e: float
     zeta: float = field(init=False)
@@ -67,3 +73,34 @@ class Hertz:
     def remember(self, d: float, memory: Memory) -> Memory:
         """Nothing."""
         return 0.0
+
+    def branch(self, mu: float, d: float, v: float, memory: Memory, *, pressing: bool) -> Branch:
+        """None that is linear."""
+        return CURVED
+
+    def guards(self, branch: Branch, d: float, memory: Memory) -> tuple[Guard, ...]:
+        """It ends at no overlap."""
+        return APART_AT_NO_OVERLAP
+
+    def left_over(self, d: float, memory: Memory) -> float:
+        """Found by the method that integrates it."""
+        return d
+
+    def last_force(self, mu: float, v: float) -> float:
+        """None at no overlap."""
+        return 0.0
+
+    def stored_under(self, d: float, force: float) -> float:
+        """(2/5) K d^(5/2)."""
+        return 0.4 * self.stiffness * float(d**2.5)
+
+    def kept(self, branch: Branch, start: float, end: float) -> float:
+        """Its damper takes, nothing else."""
+        return 0.0
+
+    def stepping(self, mu: float) -> HertzForce:
+        """Its own formula."""
+        return HertzForce(self, mu)
+
+
+make = Hertz
