@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from sim.scene.effects import kinds
+from sim.scene.laws import laws
 
 ROOT = Path(__file__).parents[1]
 SIM = ROOT / "sim"
@@ -174,6 +175,14 @@ def test_no_effect_is_named_outside_its_folder() -> None:
 
 EVENTS_CALLED_RELEASE = ("energy_parts.py",)
 """A kind of event has the name of the effect that it tells of."""
+
+
+def test_no_law_is_named_outside_its_folder() -> None:
+    names = "|".join(laws())
+    chains = re.compile(rf"law\w* (?:==|!=|in) [\[(]?[\"'](?:{names})[\"']|startswith\([\"']push")
+    for layer in ("scene", "dynamics", "bridge", "cli"):
+        for path in modules(layer):
+            assert not chains.findall(path.read_text(encoding="utf-8")), path.relative_to(ROOT)
 
 
 def test_no_module_holds_two_ideas() -> None:

@@ -99,22 +99,15 @@ def step():
     force = [0.0] * len(names)
 '''
 
-CONTACT_FORCES = """\
+CONTACTS = """\
     for k, (left, right, law, stiffness, e, c) in enumerate(contacts):
         d, s = -gap(left, right), approach(left, right)
         deepest[k] = max(d, deepest[k]) if d > 0 else 0.0
-        if d <= 0 or k in stuck:
+        if d <= 0 or k in stuck or stiffness == 0:
             continue
-        if law == "bumper" and e > 0:  # back more steeply: e² of the energy
-            size = max(0.0, stiffness / e**2 * (d - (1 - e**2) * deepest[k]))
-        elif law == "bumper":
-            size = stiffness * d if d == deepest[k] else 0.0
-        elif law == "hertz":
-            size = max(0.0, stiffness * d**1.5 + c * d**0.25 * s)
-        else:
-            size = stiffness * d + c * s
-            if law.startswith("push-only"):
-                size = max(0.0, size)
+"""
+
+PUSH_APART = """\
         push_apart(force, left, right, size)
 """
 
@@ -138,9 +131,9 @@ IMPACTS = """\
     for _ in range(50):  # one impact may lead to the next
         for k, (left, right, law, stiffness, e, c) in enumerate(contacts):
             s = approach(left, right)
-            if law in ("instant", "velcro") and k not in stuck and gap(left, right) <= 0 and s > 0:
+            if stiffness == 0 and k not in stuck and gap(left, right) <= 0 and s > 0:
                 kick(left, right, (1 + e) * s / light(left, right))
-                if law == "velcro":
+                if law in JOINING:
                     stuck.add(k)
 """
 

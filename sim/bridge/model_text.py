@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from importlib import import_module
+from textwrap import indent
 from typing import Any
 
 from sim.bridge import model_pieces as text_of
@@ -18,6 +20,7 @@ from sim.effects.plain_model import Piece, piece_of
 from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
 from sim.scene.effects import kinds
+from sim.scene.laws import folder_of
 
 PARTS = 100
 """Steps in a quarter swing: the end of a contact is then met within a hundredth of it."""
@@ -25,16 +28,16 @@ PARTS = 100
 FEWEST, MOST_STEPS = 20_000, 2_000_000
 """Steps of a whole run: fine enough to print, and no longer than some seconds."""
 
-STEPPED = ("bumper", "paper", "push-only", "push-only-uncorrected", "hertz")
-
 
 def model_text(scene: Scene) -> str:
     """The program. It prints where the carts are, twenty times, and how fast they end."""
     own = _pieces(scene)
     pieces = [own[kind] for kind in kinds() if kind in own]
-    laws = {contact.law for contact in scene.contacts if contact is not None}
-    joins = "velcro" in laws or any(one.joins for one in pieces)
-    kicked = joins or "instant" in laws
+    contacts = [contact for contact in scene.contacts if contact is not None]
+    joining = tuple(sorted({contact.law for contact in contacts if contact.joins}))
+    sudden = any(contact.sudden for contact in contacts)
+    joins = bool(joining) or any(one.joins for one in pieces)
+    kicked = joins or sudden
     text = text_of.HEAD.format(
         title=" ".join((scene.title or "Carts").split()),
         names=[cart.name for cart in scene.carts],
@@ -55,10 +58,10 @@ def model_text(scene: Scene) -> str:
     if kicked or moves:
         text += text_of.GROUPS if joins else text_of.ALONE
     text += text_of.STEP
-    text += text_of.CONTACT_FORCES if laws & set(STEPPED) else ""
+    text += _contact_forces(dict.fromkeys(c.law for c in contacts if not c.sudden))
     text += "".join(one.force for one in pieces)
     text += moves or (text_of.MOVE if joins else text_of.MOVE_ALONE)
-    text += text_of.IMPACTS if laws & {"instant", "velcro"} else ""
+    text += text_of.IMPACTS.replace("JOINING", repr(joining)) if sudden else ""
     return text + "".join(one.after for one in pieces) + text_of.RUN
 
 
@@ -77,11 +80,19 @@ def _contacts(scene: Scene) -> list[tuple[int | None, int | None, str, float, fl
             continue
         left, right = (k - 1 if k else None), (k if k < n else None)
         law = contact_law(contact)
-        damper = getattr(law, "damper", None)
-        c = damper(_reduced(scene, k)) if damper and contact.law != "bumper" else 0.0
+        c = 0.0 if law is None else law.damper(_reduced(scene, k))
         e = 0.0 if contact.restitution is None else contact.restitution
         found.append((left, right, contact.law, contact.stiffness or 0.0, e, c))
     return found
+
+
+def _contact_forces(laws: Iterable[str]) -> str:
+    """The force of each law that is there; a law without lines of its own cannot be left out."""
+    text = ""
+    for law in laws:
+        size = import_module(f"sim.laws.{folder_of(law)}.model").SIZE
+        text += f'        {"elif" if text else "if"} law == "{law}":\n' + indent(size, " " * 12)
+    return text_of.CONTACTS + text + text_of.PUSH_APART if text else ""
 
 
 def _pieces(scene: Scene) -> dict[str, Piece]:
@@ -110,11 +121,10 @@ def _step(scene: Scene) -> float:
     """s. A round number."""
     step = scene.until / FEWEST
     for k, contact in enumerate(scene.contacts):
-        if contact is not None and contact.stiffness is not None:
-            steep = contact.stiffness
-            if contact.law == "bumper" and contact.restitution:
-                steep /= contact.restitution**2
-            step = min(step, 0.5 * math.pi * math.sqrt(_reduced(scene, k) / steep) / PARTS)
+        law = None if contact is None else contact_law(contact)
+        if law is not None:
+            swing = math.sqrt(_reduced(scene, k) / law.steepest)
+            step = min(step, 0.5 * math.pi * swing / PARTS)
     for effect in scene.effects:
         quarter = piece_of(effect.kind).quarter
         if quarter is not None:

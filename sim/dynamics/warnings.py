@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.dynamics.finished import Run
-from sim.laws.bumper.law import RIGID
 from sim.laws.lookup import contact_law
 from sim.scene.laws import laws
 
@@ -57,12 +56,9 @@ def warnings(run: Run) -> tuple[Warning, ...]:
 
 def _nearly_rigid(run: Run) -> list[Warning]:
     """Groups in which a bumper that hardly springs back was held instead."""
-    tiny = [
-        contact.restitution
-        for contact in run.scene.contacts
-        if contact is not None and contact.law == "bumper" and contact.restitution
-    ]
-    if "power-series" not in run.solvers or not tiny or min(tiny) > RIGID:
+    laws_here = [contact_law(contact) for contact in run.scene.contacts if contact is not None]
+    tiny = [law.e for law in laws_here if law is not None and 0.0 < law.e <= law.held_below]
+    if "power-series" not in run.solvers or not tiny:
         return []
     return [
         Warning(

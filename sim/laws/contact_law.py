@@ -44,6 +44,8 @@ class ContactLaw(Protocol):
     """Is one isolated contact a closed form? Else the law is integrated."""
     recontacts: ClassVar[bool]
     """May a pair that separated with an overlap push again before the overlap has cleared?"""
+    held_below: ClassVar[float]
+    """Restitution below which, in a group of contacts, it is held at its greatest overlap."""
     grows: ClassVar[tuple[float, float]]
     """Powers (p, q): for an overlap r times as great, a stiffness r^p times as small, a speed r^q
     times as great."""
@@ -55,6 +57,10 @@ class ContactLaw(Protocol):
     @property
     def e(self) -> float:
         """Restitution asked for."""
+
+    @property
+    def steepest(self) -> float:
+        """N/m (or the law's own unit). Of its steepest line, for the length of a step."""
 
     def figures(self, mu: float) -> Figures:
         """The isolated contact from first touch."""

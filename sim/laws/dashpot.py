@@ -108,6 +108,7 @@ class Dashpot:
     """What the three laws share: one linear stretch. Subclasses say when it ends."""
 
     linear: ClassVar[bool] = True
+    held_below: ClassVar[float] = 0.0
     grows: ClassVar[tuple[float, float]] = (2.0, 1.0)
     stiffness: float
     e: float
@@ -160,6 +161,11 @@ class Dashpot:
     def remember(self, d: float, memory: Memory) -> Memory:
         """Nothing to remember."""
         return 0.0
+
+    @property
+    def steepest(self) -> float:
+        """It has one line."""
+        return self.stiffness
 
     def branch(self, mu: float, d: float, v: float, memory: Memory, *, pressing: bool) -> Branch:
         """The only one."""

@@ -37,9 +37,15 @@ class Bumper:
 
     linear: ClassVar[bool] = True
     recontacts: ClassVar[bool] = False
+    held_below: ClassVar[float] = RIGID
     grows: ClassVar[tuple[float, float]] = (2.0, 1.0)
     stiffness: float
     e: float
+
+    @property
+    def steepest(self) -> float:
+        """Springing back."""
+        return self.stiffness / self.e**2 if self.e else self.stiffness
 
     def figures(self, mu: float) -> Figures:
         """Two quarter swings, the second e times as long as the first."""

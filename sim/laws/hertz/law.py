@@ -31,6 +31,7 @@ class Hertz:
 
     linear: ClassVar[bool] = False
     recontacts: ClassVar[bool] = False
+    held_below: ClassVar[float] = 0.0
     grows: ClassVar[tuple[float, float]] = (2.5, 1.25)
     stiffness: float  # N/m^1.5
     e: float
@@ -73,6 +74,11 @@ class Hertz:
     def remember(self, d: float, memory: Memory) -> Memory:
         """Nothing."""
         return 0.0
+
+    @property
+    def steepest(self) -> float:
+        """Its only number."""
+        return self.stiffness
 
     def branch(self, mu: float, d: float, v: float, memory: Memory, *, pressing: bool) -> Branch:
         """None that is linear."""
