@@ -157,7 +157,7 @@ def test_reading_a_scene_loads_no_forces_that_it_does_not_list() -> None:
     assert not {name for name in loaded if name.startswith("sim.") and name.endswith(".force")}
     loaded = loaded_by(
         f"from sim.scene import read_scene; scene = read_scene({scene})\n"
-        "from sim.dynamics.run import run; run(scene)"
+        "from sim.dynamics.loop.run import run; run(scene)"
     )
     forces = {name for name in loaded if name.startswith("sim.effects.") and "force" in name}
     assert forces == {"sim.effects.forces", "sim.effects.drag.force"}

@@ -9,8 +9,8 @@ import pytest
 
 from sim.cli import COMMANDS
 from sim.cli.fit import command as fit_command
-from sim.dynamics.report import report
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
 from sim.measured.contact import LAWS as LAWS_FITTED
 from sim.pages.measured.block import KEYS as MEASURED_KEYS
 from sim.pages.yaml_source import load

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from sim.dynamics.finished import Run
-from sim.dynamics.plan import plan
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.plan import plan
+from sim.dynamics.result.finished import Run
 from tests import registry
 
 FOLDER = Path(__file__).parents[1] / "docs" / "gallery"

@@ -17,12 +17,12 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
-from sim.dynamics.finished import Run
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.plan import not_simulated
-from sim.dynamics.report import report
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import PER_STRETCH, Trajectory, trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
+from sim.dynamics.report.plan import not_simulated
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.effects import kinds
 from sim.scene.read_effects import listed_effects

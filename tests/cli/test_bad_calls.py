@@ -187,7 +187,7 @@ def test_a_long_run_tells_nobody_else():
 
 
 def test_what_cannot_be_solved_is_a_finding(monkeypatch, capsys):
-    from sim.dynamics.outcome import UnsolvedError
+    from sim.dynamics.result.outcome import UnsolvedError
 
     def refuse(*_, **__):
         raise UnsolvedError("no solver", "use another law", 0.0, ("A",))

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sim.dynamics.batch.grid import changes_at, solve
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.laws.many import outcome_known
 from sim.scene import apply_changes, read_scene
 from sim.scene.laws import laws

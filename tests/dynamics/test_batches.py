@@ -11,8 +11,8 @@ import pytest
 
 from sim.dynamics.batch.grid import MOST_RUNS, MOST_WITH_EFFECTS, changes_at, run_points, solve
 from sim.dynamics.batch.impacts import impacts
-from sim.dynamics.impact import outgoing
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.motion.impact import outgoing
 from sim.laws.lookup import contact_law
 from sim.laws.many import outcome_known
 from sim.scene import apply_changes, read_scene

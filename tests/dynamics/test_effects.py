@@ -14,9 +14,9 @@ import pytest
 
 import sim.dynamics
 import sim.effects
-from sim.dynamics.plan import packages, plan
-from sim.dynamics.report import report
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
+from sim.dynamics.report.plan import packages, plan
 from sim.pages.bake import bake
 from sim.scene import apply_changes, read_scene
 from sim.scene.effects import kinds
@@ -98,8 +98,8 @@ def test_an_effect_on_another_cart_is_not_evaluated_for_this_one():
 def imported_by(plain: dict) -> set[str]:
     """The modules that a process has after it has run this scene and nothing else."""
     script = (
-        "import json, sys; from sim.scene import read_scene; from sim.dynamics.run import run;"
-        "from sim.dynamics.report import report;"
+        "import json, sys; from sim.scene import read_scene; from sim.dynamics.loop.run import run;"
+        "from sim.dynamics.report.document import report;"
         "report(run(read_scene(json.load(sys.stdin)))); print(json.dumps(list(sys.modules)))"
     )
     done = subprocess.run(
@@ -122,7 +122,7 @@ def test_a_scene_imports_the_effects_that_it_lists_and_no_others(name):
     modules = imported_by(registry.plain(name))
     forces = {m.split(".")[2] for m in modules if re.fullmatch(r"sim\.effects\.\w+\.force", m)}
     assert forces == listed(name)
-    assert not modules & {"numpy", "scipy", "sim.dynamics.adaptive"}
+    assert not modules & {"numpy", "scipy", "sim.dynamics.motion.adaptive"}
 
 
 def test_balls_that_never_touch_import_no_scipy():
@@ -152,7 +152,7 @@ def test_every_module_of_the_numerics_is_found_where_a_page_is_packed():
         for m in pkgutil.walk_packages(package.__path__, f"{package.__name__}.")
     }
     assert {f"sim.effects.{kind}.force" for kind in kinds()} <= found
-    assert "sim.dynamics.adaptive" in found
+    assert "sim.dynamics.motion.adaptive" in found
 
 
 @pytest.mark.parametrize("name", TIERS)

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, outcome
 from sim.dynamics.stepping.recorded import stepped, stepped_report
 from sim.laws.lookup import contact_law

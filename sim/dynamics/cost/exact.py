@@ -1,7 +1,7 @@
 """The exact outcome of a scene, as cheaply as it can be had, and as truly as it can be known.
 
 Where a scene is one contact of two carts and nothing else, the outcome is the bare formula
-(`sim.dynamics.impact`), and its truth is rational arithmetic. Anything else is a run of the exact
+(`motion.impact`), and its truth is rational arithmetic. Anything else is a run of the exact
 solver, which is then the truth itself.
 """
 
@@ -12,9 +12,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim.dynamics.impact import outgoing
-from sim.dynamics.ledger import kinetic
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.result.ledger import kinetic
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 

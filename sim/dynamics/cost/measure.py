@@ -16,9 +16,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from sim.dynamics.cost.exact import Exact, exact
-from sim.dynamics.finished import Run
-from sim.dynamics.ledger import kinetic
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.ledger import kinetic
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, batchable, outcome
 from sim.dynamics.stepping.stepper import Stepper
 from sim.laws.lookup import contact_law

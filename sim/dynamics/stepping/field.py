@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.effects.forces import FRICTION, BodyForce, PairForce, acting
 from sim.laws.lookup import contact_law
 from sim.laws.stepping import Mode, SteppedContact

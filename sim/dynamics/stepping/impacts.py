@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.impact import outgoing
+from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.stepping.field import Field, Pair, Row
 from sim.effects.forces import EnergyRelease
 

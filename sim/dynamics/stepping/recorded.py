@@ -15,14 +15,14 @@ from array import array
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.finished import Run
-from sim.dynamics.ledger import Ledger
-from sim.dynamics.record import Record
-from sim.dynamics.report import finite, report
+from sim.dynamics.report.document import finite, report
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.result.record import Record
+from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping.field import Detail, Pair, Row
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.story import Story
-from sim.dynamics.trajectory import Trajectory
 from sim.effects.forces import acting
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene

@@ -9,8 +9,8 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 
-from sim.dynamics.events import ORDER, Event
-from sim.dynamics.record import Record
+from sim.dynamics.result.events import ORDER, Event
+from sim.dynamics.result.record import Record
 from sim.dynamics.stepping.field import Field, Pair, Row
 from sim.dynamics.stepping.impacts import Blow
 
