@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop import recontact as pushed_again
-from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.motion.series import is_rounding
-from sim.dynamics.state.chain import Body, Gap, velocity
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import velocity
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
 
@@ -144,7 +144,7 @@ def first_fall_of_parabola(room: float, rate: float, a: float) -> float:
 
 def _is_parabola(body: Body) -> bool:
     motion = body.motion
-    return motion is None or (isinstance(motion, Flight) and motion.course.sparse)
+    return motion is None or motion.parabolic
 
 
 def _steady(body: Body) -> float:

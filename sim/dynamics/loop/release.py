@@ -7,7 +7,8 @@ import math
 from sim.dynamics.loop import contacts as resolve
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.chain import Body, Chain, Gap
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import Chain
 from sim.dynamics.state.clock import ZERO, Time
 from sim.effects.forces import EnergyRelease
 
@@ -35,7 +36,7 @@ def set_free(
         gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
     else:  # what their bumpers still hold is no part of the energy
         if gap.law is not None:
-            ledger.warm(gap.law.stored(-gap.room, -gap.rate, gap.memory))
+            ledger.dissipate(gap.law.stored(-gap.room, -gap.rate, gap.memory))
             resolve.tell_separation(gap, now, resolve.contact_force(gap), record)
         gap.touching = None
     left, right, mu = gap.left, gap.right, gap.mu

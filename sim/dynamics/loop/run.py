@@ -14,7 +14,6 @@ from sim.dynamics.loop import contacts as resolve
 from sim.dynamics.loop import release as bursts
 from sim.dynamics.loop import synchronise as components
 from sim.dynamics.loop.simulation import Happenings
-from sim.dynamics.result import ledger
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.record import Record
@@ -105,7 +104,7 @@ class _Run(Happenings):
         """Latches, overlaps at the start, springs and magnets; then all solvers at once."""
         forces = self.forces
         assert forces is not None
-        ledger.store(self.ledger, self.chain, first=True)
+        self.store(first=True)
         for number, release in enumerate(forces.releases):
             bursts.latch(self.chain, release, self.record)
             self.calendar.from_outside(number, release.time)
@@ -119,6 +118,13 @@ class _Run(Happenings):
         self.solvers["free-flight"] += sum(body.motion is None for body in self.chain.bodies)
         if not self.solvers["free-flight"]:
             del self.solvers["free-flight"]
+
+    def store(self, *, first: bool) -> None:
+        """Energy in springs and magnets, at the start or at the end."""
+        for gap in self.chain.gaps:
+            for link in gap.links if gap is not None else ():
+                assert gap is not None
+                self.ledger.store(link.kind, link.energy(gap.room), first=first)
 
     def finish(self, progress: Progress | None = None) -> Run:
         """Event after event until the end, or until there were too many."""
@@ -165,7 +171,7 @@ class _Run(Happenings):
                 stored = gap.law.stored(-gap.room, -gap.rate, gap.memory)
                 self.ledger.stored_final += stored
         if self.forces is not None:
-            ledger.store(self.ledger, self.chain, first=False)
+            self.store(first=False)
         x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
         for body in bodies:
             if len(body.carts) == 1:

@@ -24,14 +24,12 @@ from sim.dynamics.loop import (
 )
 from sim.dynamics.loop.calendar import Calendar
 from sim.dynamics.loop.detect import next_touch, no_approach, resting, touch_in_motion
-from sim.dynamics.loop.select_solver import form
-from sim.dynamics.motion.coupled_group import Cluster
-from sim.dynamics.motion.flight import Flight
-from sim.dynamics.motion.linear_pair import PairPhase
+from sim.dynamics.loop.select_solver import select_solvers
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.chain import Body, Chain, Gap, component, moved, velocity
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import Chain, component, moved, velocity
 from sim.dynamics.state.clock import ZERO, Time, elapsed
 from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
@@ -66,7 +64,7 @@ class Happenings:
                 return
             self.begin(gap, now)
         elif isinstance(gap.solver, PairContact):
-            self.separate(gap, now)
+            self.separate(gap, gap.solver, now)
         else:
             self.step(gap.left if gap.left.carts else gap.right, now)
 
@@ -138,11 +136,11 @@ class Happenings:
             if other is not None and other.solver is None:
                 self.chain.advance(other, now)
 
-    def separate(self, gap: Gap, now: Time) -> None:
+    def separate(self, gap: Gap, contact: PairContact, now: Time) -> None:
         """The force of a contact that is alone has become zero."""
         self.happened += 1
         self.around(gap, now)
-        resolve.separate_pair(gap, now, self.record, self.ledger)
+        resolve.separate_pair(gap, contact, now, self.record, self.ledger)
         self.predict(gap, now, own_separation=True)
         self.predict_around(gap, now)
 
@@ -151,9 +149,8 @@ class Happenings:
         rest = resting(gap)
         if not ending.is_push(gap):
             gap.room = -rest  # rounding of the search left: that is what a touch is
-        in_contact = any(
-            isinstance(b.motion, (PairContact, PairPhase, Cluster)) for b in (gap.left, gap.right)
-        )
+        motions = (gap.left.motion, gap.right.motion)
+        in_contact = any(motion is not None and motion.tier > 0 for motion in motions)
         bodies, gaps = self.settle([gap.left, gap.right], now)
         if gap.left.mass < math.inf or gap.right.mass < math.inf:
             gap.rate = gap.right.v - gap.left.v
@@ -204,16 +201,14 @@ class Happenings:
 
     def step(self, body: Body, now: Time) -> None:
         """A cluster's step or a flight is over, or something happened in it."""
-        solver = body.motion
+        motion = body.motion
+        assert motion is not None
         bodies, gaps = self.settle([body], now)
-        if isinstance(solver, (Cluster, PairPhase)):
-            self.happened += ending.leave(solver, now, self.record, self.ledger)
-            for gap in ending.struck(solver):
-                self.happened += 1
-                self.fastest = max(self.fastest, -gap.rate)
-                bodies = self.strike(gap, bodies, gaps, now, in_contact=True)
-        else:
-            body.v = 0.0
+        self.happened += ending.leave(motion, now, self.record, self.ledger)
+        for gap in ending.struck(motion):
+            self.happened += 1
+            self.fastest = max(self.fastest, -gap.rate)
+            bodies = self.strike(gap, bodies, gaps, now, in_contact=True)
         self.form_again(bodies, gaps, now)
 
     def from_outside(self, number: int, now: Time) -> None:
@@ -242,21 +237,14 @@ class Happenings:
         held = [body.held for body in bodies]
         for body in bodies:
             self.calendar.void(body)
-        for solver in form(bodies, gaps, now, self.end, self.forces, self.record):
+        for solver in select_solvers(bodies, gaps, now, self.end, self.forces, self.record):
             self.solvers[solver.name] += 1
-            if isinstance(solver, Cluster):
+            if solver.tier > 1:
                 self.steps += 1
-            if not ready:
-                continue
-            if isinstance(solver, PairContact):
-                first = self.chain.gaps[solver.gap]
-                assert first is not None
-                self.calendar.gap(first, now, solver.duration)
-            elif isinstance(solver, (Cluster, PairPhase)) and solver.members:
+            if ready and solver.members:
                 self.calendar.gap(solver.members[0], now, solver.duration)
-            else:
-                body = solver.body if isinstance(solver, Flight) else solver.bodies[0]
-                self.calendar.body(body, now, solver.duration)
+            elif ready:
+                self.calendar.body(solver.bodies[0], now, solver.duration)
         for body, before in zip(bodies, held, strict=True):
             if body.held != before and now != ZERO:
                 self.record.moment("stop" if body.held else "start", body, now)
@@ -273,8 +261,8 @@ class Happenings:
                     found[index] = other
         for gap in found.values():
             solver = gap.solver
-            if isinstance(solver, Cluster) and gap is not solver.members[0]:
-                gap.turn += 1  # the cluster's events stand under its first gap
+            if solver is not None and gap is not solver.members[0]:
+                gap.turn += 1  # the group's events stand under its first gap
             elif solver is None and not gap.joined:
                 mine = gap in gaps
                 if not mine:

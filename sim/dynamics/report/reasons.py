@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from sim.dynamics.motion.coupled_group import Cluster
+from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.motion.flight import Fading, Flight, Slowing
-from sim.dynamics.motion.linear_pair import PairPhase
+from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.record import Solved
-from sim.dynamics.state.chain import Motion
+from sim.dynamics.state.body import Motion
 from sim.effects.forces import FRICTION
 from sim.scene.model import Scene
 
@@ -26,7 +26,9 @@ PARABOLA = "constant forces, x = x₀ + v t + ½ a t² is exact"
 def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
     """One sentence per kind of solver at work; `used` are the names of all solvers of the run."""
     sentences = [
-        *_clusters(scene, [p.solver for p in parts if isinstance(p.solver, (Cluster, PairPhase))]),
+        *_clusters(
+            scene, [p.solver for p in parts if isinstance(p.solver, (CoupledGroup, LinearPair))]
+        ),
         *_pairs(scene, [p.solver for p in parts if isinstance(p.solver, PairContact)]),
         *_flights(scene, [p.solver for p in parts if isinstance(p.solver, Flight)]),
     ]
@@ -49,7 +51,7 @@ def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
     ]
 
 
-def _clusters(scene: Scene, solvers: list[Cluster | PairPhase]) -> list[str]:
+def _clusters(scene: Scene, solvers: list[CoupledGroup | LinearPair]) -> list[str]:
     found = []
     for solver in solvers:
         touching = [
@@ -94,10 +96,6 @@ def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
         text = PARABOLA if form is None else FORMS[form]
         found.append(f"{' and '.join(kinds)} on {names}, touched by nobody: {text}")
     return found
-
-
-def _form(solver: Flight) -> type | None:
-    return None if solver.course.sparse else type(solver.course)
 
 
 def _carts(scene: Scene, solver: Flight) -> list[str]:
