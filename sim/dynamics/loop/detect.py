@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.loop import recontact as pushed_again
+from sim.dynamics.loop import recontact
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.motion.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
@@ -40,7 +40,7 @@ def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     if gap.rate < 0.0:
         return max(0.0, (gap.room + resting(gap)) / -gap.rate)
     if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
-        return 0.0 if pushed_again.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
+        return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
 
 
@@ -202,13 +202,13 @@ def _pushed_again(
     gap: Gap, law: ContactLaw, now: Time, horizon: float, own_separation: bool
 ) -> float:
     """A push-only pair that still overlaps, until it clears."""
-    if own_separation is False and pushed_again.pushes(law, gap.mu, gap.room, gap.rate):
+    if own_separation is False and recontact.pushes(law, gap.mu, gap.room, gap.rate):
         return 0.0
 
     def place(t: float) -> tuple[float, float]:
         return room_at(gap, now, t), rate_at(gap, now, t)
 
-    t, cleared = pushed_again.scan(law, gap.mu, place, horizon)
+    t, cleared = recontact.scan(law, gap.mu, place, horizon)
     if not cleared:
         return t
     found = _first_fall(gap, now, t, horizon, 0.0, +1.0)

@@ -8,7 +8,7 @@ climb   the bumper is pressed further            halt    the body stands still f
 
 from __future__ import annotations
 
-from sim.dynamics.loop import contacts as resolve
+from sim.dynamics.loop import contacts
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Gap, Motion
@@ -59,7 +59,7 @@ def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
     last = law.last_force(gap.mu, -gap.rate)
     if gap.room >= 0.0:
         gap.room = gap.memory = 0.0
-    resolve.tell_separation(gap, now, last, record)
+    contacts.tell_separation(gap, now, last, record)
     return 1
 
 
@@ -70,7 +70,7 @@ def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
         return 0
     if not is_push(gap):
         gap.room = -gap.law.resting_overlap(gap.memory) if gap.memory else 0.0
-    resolve.touch(gap, now, record, ledger)
+    contacts.touch(gap, now, record, ledger)
     return 2
 
 
