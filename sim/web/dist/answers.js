@@ -172,46 +172,39 @@
     return all.slice(-MOST_EARLIER);
   }
 
-  // src/shared/storage.js
-  var READINGS = "-measured";
-  var STORE = "answers";
-  var PATIENCE = 2e4;
-  var STUDENT = "student";
-  var SETTLED = "settled";
-  var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
-    return found2;
-  }
-  async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
-  }
-  function writeStudent(all, code) {
-    return all.put(STUDENT, { code, last: (/* @__PURE__ */ new Date()).toISOString() });
-  }
-  function forStudent(all, code) {
-    const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
-    return {
-      kind: all.kind,
-      how: all.how,
-      get: (key) => all.get(before + key),
-      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
-      remove: (key) => all.remove(before + key),
-      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+  // src/shared/newest-first.js
+  function newestFirst(put) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone2) {
+      const now = put(key, value, alone2);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone2 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone2);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone2;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone2, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
     };
   }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
+  var STORE = "answers";
+  var PATIENCE = 2e4;
+  var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name, 1);
@@ -236,7 +229,8 @@
       }
     };
   }
-  function indexed(begin) {
+  async function indexed(name) {
+    const begin = await reopening(name);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -249,15 +243,17 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone2 = false) => write(begin, (answers) => {
-        if (alone2) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
+      put: newestFirst(
+        (key, value, alone2) => write(begin, (answers) => {
+          if (alone2) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
       remove: (key) => write(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
@@ -287,24 +283,8 @@
       work.onabort = () => reject(work.error);
     });
   }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
+
+  // src/shared/shelter.js
   function shelter() {
     const page = (
       /** @type {any} */
@@ -343,6 +323,63 @@
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
     };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var READINGS = "-measured";
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function writeStudent(all, code) {
+    return all.put(STUDENT, { code, last: (/* @__PURE__ */ new Date()).toISOString() });
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
   }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
@@ -392,9 +429,11 @@
     }
     /** Resolves when the browser says that it is kept; rejects when it refuses. @param {string} form @param {any} entry */
     async put(form, entry) {
+      const blind = !this.store;
       await this.ready;
       const key = this.key(form, entry.id);
-      const full = keepEarlier(this.#known.get(key), { ...entry, form });
+      const known2 = this.#known.get(key);
+      const full = (blind ? merged : keepEarlier)(known2, { ...entry, form });
       this.#known.set(key, full);
       const work = this.#write(key, full);
       this.#writing.add(work);
@@ -1952,6 +1991,7 @@
     drawn: drawnForm
   };
   var NOT_SAVED = tr("Not saved");
+  var SOON = 400;
   var ASKED = 300;
   function questionElement(book2) {
     return class CartsQuestion extends HTMLElement {
@@ -1961,10 +2001,10 @@
       #feedback = null;
       /** @type {any} */
       #entry = null;
-      #early = false;
-      // something was typed before the earlier answers were back
       #writes = 0;
       closed = false;
+      #ready = false;
+      // what was answered before is back: until then no field takes a key
       connectedCallback() {
         if (this.#form) return;
         this.facts = JSON.parse(need(this, "script.carts-q-facts").textContent ?? "{}");
@@ -1976,6 +2016,9 @@
         for (const radio of this.#certainty()) {
           radio.addEventListener("change", () => this.#changed());
         }
+        setTimeout(() => {
+          if (!this.#ready) this.#say(tr("Opening your answers …"));
+        }, SOON);
         if (this.facts.key) this.#feedback = new Feedback(this, () => this.#attempt());
         book2.addEventListener("elsewhere", (event) => {
           const key = (
@@ -1998,9 +2041,13 @@
       /** No more changes: the form was handed in, or is over. @param {boolean} closed */
       close(closed) {
         this.closed = closed;
-        this.#form?.enable(!closed);
-        for (const radio of this.#certainty()) radio.disabled = closed;
+        this.#enable();
         need(this, ".carts-q-row").hidden = closed || !this.#feedback;
+      }
+      #enable() {
+        const open2 = this.#ready && !this.closed;
+        this.#form?.enable(open2);
+        for (const radio of this.#certainty()) radio.disabled = !open2;
       }
       #fresh() {
         const { id, hash: hash2, type } = this.facts;
@@ -2012,9 +2059,12 @@
           [...this.querySelectorAll(".carts-q-sure input")]
         );
       }
-      async #restore() {
-        if (this.#early) await this.#keep();
-        else this.#show();
+      #restore() {
+        this.#say("");
+        this.#show();
+        this.#ready = true;
+        this.#enable();
+        this.dataset.ready = "";
         this.#form?.follow?.(book2);
       }
       /** Shows what is kept; an answer to another version of the question is shown beside it. */
@@ -2052,7 +2102,7 @@
         );
       }
       #changed() {
-        if (this.closed) return;
+        if (this.closed || !this.#ready) return;
         const now = (/* @__PURE__ */ new Date()).toISOString();
         const sure = this.#certainty().find((radio) => radio.checked)?.value;
         const entry = {
@@ -2076,7 +2126,6 @@
       async #keep() {
         this.#writes += 1;
         const mine = this.#writes;
-        this.#early = !book2.store;
         this.#say(tr("Saving…"));
         try {
           await book2.put(this.formName ?? "worksheet", this.#entry);

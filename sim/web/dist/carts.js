@@ -2730,33 +2730,6 @@
     return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
-  // src/answers/entry.js
-  var MOST_EARLIER = 500;
-  function isEmpty(value) {
-    if (typeof value === "string") return !value.trim();
-    if (value === null || value === void 0) return true;
-    return typeof value === "object" && Object.keys(value).length === 0;
-  }
-  function keepEarlier(old, value) {
-    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
-  }
-  function alone({ earlier: _2, ...entry }) {
-    return entry;
-  }
-  function union(a2, b2) {
-    const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
-    }
-    const all = [...found2.values()];
-    all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
-    return all.slice(-MOST_EARLIER);
-  }
-
   // src/answers/outline.js
   var found;
   function outline() {
@@ -2787,46 +2760,66 @@
     };
   }
 
-  // src/shared/storage.js
-  var STORE = "answers";
-  var PATIENCE2 = 2e4;
-  var STUDENT = "student";
-  var SETTLED = "settled";
-  var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
-    return found2;
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
   }
-  async function openStore(site) {
-    const all = await openAll(site);
-    return forStudent(all, await readStudent(all));
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
   }
-  async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
+  function alone({ earlier: _2, ...entry }) {
+    return entry;
   }
-  function forStudent(all, code) {
-    const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
-    return {
-      kind: all.kind,
-      how: all.how,
-      get: (key) => all.get(before + key),
-      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
-      remove: (key) => all.remove(before + key),
-      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+  function union(a2, b2) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/shared/newest-first.js
+  function newestFirst(put2) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone3) {
+      const now = put2(key, value, alone3);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone3 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone3);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone3;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone3, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
     };
   }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
+  var STORE = "answers";
+  var PATIENCE2 = 2e4;
+  var SETTLE_AFTER = 400;
   function open(name2) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name2, 1);
@@ -2851,7 +2844,8 @@
       }
     };
   }
-  function indexed(begin) {
+  async function indexed(name2) {
+    const begin = await reopening(name2);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -2864,15 +2858,17 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone3 = false) => write2(begin, (answers) => {
-        if (alone3) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
+      put: newestFirst(
+        (key, value, alone3) => write2(begin, (answers) => {
+          if (alone3) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
       remove: (key) => write2(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
@@ -2902,24 +2898,8 @@
       work.onabort = () => reject(work.error);
     });
   }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
-    };
-  }
+
+  // src/shared/shelter.js
   function shelter() {
     const page2 = (
       /** @type {any} */
@@ -2958,6 +2938,63 @@
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
     };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
   }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;

@@ -173,26 +173,39 @@
     return all.slice(-MOST_EARLIER);
   }
 
-  // src/shared/storage.js
-  var READINGS = "-measured";
+  // src/shared/newest-first.js
+  function newestFirst(put2) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone2) {
+      const now = put2(key, value, alone2);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone2 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone2);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone2;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone2, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
+    };
+  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE = 2e4;
-  var SETTLED = "settled";
   var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found = opened.get(site) ?? openOnce(site);
-    opened.set(site, found);
-    return found;
-  }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
   function open(name) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name, 1);
@@ -217,7 +230,8 @@
       }
     };
   }
-  function indexed(begin) {
+  async function indexed(name) {
+    const begin = await reopening(name);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -230,15 +244,17 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone2 = false) => write(begin, (answers) => {
-        if (alone2) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
+      put: newestFirst(
+        (key, value, alone2) => write(begin, (answers) => {
+          if (alone2) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
       remove: (key) => write(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
@@ -268,24 +284,8 @@
       work.onabort = () => reject(work.error);
     });
   }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
+
+  // src/shared/shelter.js
   function shelter() {
     const page2 = (
       /** @type {any} */
@@ -324,6 +324,43 @@
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
     };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var READINGS = "-measured";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found = opened.get(site) ?? openOnce(site);
+    opened.set(site, found);
+    return found;
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
   }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
