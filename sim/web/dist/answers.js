@@ -1,5 +1,41 @@
 "use strict";
 (() => {
+  // src/shared/older.js
+  function add(owner, name, value) {
+    if (!(name in owner)) {
+      Object.defineProperty(owner, name, { value, configurable: true, writable: true });
+    }
+  }
+  function findLastIndex(fits2) {
+    for (let k = this.length - 1; k >= 0; k -= 1) if (fits2(this[k], k, this)) return k;
+    return -1;
+  }
+  function findLast(fits2) {
+    return this[findLastIndex.call(this, fits2)];
+  }
+  function at(index) {
+    return this[index < 0 ? this.length + index : index];
+  }
+  for (const kind of [Array, Float64Array, Uint8Array]) {
+    add(kind.prototype, "findLast", findLast);
+    add(kind.prototype, "findLastIndex", findLastIndex);
+    add(kind.prototype, "at", at);
+  }
+  add(String.prototype, "at", at);
+  add(
+    Object,
+    "hasOwn",
+    (owner, name) => (
+      // biome-ignore lint/suspicious/noPrototypeBuiltins: this is what stands in for Object.hasOwn
+      Object.prototype.hasOwnProperty.call(owner, name)
+    )
+  );
+  add(
+    globalThis,
+    "structuredClone",
+    (value) => JSON.parse(JSON.stringify(value))
+  );
+
   // ../view/language.js
   var catalogue = (
     /** @type {any} */
@@ -50,8 +86,8 @@
   function inPageOrder(entries) {
     const places = [...document.querySelectorAll("[id]")].map(({ id }) => id);
     const place2 = (entry) => {
-      const at = places.indexOf(sceneOf(entry) || entry.id);
-      return at < 0 ? places.length : at;
+      const at2 = places.indexOf(sceneOf(entry) || entry.id);
+      return at2 < 0 ? places.length : at2;
     };
     return [...entries].sort(([, one], [, other]) => place2(one) - place2(other));
   }
@@ -1805,32 +1841,32 @@
     return hermite(times, values, slopes, k, t);
   }
   function hermite(times, values, slopes, k, t) {
-    const at = (
+    const at2 = (
       /** @type {(column: Column, k: number) => number} */
       ((c, i) => c[i])
     );
-    const h = at(times, k + 1) - at(times, k);
-    const s = (t - at(times, k)) / h;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const h = at2(times, k + 1) - at2(times, k);
+    const s = (t - at2(times, k)) / h;
+    if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s;
     const r = 1 - s;
-    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
-    return Number.isFinite(found2) ? found2 : at(values, k);
+    const found2 = at2(values, k) * (1 + 2 * s) * r * r + at2(slopes, k) * h * s * r * r + at2(values, k + 1) * (1 + 2 * r) * s * s - at2(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found2) ? found2 : at2(values, k);
   }
 
   // src/question/marking/own-run.js
-  function reading(run, mass, quantity, at) {
+  function reading(run, mass, quantity, at2) {
     const [what, ...rest] = quantity.split(".");
     const whose = rest.join(".");
     const column = (what === "p" ? run.v : run[String(what)])?.[whose];
     if (!column?.length) return null;
     const factor = what === "p" ? mass[whose] ?? Number.NaN : 1;
     const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
-    if (at === "largest") {
+    if (at2 === "largest") {
       let most = 0;
       for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
       return most * factor;
     }
-    const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
+    const t = at2 === "end" ? run.t[run.t.length - 1] : at2 === "start" ? run.t[0] : Number(at2);
     return valueAt(run.t, column, slopes, t) * factor;
   }
 
@@ -2232,4 +2268,5 @@
   new Bar(book, () => void panel.open());
   void book.ready.then(() => performance.mark("carts:answers"));
   teacherDoor();
+  document.documentElement.dataset.cartsAnswers = "";
 })();
