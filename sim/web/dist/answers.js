@@ -1035,20 +1035,20 @@
     return all && options.reduce((size, count) => size * BigInt(count + 1), 1n) <= 1n << ANSWER_BITS;
   }
   function encode(options, chosen2, form) {
-    let number = 0n;
+    let number2 = 0n;
     options.forEach((count, k) => {
-      number = number * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
+      number2 = number2 * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
     });
-    const whole2 = number << CHECK_BITS | BigInt(check(number, form));
+    const whole2 = number2 << CHECK_BITS | BigInt(check(number2, form));
     const letters = Array.from(
       { length: 12 },
       (_, k) => ALPHABET[Number(whole2 >> BigInt(55 - 5 * k) & 31n)]
     );
     return [0, 4, 8].map((k) => letters.slice(k, k + 4).join("")).join("-");
   }
-  function check(number, form) {
+  function check(number2, form) {
     const bytes = [...new TextEncoder().encode(form)];
-    for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number >> 8n * k & 255n));
+    for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number2 >> 8n * k & 255n));
     let crc = 65535;
     for (const byte of bytes) {
       crc ^= byte << 8;
@@ -1870,6 +1870,42 @@
     return valueAt(run.t, column, slopes, t) * factor;
   }
 
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var FACTOR = /\s*([/·⋅*.]?)\s*([A-Za-zµ°%]+)(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?:\^|\*\*)\(?([+-]?\d(?:\.\d|\/\d)?)\)?|([+-]?\d))?/y;
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var LONGEST2 = 30;
+  var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
+  function number(power) {
+    const [above, below] = power.split("/").map(Number);
+    return Number(above) / (below ?? 1);
+  }
+  function factors(unit) {
+    const text = plain2(unit.trim());
+    if (!text || text.length > LONGEST2) return null;
+    const powers = /* @__PURE__ */ new Map();
+    for (let at2 = 0; at2 < text.length; at2 = FACTOR.lastIndex) {
+      FACTOR.lastIndex = at2;
+      const found2 = FACTOR.exec(text);
+      if (!found2 || at2 === 0 && found2[1]) return null;
+      const power = number(lowered(found2[3] ?? "") || found2[4] || found2[5] || "1");
+      const symbol = String(found2[2]);
+      powers.set(symbol, (powers.get(symbol) ?? 0) + (found2[1] === "/" ? -power : power));
+    }
+    return [...powers].map(([symbol, power]) => `${symbol}^${power}`).sort().join(" ");
+  }
+  function sameUnit(one, other) {
+    const read = factors(one);
+    return one === other || read !== null && read === factors(other);
+  }
+  function withExponent(text) {
+    return plain2(text).replace(POWER_OF_TEN, (_, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
+  }
+
   // src/shared/typed.js
   function twoReadings(text) {
     const whole2 = text.replaceAll(",", "");
@@ -1883,26 +1919,27 @@
   }
 
   // src/question/marking/typed-number.js
-  var LONGEST2 = 40;
+  var LONGEST3 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   var GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
   function readNumber(typed, units) {
-    const text = typed.trim().replace(/[−–]/g, "-");
+    const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
-    if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
+    if (text.length > LONGEST3) return { problem: tr("That is too long for a number.") };
     const grouped2 = GROUPED.exec(text);
     if (grouped2) return { problem: twoReadings(String(grouped2[1])) };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number = String(found2[1]);
-    const unit = (found2[2] ?? "").replace(/μ/g, "µ");
-    const factor = unit ? Object.hasOwn(units, unit) ? units[unit] : void 0 : 1;
+    const number2 = String(found2[1]);
+    const unit = found2[2] ?? "";
+    const known2 = Object.keys(units).filter(Boolean);
+    const own = unit ? known2.find((one) => sameUnit(one, unit)) : "";
+    const factor = unit ? own ? units[own] : void 0 : 1;
     if (factor === void 0) {
-      const known2 = Object.keys(units).filter(Boolean).join(", ");
-      const text2 = { unit: String(found2[2]), units: known2 };
+      const text2 = { unit, units: known2.join(", ") };
       return { problem: tr("“{unit}” does not fit here. Units: {units}", text2) };
     }
-    const value = Number(number.replace(",", ".")) * factor;
+    const value = Number(number2.replace(",", ".")) * factor;
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
   }
 

@@ -1058,10 +1058,22 @@
     block.before(button);
   }
 
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
+  function withExponent(text) {
+    return plain2(text).replace(POWER_OF_TEN, (_2, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
+  }
+
   // src/shared/typed.js
   var LONGEST = 40;
   function readTyped(typed) {
-    const text = typed.trim().replace(/[−–]/g, "-");
+    const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
     if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
@@ -1069,7 +1081,7 @@
       const value = Number(text.replace(",", "."));
       return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
     }
-    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
     return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
