@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
-from sim.dynamics.report import report
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
 from sim.lesson import read as lesson_read
 from sim.pages.runtime.node import node_program
 from sim.pages.yaml_source import load

@@ -17,15 +17,15 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
-from sim.dynamics.finished import Run
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.report import finite
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import finite
+from sim.dynamics.report.warnings import warnings
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.drawn import Drawn, drawn
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
-from sim.dynamics.trajectory import trajectory
-from sim.dynamics.warnings import warnings
 from sim.scene import Problem, Scene, SceneError, read_scene
 
 MOST_PARTS = 5_000

@@ -28,7 +28,7 @@ from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page as MkDocsPage
 from mkdocs.utils import CountHandler, get_relative_url
 
-from sim.pages import lessons_only
+from sim.pages import effect_pages, lessons_only
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH
@@ -90,6 +90,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         self.lessons = lessons_in(self.folder)
         if config.nav is not None:
             config.nav = with_lessons(config.nav, self.folder, self.lessons)
+            config.nav = effect_pages.with_effects(config.nav)
         if audience == "hosted":
             about, address = config.site_description or "", config.site_url or ""
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
@@ -117,6 +118,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             file = File.generated(config, uri, abs_src_path=str(path))
             file.edit_uri = f"../{uri}"  # from docs/, where the generator believes it to be
             files.append(file)
+        self._effect_pages(files, config)
         with _stopping():
             for uri, content in self.build.assets().items():
                 files.append(File.generated(config, uri, content=content))
@@ -130,6 +132,21 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
                 script = search_from_disk(file.content_string)
                 files.append(File.generated(config, SEARCH_FROM_DISK, content=script))
         return files
+
+    def _effect_pages(self, files: Files, config: MkDocsConfig) -> None:
+        """Each effect has its page in its own folder; the index of this site's docs lists them."""
+        index = files.get_file_from_path(effect_pages.INDEX)
+        if index is None:
+            return
+        text = effect_pages.index_text(index.content_string)
+        files.remove(index)
+        listed = File.generated(config, effect_pages.INDEX, content=text)
+        listed.edit_uri = index.edit_uri
+        files.append(listed)
+        for uri, path in effect_pages.effect_pages().items():
+            file = File.generated(config, uri, abs_src_path=str(path))
+            file.edit_uri = f"../sim/effects/{path.parent.name}/{path.name}"
+            files.append(file)
 
     def _ready_pages(self, files: Files, config: MkDocsConfig) -> None:
         """Nothing of the lessons' folder stands at the root (banks hold keys): our pages do."""

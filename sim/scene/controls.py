@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.scene.effect_controls import effect_number, is_switch
-from sim.scene.effects import KINDS, Effect
+from sim.scene.effects import Effect, kinds
 from sim.scene.fields import CART, GRAVITY, RESTITUTION, STIFFNESS, TRACK_LENGTH, UNTIL, Field
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
@@ -75,7 +75,7 @@ def _control(
     if found is None:
         names = [cart.name for cart in scene.carts]
         owner = str(target).partition(".")[0]
-        known = (*names, "contact", "track", "until", "gravity", "effects", *KINDS)
+        known = (*names, "contact", "track", "until", "gravity", "effects", *kinds())
         unknown = owner not in known
         problems.append(
             Problem(

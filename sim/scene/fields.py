@@ -25,6 +25,7 @@ class Field:
     most: str | None = None
     above: bool = False  # the least value itself is not allowed
     optional: bool = False
+    label: str = ""  # of its slider
 
     @property
     def allowed(self) -> str:

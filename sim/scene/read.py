@@ -8,12 +8,12 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from sim.scene.effect_rules import check_effects
+from sim.scene.effects import kinds
 from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
-from sim.scene.read_effects import magnets_apart, read_effects
+from sim.scene.read_effects import check_effects, check_room, read_effects
 from sim.scene.tables import mapping, number, unknown_keys
 
 SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
@@ -56,17 +56,17 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
     check_effects(effects, table.get("effects", []), problems)
-    released = {frozenset(e.between) for e in effects if e.kind == "release" and e.between}
+    released = {frozenset(e.between) for e in effects if kinds()[e.kind].overlap and e.between}
     gaps = _gaps(exact, names, track, length)
     for k, gap in enumerate(gaps):
         if gap is None or gap >= 0:
             continue
         contact = contacts[k] if k < len(contacts) else None
-        at_once = contact is not None and contact.law in ("instant", "velcro")
+        at_once = contact is not None and contact.sudden
         if at_once or not overlap_allowed:  # without a duration there is nothing to be pressed in
             _overlap(k, gap, names, released, problems, at_once=at_once)
     if len(problems) == before:
-        magnets_apart(effects, gaps, names, problems)
+        check_room(effects, gaps, names, problems)
     if len(problems) > before:
         return None
     return Scene(

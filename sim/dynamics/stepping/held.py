@@ -9,7 +9,6 @@ method joins the two, and asks for the force that keeps them together:
 
 from __future__ import annotations
 
-from sim.dynamics.stepping.contact_force import BumperForce
 from sim.dynamics.stepping.field import Field, Pair, Row
 
 Rub = dict[tuple[str, int], float]
@@ -19,7 +18,7 @@ Rub = dict[tuple[str, int], float]
 def stays_pressed(field: Field, pair: Pair, t: float, s: Row, v: Row) -> bool:
     """Would the two close at once, were it not for their bumper? It has just come to a stop."""
     force = pair.force
-    if not isinstance(force, BumperForce) or force.back or field.memory[pair.gap] <= 0.0:
+    if force is None or not force.locks or field.memory[pair.gap] <= 0.0:
         return False
     a = field.moved(field.forces(t, s, v)[2], v, 0.0)[0]
     left = 0.0 if pair.left is None else a[pair.left]
@@ -54,8 +53,8 @@ def guards(field: Field, t: float, s: Row, v: Row) -> dict[int, tuple[float, flo
     found = {}
     for gap, push in joint_forces(field, _rubbed(total, rub), a).items():
         force = field.pair_at[gap].force
-        assert isinstance(force, BumperForce)
-        found[gap] = (push, force.k * field.memory[gap] - push)
+        assert force is not None
+        found[gap] = (push, force.most(field.memory[gap]) - push)
     return found
 
 

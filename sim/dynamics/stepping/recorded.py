@@ -15,16 +15,16 @@ from array import array
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.finished import Run
-from sim.dynamics.laws import finite_law
-from sim.dynamics.ledger import Ledger
-from sim.dynamics.record import Record
-from sim.dynamics.report import finite, report
-from sim.dynamics.stepping.contact_force import BumperForce, DashpotForce
+from sim.dynamics.report.document import finite, report
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.result.record import Record
+from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping.field import Detail, Pair, Row
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.story import Story
-from sim.dynamics.trajectory import Trajectory
+from sim.effects.forces import acting
+from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 
 MOST_ROWS = 20_000
@@ -109,8 +109,8 @@ class _Recorder:
         for blow in run.impacts.blows:
             self.story.blow(t, blow)
             self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
-            if blow.kind == "release":
-                ledger.work("release", -blow.warmed)
+            if blow.release:
+                ledger.work(blow.release, -blow.warmed)
             else:
                 ledger.warm(blow.warmed)
         run.impacts.blows.clear()
@@ -120,22 +120,18 @@ class _Recorder:
             self._row(t, a, detail)
 
     def _bumpers(self, push: Row) -> None:
-        """What pressing further in costs for good, and what an overlap that is left still held.
-
-        `held` is the greatest overlap of a bumper, and the energy in a contact that may only push.
-        """
+        """What a step left in the bumpers for good."""
         field = self.run.field
         for pair in field.pairs:
-            gap, held = pair.gap, self.held.get(pair.gap, 0.0)
-            if isinstance(pair.force, BumperForce):
-                self.held[gap] = field.memory[gap]
-                if field.memory[gap] > held:
-                    self.ledger.warm(pair.force.kept(field.memory[gap]) - pair.force.kept(held))
-            elif isinstance(pair.force, DashpotForce) and not pair.force.pulls:
-                if held and not push[gap]:
-                    self.ledger.warm(held)
+            gap = pair.gap
+            if pair.force is not None:
                 d, rate = field.overlap(pair, self.run.s, self.run.v)
-                self.held[gap] = _stored(pair, d, rate, 0.0) if push[gap] else 0.0
+                stored = _stored(pair, d, rate, 0.0)
+                warm, self.held[gap] = pair.force.settle(
+                    self.held.get(gap, 0.0), push[gap], field.memory[gap], stored
+                )
+                if warm:
+                    self.ledger.warm(warm)
 
     def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
         if impulse and (left is None or right is None):
@@ -191,7 +187,7 @@ class _Recorder:
         ledger.stored_final = self._stored(self._now(scene.until)[1].push)
         self._links(first=False)
         evaluations = run.field.evaluations
-        kinds = {effect.kind for effect in scene.effects if effect.kind != "release"}
+        kinds = {one.kind for one in acting(scene) if not one.releases()}
         finished = Run(
             scene=scene,
             t=scene.until,
@@ -208,7 +204,7 @@ class _Recorder:
 
 
 def _stored(pair: Pair, d: float, rate: float, memory: float) -> float:
-    law = finite_law(pair.contact)
+    law = contact_law(pair.contact)
     return law.stored(d, rate, memory) if law is not None and d > 0.0 else 0.0
 
 

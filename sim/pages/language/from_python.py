@@ -6,7 +6,7 @@ page. A test runs every scene, sets wrong values, and misses no form.
 
 from sim.pages.language.say import mark
 
-# The plan, clause by clause: sim/dynamics/reasons.py
+# The plan, clause by clause: sim/dynamics/report/reasons.py
 PLAN = (
     mark(
         "nothing touches and no effect acts: every cart keeps its velocity, x = x₀ + v t is exact"
@@ -41,7 +41,7 @@ PLAN = (
     mark("right"),
 )
 
-# What to know before pressing Play: sim/dynamics/warnings.py
+# What to know before pressing Play: sim/dynamics/report/warnings.py
 WARNINGS = (
     mark(
         "The bumpers between {one} and {other} would be squeezed by {depth}, "

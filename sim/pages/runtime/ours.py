@@ -16,7 +16,7 @@ from pathlib import Path
 from .cache import key_of, sha256
 from .stdlib import DATE
 
-LAYERS = ("scene", "dynamics", "bridge")
+LAYERS = ("scene", "effects", "laws", "dynamics", "bridge")
 """What every live page runs. Questions are marked in JavaScript there."""
 CLASSROOM_LAYERS = ("lesson", "classroom")
 CLASSROOM_ENTRY = "bridge/class_answer.py"

@@ -10,7 +10,7 @@ from sim.pages.widget.markers import MARKERS
 from sim.pages.widget.numbers import decimals_of, fixed, short, speed_unit
 from sim.pages.widget.run import Run
 from sim.pages.widget.scale_of import Scales
-from sim.scene.effects import KINDS
+from sim.scene.effects import kinds
 
 UNTOLD = "–"  # stands for a number until the prediction is locked
 
@@ -44,7 +44,7 @@ def cards(
             }
         )
     contact = [c for c in controls if c.set.startswith("contact.")]
-    elsewhere = (*names, "effects", *KINDS)
+    elsewhere = (*names, "effects", *kinds())
     rest = [c for c in controls if c not in contact and c.set.partition(".")[0] not in elsewhere]
     for title, own in ((tr("Contact"), contact), (tr("Scene"), rest)):
         if own:

@@ -1,0 +1,34 @@
+"""drag, described: air resistance."""
+
+from __future__ import annotations
+
+from sim.scene import quantity
+from sim.scene.effects import EffectKind
+from sim.scene.fields import Field
+
+KIND = EffectKind(
+    name="drag",
+    says="air resistance against the motion",
+    place=30,
+    fields=(
+        Field(
+            "linear",
+            quantity.LINEAR_DRAG,
+            "0",
+            "force per speed",
+            least="0",
+            label="drag, force per speed",
+        ),
+        Field(
+            "quadratic",
+            quantity.QUADRATIC_DRAG,
+            "0",
+            "force per speed squared",
+            least="0",
+            label="drag, force per speed squared",
+        ),
+    ),
+    one_of=("linear", "quadratic"),
+    called="air resistance",
+    agent="the air",
+)

@@ -1,0 +1,51 @@
+"""friction, described: dry (Coulomb) friction between a cart and the track."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from sim.scene import quantity
+from sim.scene.effects import Effect, EffectKind
+from sim.scene.fields import Field
+from sim.scene.problem import Problem
+
+
+def _static_is_the_greater(listed: Sequence[Effect]) -> Iterator[Problem]:
+    for effect in listed:
+        moving = effect.numbers["coefficient"]
+        if effect.numbers.get("static", moving) < moving:
+            yield Problem(
+                ("effects", effect.index, effect.kind, "static"),
+                "out-of-range",
+                f"static friction is never less than that of a moving cart, {moving:g}",
+                f"static: {moving:g} or more, or remove it",
+            )
+
+
+KIND = EffectKind(
+    name="friction",
+    says="Coulomb friction: μ m g against the motion, with stopping and staying",
+    place=10,
+    fields=(
+        Field(
+            "coefficient",
+            quantity.RATIO,
+            None,
+            "coefficient of friction",
+            least="0",
+            label="friction coefficient μ",
+        ),
+        Field(
+            "static",
+            quantity.RATIO,
+            None,
+            "coefficient at rest; left out: the same",
+            least="0",
+            optional=True,
+            label="friction coefficient at rest",
+        ),
+    ),
+    called="friction",
+    agent="the track",
+    rule=_static_is_the_greater,
+)
