@@ -1,4 +1,4 @@
-/** Numbers as text, the same as `sim/pages/widget/numbers.py` writes into the page. */
+/** Numbers as text. A real minus sign; never “−0”. */
 
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const MAX_DECIMALS = 12;

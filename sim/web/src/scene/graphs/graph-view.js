@@ -32,6 +32,7 @@ export class GraphView {
   behind = null;
   #pressed = false; // “with sign”, “as a ledger”
   #t = 0; // s, the instant shown
+  #told = ""; // what the key below says
   /** @type {[number, number] | null} */
   #window = null;
 
@@ -154,8 +155,10 @@ export class GraphView {
     });
     ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
     this.#cursor();
-    if (this.#stacked) this.ledger?.draw(this.#plane);
-    else {
+    if (this.#stacked) {
+      this.ledger?.draw(this.#plane);
+      this.#told = "";
+    } else {
       this.ledger?.clear();
       this.#key();
     }
@@ -206,11 +209,8 @@ export class GraphView {
     const key = need(this.root, ".carts-key");
     const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
     const wanted = [...this.#curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
-    if (key.dataset.curves === wanted) return;
-    const first = key.dataset.curves === undefined;
-    key.dataset.curves = wanted;
-    const entries = this.#curves.length + (note ? 1 : 0);
-    if (first && key.children.length === entries) return; // as baked
+    if (this.#told === wanted && key.firstChild) return;
+    this.#told = wanted;
     key.replaceChildren(...this.#curves.map(keyEntry), ...(note ? [span(note)] : []));
   }
 }
