@@ -121,6 +121,8 @@ def of_file(name: str, content: bytes) -> Outcome:
         return Read(name, _slim(read_answer_file(text)))
     except AnswerFileError as error:
         return _of_teacher(name, text, str(error))
+    except Exception as error:  # whatever one file does, the others of the class are read
+        return Refused(name, f"this file cannot be read ({type(error).__name__})")
 
 
 def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:

@@ -8,7 +8,7 @@ from tests.web.widget_site import in_node
 
 # A stand-in for Python: answers when told to; knows with which packages it was started.
 SCRIPT = """
-const { Client } = await import(`${source}/client.js`);
+const { Client } = await import(`${source}/runtime/client.js`);
 const started = [];
 const failure = (reason) => Object.assign(new Error(reason), { reason });
 const start = async (more) => {

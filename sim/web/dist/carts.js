@@ -1,5 +1,41 @@
 "use strict";
 (() => {
+  // src/shared/older.js
+  function add(owner, name2, value) {
+    if (!(name2 in owner)) {
+      Object.defineProperty(owner, name2, { value, configurable: true, writable: true });
+    }
+  }
+  function findLastIndex(fits2) {
+    for (let k = this.length - 1; k >= 0; k -= 1) if (fits2(this[k], k, this)) return k;
+    return -1;
+  }
+  function findLast(fits2) {
+    return this[findLastIndex.call(this, fits2)];
+  }
+  function at(index) {
+    return this[index < 0 ? this.length + index : index];
+  }
+  for (const kind of [Array, Float64Array, Uint8Array]) {
+    add(kind.prototype, "findLast", findLast);
+    add(kind.prototype, "findLastIndex", findLastIndex);
+    add(kind.prototype, "at", at);
+  }
+  add(String.prototype, "at", at);
+  add(
+    Object,
+    "hasOwn",
+    (owner, name2) => (
+      // biome-ignore lint/suspicious/noPrototypeBuiltins: this is what stands in for Object.hasOwn
+      Object.prototype.hasOwnProperty.call(owner, name2)
+    )
+  );
+  add(
+    globalThis,
+    "structuredClone",
+    (value) => JSON.parse(JSON.stringify(value))
+  );
+
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   var MAX_DECIMALS = 12;
@@ -518,7 +554,7 @@
   // src/cost/element.js
   var PACKAGES = ["numpy", "scipy"];
   var ADAPTIVE = ["rk45", "adaptive"];
-  function costElement(client) {
+  function costElement(client2) {
     return class CartsCost extends HTMLElement {
       /** @type {CostFacts | null} */
       #facts = null;
@@ -591,10 +627,10 @@
         try {
           if (adaptive) {
             this.#note("Python’s scipy is being loaded …");
-            await client.need(PACKAGES);
+            await client2.need(PACKAGES);
           }
           const scene = this.#scene;
-          const { header, numbers } = await client.ask(this, () => ({
+          const { header, numbers } = await client2.ask(this, () => ({
             kind: "cost",
             scene,
             method,
@@ -635,12 +671,12 @@
         this.#working(true);
         say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
         try {
-          await client.need(PACKAGES);
+          await client2.need(PACKAGES);
           const rows = [];
           const scene = this.#scene;
           for (let row = 0, of = 1; row < of; row += 1) {
             if (this.#measuring !== turn) return;
-            const { header } = await client.ask(need(this, ".carts-cost-go"), () => ({
+            const { header } = await client2.ask(need(this, ".carts-cost-go"), () => ({
               kind: "cost",
               scene,
               row
@@ -810,13 +846,13 @@
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
   var MEASURES = 200;
-  function waited(name2, at) {
+  function waited(name2, at2) {
     if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
-    performance.measure(name2, { start: at, end: performance.now() });
+    performance.measure(name2, { start: at2, end: performance.now() });
   }
-  async function drawn(scene, at, detail) {
+  async function drawn(scene, at2, detail) {
     await frame();
-    waited("carts:update", at);
+    waited("carts:update", at2);
     scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
   }
   function deferred() {
@@ -888,7 +924,7 @@
   }
 
   // src/hard/element.js
-  function hardElement(client) {
+  function hardElement(client2) {
     return class CartsHard extends HTMLElement {
       /** @type {Record<string, Case> | null} */
       #cases = null;
@@ -933,10 +969,10 @@
           for (const [k, [name2, one]] of all.entries()) {
             if (one.packages.length) {
               this.#say(LOADING);
-              await client.need(one.packages);
+              await client2.need(one.packages);
             }
             if (this.#turn !== turn) return;
-            const { header } = await client.ask(this, () => ({ kind: "hard", ...asked(one) }));
+            const { header } = await client2.ask(this, () => ({ kind: "hard", ...asked(one) }));
             if (this.#turn !== turn) return;
             if (!header.ok) throw refusal2(header.problems ?? []);
             this.#live();
@@ -1033,10 +1069,22 @@
     block.before(button);
   }
 
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
+  function withExponent(text) {
+    return plain2(text).replace(POWER_OF_TEN, (_2, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
+  }
+
   // src/shared/typed.js
   var LONGEST = 40;
   function readTyped(typed) {
-    const text = typed.trim().replace(/[−–]/g, "-");
+    const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
     if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
@@ -1044,7 +1092,7 @@
       const value = Number(text.replace(",", "."));
       return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
     }
-    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
     return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
@@ -1389,11 +1437,11 @@
     leftOut: tr("exploders"),
     link: null,
     // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at = 0 } }, t3) => t3 < at,
-    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
+    acts: ({ numbers: { at: at2 = 0 } }, t3) => t3 < at2,
+    phrase: ({ numbers: { energy = 0, at: at2 = 0 } }, { both, seen }) => [
       tr("an exploder between {bodies}", { bodies: both }),
       seen(`${short(energy)} J`),
-      tr("at {time} s", { time: short(at) })
+      tr("at {time} s", { time: short(at2) })
     ],
     pieces({ between: between2 }, { key, layout, face }) {
       const [a2, b2] = between2 ?? ["", ""];
@@ -1576,8 +1624,8 @@
       }
     }
     /** A value from elsewhere than its slider. @param {string} target @param {number} value in the control's unit @param {number} at */
-    take(target, value, at) {
-      this.#views.get(target)?.take(value, at);
+    take(target, value, at2) {
+      this.#views.get(target)?.take(value, at2);
     }
     /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
     complain(target, message) {
@@ -1615,9 +1663,9 @@
       this.box.disabled = !on;
     }
     /** @param {number} value in the control's unit @param {number} at */
-    take(value, at) {
+    take(value, at2) {
       this.#accept(value);
-      this.change(this.control.set, this.#asked(value), at);
+      this.change(this.control.set, this.#asked(value), at2);
     }
     /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
     shown(value) {
@@ -1649,13 +1697,13 @@
       this.box.removeAttribute("aria-invalid");
     }
     /** @param {Change} change @param {number} at */
-    #typed(change2, at) {
+    #typed(change2, at2) {
       const read = readTyped(this.box.value);
       const { low, high, unit, label } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
-        return change2(this.control.set, read.text, at);
+        return change2(this.control.set, read.text, at2);
       }
       if (read.value < low || read.value > high) {
         const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
@@ -1664,7 +1712,7 @@
         );
       }
       this.#accept(read.value);
-      return change2(this.control.set, this.#asked(read.value), at);
+      return change2(this.control.set, this.#asked(read.value), at2);
     }
     /** @param {number} value */
     #accept(value) {
@@ -1742,8 +1790,8 @@
     /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
     nearest(value, per = 1) {
       let best = 0;
-      for (const [k, at] of this.values.entries()) {
-        if (Math.abs(at / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
+      for (const [k, at2] of this.values.entries()) {
+        if (Math.abs(at2 / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
       }
       return best;
     }
@@ -1792,9 +1840,9 @@
     for (let i2 = 0; i2 < lines2; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at = i2 * line + left * next;
+        const at2 = i2 * line + left * next;
         const part2 = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part2);
+        found2[i2 * fine + k] = mixed(Number(values[at2]), Number(values[at2 + next]), part2);
       }
     }
     return found2;
@@ -1817,18 +1865,18 @@
   function lines(bands, width, { count: count2, zero }) {
     const places = bands.slice();
     const line = 2 * count2 + 1;
-    const compare = (at, other) => {
-      const own = Number(bands[at]);
+    const compare = (at2, other) => {
+      const own = Number(bands[at2]);
       const next = Number(bands[other]);
       if (next === own || own === count2) return;
       if (next !== count2 && own >= zero !== next >= zero) {
-        places[at] = line;
+        places[at2] = line;
         places[other] = line;
-      } else if (places[at] !== line) places[at] = count2 + 1 + own;
+      } else if (places[at2] !== line) places[at2] = count2 + 1 + own;
     };
-    for (let at = 0; at < bands.length; at += 1) {
-      if ((at + 1) % width) compare(at, at + 1);
-      if (at + width < bands.length) compare(at, at + width);
+    for (let at2 = 0; at2 < bands.length; at2 += 1) {
+      if ((at2 + 1) % width) compare(at2, at2 + 1);
+      if (at2 + width < bands.length) compare(at2, at2 + width);
     }
     return places;
   }
@@ -1841,7 +1889,7 @@
     const image = context.createImageData(width, height);
     const words = new Uint32Array(image.data.buffer);
     const colours = palette(scale);
-    for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
+    for (let at2 = 0; at2 < places.length; at2 += 1) words[at2] = Number(colours[Number(places[at2])]);
     context.putImageData(image, 0, 0);
   }
   function palette({ colours, none, line }) {
@@ -2003,10 +2051,10 @@
       const line = html("tr");
       const head = html("th", "", axisText(flat ? 0 : 1, row));
       head.setAttribute("scope", "row");
-      const at = (column) => flat ? row : row * grid.columns + column;
+      const at2 = (column) => flat ? row : row * grid.columns + column;
       line.append(
         head,
-        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at(column)]))))
+        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at2(column)]))))
       );
       return line;
     });
@@ -2014,7 +2062,7 @@
   }
 
   // src/map/element.js
-  function mapElement(client) {
+  function mapElement(client2) {
     return class CartsMap extends HTMLElement {
       /** @type {MapFacts | null} */
       #facts = null;
@@ -2052,8 +2100,8 @@
           );
           return new AxisControl(root, axis2, (place3) => this.#chooseOn(k, place3));
         });
-        this.#controls = new Controls(this, facts.controls, (target, value, at) => {
-          this.set({ [target]: value }, at).catch((error) => {
+        this.#controls = new Controls(this, facts.controls, (target, value, at2) => {
+          this.set({ [target]: value }, at2).catch((error) => {
             this.#controls?.complain(target, error.message);
           });
         });
@@ -2093,9 +2141,9 @@
        * Changes what all points have in common and resolves when the new map is drawn.
        * @param {Record<string, number | string>} changes @param {number} at time of the input
        */
-      async set(changes2, at = performance.now()) {
+      async set(changes2, at2 = performance.now()) {
         const settings = { ...this.#settings, ...changes2 };
-        await this.#compute(settings, at);
+        await this.#compute(settings, at2);
       }
       async #open() {
         this.dataset.state = "starting";
@@ -2106,7 +2154,7 @@
         button.disabled = true;
         say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
         try {
-          await client.need(this.#facts?.packages ?? []);
+          await client2.need(this.#facts?.packages ?? []);
           await this.#compute({}, performance.now());
           this.dataset.state = "live";
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
@@ -2141,7 +2189,7 @@
        * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
        * @param {Record<string, number | string>} settings @param {number} at
        */
-      async #compute(settings, at) {
+      async #compute(settings, at2) {
         this.#generation += 1;
         const generation = this.#generation;
         const first = await this.#ask(settings, 0);
@@ -2152,7 +2200,7 @@
         const { axes, rows, columns, why, runs } = first.header;
         this.#draw({ axes, rows, columns, why, values: first.numbers });
         await frame();
-        waited("carts:map", at);
+        waited("carts:map", at2);
         this.#filling = this.#fill(settings, first.header.done, runs, generation);
       }
       /**
@@ -2187,7 +2235,7 @@
       /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
       #ask(settings, from) {
         const map = this.#facts?.map;
-        return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
+        return client2.ask(this, () => ({ kind: "map", map, set: settings, from }));
       }
       /** @param {Grid} grid */
       #draw(grid) {
@@ -2450,6 +2498,10 @@
     "too-old": tr(
       "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
     ),
+    "no-memory": tr(
+      "This computer has too little memory free for Python. Close other programs and load the page again."
+    ),
+    "no-worker": tr("This browser has no workers, so Python can't start here. Try another browser."),
     "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
     "worker-lost": tr("Python stopped. It may have run out of memory."),
     "snapshot-refused": tr("Python could not start the quick way."),
@@ -2608,6 +2660,10 @@
       throw new RuntimeFailure("wasm-refused", String(error));
     }
   }
+  function compileFailure(error) {
+    const short2 = error instanceof RangeError || /memory|allocat/i.test(String(error));
+    return new RuntimeFailure(short2 ? "no-memory" : "too-old", String(error), "pyodide.asm.wasm");
+  }
   async function compile(parts2) {
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
@@ -2622,7 +2678,7 @@
   }
 
   // as-text:src/runtime/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        const short = error instanceof RangeError || /memory|allocat/i.test(String(error));\n        fail(short ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
   var SNAPSHOT = "memory.snapshot";
@@ -2721,7 +2777,7 @@
      */
     async boot(parts2, reject) {
       const compiling = this.module(parts2.get(WASM) ?? []);
-      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+      compiling.catch((error) => reject(compileFailure(error)));
       const loader = await gunzip(await Promise.all(parts2.get(LOADER) ?? []));
       if (this.over) return null;
       const { worker, address } = startWorker(loader);
@@ -2790,6 +2846,7 @@
   async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
   } }) {
     requireWasm();
+    if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
     const index = await loadIndex(folder);
@@ -2888,15 +2945,15 @@
     );
     const own = new URL(script?.src || document.baseURI);
     const base = new URL(`runtime/${own.search}`, own).href;
-    const client = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
-    client.addEventListener("state", () => tell(client.state));
-    return client;
+    const client2 = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
+    client2.addEventListener("state", () => tell(client2.state));
+    return client2;
   }
-  function startWhenIdle(client) {
+  function startWhenIdle(client2) {
     tell("starting");
     if (typeof requestIdleCallback === "function") {
-      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
-    } else setTimeout(() => client.wake(), 200);
+      requestIdleCallback(() => client2.wake(), { timeout: 1e3 });
+    } else setTimeout(() => client2.wake(), 200);
   }
   function tell(state) {
     document.documentElement.dataset.python = state;
@@ -2953,16 +3010,16 @@
     return hermite(times2, values, slopes, k, t3);
   }
   function hermite(times2, values, slopes, k, t3) {
-    const at = (
+    const at2 = (
       /** @type {(column: Column, k: number) => number} */
       ((c2, i2) => c2[i2])
     );
-    const h2 = at(times2, k + 1) - at(times2, k);
-    const s3 = (t3 - at(times2, k)) / h2;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s3;
+    const h2 = at2(times2, k + 1) - at2(times2, k);
+    const s3 = (t3 - at2(times2, k)) / h2;
+    if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s3;
     const r2 = 1 - s3;
-    const found2 = at(values, k) * (1 + 2 * s3) * r2 * r2 + at(slopes, k) * h2 * s3 * r2 * r2 + at(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at(slopes, k + 1) * h2 * r2 * s3 * s3;
-    return Number.isFinite(found2) ? found2 : at(values, k);
+    const found2 = at2(values, k) * (1 + 2 * s3) * r2 * r2 + at2(slopes, k) * h2 * s3 * r2 * r2 + at2(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at2(slopes, k + 1) * h2 * r2 * s3 * s3;
+    return Number.isFinite(found2) ? found2 : at2(values, k);
   }
 
   // ../view/windows.js
@@ -2990,33 +3047,6 @@
   }
   function latestTouch(windows, t3) {
     return windows.findLast((touch) => touch.start <= t3);
-  }
-
-  // src/answers/entry.js
-  var MOST_EARLIER = 500;
-  function isEmpty(value) {
-    if (typeof value === "string") return !value.trim();
-    if (value === null || value === void 0) return true;
-    return typeof value === "object" && Object.keys(value).length === 0;
-  }
-  function keepEarlier(old, value) {
-    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
-    const earlier = union(old.earlier, value.earlier);
-    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
-    const all = other ? union(earlier, [alone(old)]) : earlier;
-    return all.length ? { ...value, earlier: all } : value;
-  }
-  function alone({ earlier: _2, ...entry }) {
-    return entry;
-  }
-  function union(a2, b2) {
-    const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
-    }
-    const all = [...found2.values()];
-    all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
-    return all.slice(-MOST_EARLIER);
   }
 
   // src/answers/outline.js
@@ -3049,46 +3079,66 @@
     };
   }
 
-  // src/shared/storage.js
-  var STORE = "answers";
-  var PATIENCE2 = 2e4;
-  var STUDENT = "student";
-  var SETTLED = "settled";
-  var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
-    return found2;
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
   }
-  async function openStore(site) {
-    const all = await openAll(site);
-    return forStudent(all, await readStudent(all));
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
   }
-  async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
+  function alone({ earlier: _2, ...entry }) {
+    return entry;
   }
-  function forStudent(all, code) {
-    const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
-    return {
-      kind: all.kind,
-      how: all.how,
-      get: (key) => all.get(before + key),
-      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
-      remove: (key) => all.remove(before + key),
-      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+  function union(a2, b2) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/shared/newest-first.js
+  function newestFirst(put2) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone3) {
+      const now = put2(key, value, alone3);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone3 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone3);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone3;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone3, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
     };
   }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
+  var STORE = "answers";
+  var PATIENCE2 = 2e4;
+  var SETTLE_AFTER = 400;
   function open(name2) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name2, 1);
@@ -3113,7 +3163,8 @@
       }
     };
   }
-  function indexed(begin) {
+  async function indexed(name2) {
+    const begin = await reopening(name2);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -3126,15 +3177,17 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone3 = false) => write2(begin, (answers) => {
-        if (alone3) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
+      put: newestFirst(
+        (key, value, alone3) => write2(begin, (answers) => {
+          if (alone3) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
       remove: (key) => write2(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
@@ -3164,24 +3217,8 @@
       work.onabort = () => reject(work.error);
     });
   }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
-    };
-  }
+
+  // src/shared/shelter.js
   function shelter() {
     const page2 = (
       /** @type {any} */
@@ -3220,6 +3257,63 @@
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
     };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
   }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
@@ -3761,16 +3855,16 @@
       }
     }
     problem() {
-      const missing2 = this.#rows.filter((row) => row.size === null);
-      if (!missing2.length) return null;
-      const refused = missing2.filter((row) => row.box.value.trim());
+      const missing = this.#rows.filter((row) => row.size === null);
+      if (!missing.length) return null;
+      const refused = missing.filter((row) => row.box.value.trim());
       if (refused.length) {
         const names = refused.map(name).join(", ");
         const problem = tr("This number does not work yet: {names}.", { names });
         return `${problem} ${this.#range()}`;
       }
       return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
-        names: missing2.map(name).join(", ")
+        names: missing.map(name).join(", ")
       });
     }
     /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("../../../view/types.js").Run} run */
@@ -3974,8 +4068,8 @@
         return [html("p", "", tr("In this run nothing touches {cart}.", { cart: this.cart }))];
       const { t: t3, F: F2, dF } = run.trajectory;
       const forces2 = Array.from({ length: FINE2 + 1 }, (_2, k) => {
-        const at = touch.start + (touch.end - touch.start) * k / FINE2;
-        return valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
+        const at2 = touch.start + (touch.end - touch.start) * k / FINE2;
+        return valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at2);
       });
       const top = Math.max(...forces2) || 1;
       const points = forces2.map((force, k) => {
@@ -4722,10 +4816,10 @@
      * @param {import("../../runtime/client.js").Client} client
      * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
      */
-    constructor(root, view, client, message) {
+    constructor(root, view, client2, message) {
       this.root = root;
       this.view = view;
-      this.client = client;
+      this.client = client2;
       this.message = message;
       this.details = /** @type {HTMLDetailsElement} */
       need(root, ".carts-how");
@@ -5003,10 +5097,10 @@
     const sheet = svg("rect", { width: WIDTH2, fill: paper });
     whole.append(sheet);
     let y2 = GAP;
-    const write4 = (text, x2, at, weight) => {
+    const write4 = (text, x2, at2, weight) => {
       const line = svg("text", {
         x: x2,
-        y: at,
+        y: at2,
         fill: ink,
         "font-family": "sans-serif",
         "font-size": 13,
@@ -5039,14 +5133,14 @@
         whole.append(drawn2);
         const entries = [...graph2.querySelectorAll(".carts-key > span")];
         entries.forEach((entry, i2) => {
-          const at = y2 + LINE2 + height + 14 + LINE2 * i2;
+          const at2 = y2 + LINE2 + height + 14 + LINE2 * i2;
           const sample = entry.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
-            place2(swatch, x2 + GAP, at - 10, 26);
+            place2(swatch, x2 + GAP, at2 - 10, 26);
             whole.append(swatch);
           }
-          write4(entry.textContent ?? "", x2 + GAP + 34, at, "400");
+          write4(entry.textContent ?? "", x2 + GAP + 34, at2, "400");
         });
         tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
       });
@@ -5589,7 +5683,7 @@ ${lines2.join("\n")}
   };
 
   // src/scene/inside.js
-  function wireInside(element, baked, view, client, acts) {
+  function wireInside(element, baked, view, client2, acts) {
     element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
     element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
     for (const button of element.querySelectorAll(".carts-preset")) {
@@ -5603,7 +5697,7 @@ ${lines2.join("\n")}
     const [writing, counting] = [{}, {}];
     const program = async () => {
       const set = { ...acts.settings() };
-      const { header } = await client.ask(writing, () => ({ kind: "model", scene, set }));
+      const { header } = await client2.ask(writing, () => ({ kind: "model", scene, set }));
       if (!header.ok) throw refusal2(header.problems ?? []);
       return String(
         /** @type {any} */
@@ -5619,13 +5713,13 @@ ${lines2.join("\n")}
       );
       detail.heard = true;
       const set = { ...acts.settings() };
-      client.ask(counting, () => ({ kind: "energy", scene, set })).then(
+      client2.ask(counting, () => ({ kind: "energy", scene, set })).then(
         ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
         () => detail.answer(null)
       );
     });
     const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
-    const how = new How(element, view, client, (more) => {
+    const how = new How(element, view, client2, (more) => {
       return { kind: "how", scene, set: { ...acts.settings() }, ...more };
     });
     return { find, how };
@@ -5807,11 +5901,11 @@ ${lines2.join("\n")}
         const curve = this.#curves[k];
         row.hidden = !curve;
         if (!curve) return;
-        const at = (when) => {
+        const at2 = (when) => {
           const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
           return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
         };
-        const [before, now] = [at(start), at(t3)];
+        const [before, now] = [at2(start), at2(t3)];
         say(need(row, "th"), curve.label);
         const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
         row.querySelectorAll("td[data-when]").forEach((cell, i2) => {
@@ -5864,8 +5958,8 @@ ${lines2.join("\n")}
   function effectForces(run, name2, t3) {
     return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
       const { forceName: forceName2 = forceOn, side } = viewOf(kind);
-      const at = side?.(value) ?? "middle";
-      return { name: forceName2(on, by), on, by, way: "along", side: at, value, size };
+      const at2 = side?.(value) ?? "middle";
+      return { name: forceName2(on, by), on, by, way: "along", side: at2, value, size };
     });
   }
   function verticalForces({ header }, name2) {
@@ -5935,7 +6029,7 @@ ${lines2.join("\n")}
         this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times2, v: v2, a: a2 } = run.trajectory;
-        const speed = (at) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at);
+        const speed = (at2) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at2);
         const change2 = speed(t3) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
         const seen = Math.abs(change2) < 1e-9 * velocity2 ? 0 : change2 / this.per;
@@ -6101,12 +6195,12 @@ ${lines2.join("\n")}
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
-      const at = (x2) => WIDTH4 / 2 + (x2 - middle) * this.#perMetre;
+      const at2 = (x2) => WIDTH4 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge, end] = [at(side.edge), at(face)];
+      const [edge, end] = [at2(side.edge), at2(face)];
       const rect = need(group2, '[data-part="body"]');
       put(rect, "x", px(k === 0 ? edge - 2 * WIDTH4 : edge));
       const bent = need(group2, '[data-part="spring"]');
@@ -6307,8 +6401,8 @@ ${lines2.join("\n")}
       header.bodies.forEach(({ name: name2 }, i2) => {
         const [x2, v2] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
         const place3 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
-        const at = `translate(${px(place3)} ${px(layout.track)})`;
-        this.#group?.children[i2]?.setAttribute("transform", at);
+        const at2 = `translate(${px(place3)} ${px(layout.track)})`;
+        this.#group?.children[i2]?.setAttribute("transform", at2);
       });
     }
   };
@@ -6332,8 +6426,8 @@ ${lines2.join("\n")}
     for (let k = Math.max(0, rowAt(t3, from)); k < t3.length - 1 && Number(t3[k]) < to; k += 1) {
       const [low, high] = [Math.max(from, Number(t3[k])), Math.min(to, Number(t3[k + 1]))];
       if (high <= low) continue;
-      const at = (when) => hermite(t3, values, slopes, k, when);
-      sum += (high - low) / 6 * (at(low) + 4 * at((low + high) / 2) + at(high));
+      const at2 = (when) => hermite(t3, values, slopes, k, when);
+      sum += (high - low) / 6 * (at2(low) + 4 * at2((low + high) / 2) + at2(high));
     }
     return sum;
   }
@@ -6348,7 +6442,7 @@ ${lines2.join("\n")}
         // what a pair's own spring does is in its F
       );
       if (mass === void 0 || others || acting) return { name: name2, change: null };
-      const v2 = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
+      const v2 = (at2) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at2);
       return { name: name2, change: mass * (v2(t3) - v2(touch.start)) };
     });
   }
@@ -6379,9 +6473,9 @@ ${lines2.join("\n")}
       const end = Math.min(t3, touch.end);
       const outline2 = (sign) => {
         const points = Array.from({ length: POINTS + 1 }, (_2, k) => {
-          const at = touch.start + (end - touch.start) * k / POINTS;
-          const force = sign * contactForce(run, touch.pair, at, 0);
-          return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
+          const at2 = touch.start + (end - touch.start) * k / POINTS;
+          const force = sign * contactForce(run, touch.pair, at2, 0);
+          return `${px(timeX(plane, at2))} ${px(valueY(plane, force))}`;
         });
         const zero = px(valueY(plane, 0));
         return `M${px(timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
@@ -6784,24 +6878,24 @@ ${lines2.join("\n")}
       const times2 = timeMarks(this.#plane);
       const rows = valueMarks(this.#plane);
       marks2(need(this.root, '[data-part="times"]'), times2.length, (line, text, i2) => {
-        const { at, label } = (
+        const { at: at2, label } = (
           /** @type {{at: string, label: string}} */
           times2[i2]
         );
         put(line, "class", "carts-grid");
-        put(line, "d", `M${at} ${TOP2}V${BOTTOM3}`);
+        put(line, "d", `M${at2} ${TOP2}V${BOTTOM3}`);
         put(text, "class", "carts-tick-x");
-        put(text, "x", at);
+        put(text, "x", at2);
         put(text, "y", String(BOTTOM3 + 14));
         say(text, label);
       });
       marks2(need(this.root, '[data-part="values"]'), rows.length, (line, text, i2) => {
-        const { at, textY, label, zero } = (
+        const { at: at2, textY, label, zero } = (
           /** @type {(typeof rows)[number]} */
           rows[i2]
         );
         put(line, "class", zero ? "carts-zero" : "carts-grid");
-        put(line, "d", `M${LEFT3} ${at}H${RIGHT2}`);
+        put(line, "d", `M${LEFT3} ${at2}H${RIGHT2}`);
         put(text, "class", "carts-tick-y");
         put(text, "x", String(LEFT3 - 5));
         put(text, "y", textY);
@@ -7009,9 +7103,9 @@ ${lines2.join("\n")}
       if (named) {
         const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
         const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
-        const [at, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
+        const [at2, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y2 + 4), anchor });
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at2), y: px(y2 + 4), anchor });
       } else if (!pieces.some((piece) => piece.key === row)) {
         const text = tr("by {by}", { by: force.by });
         pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 4), anchor: "start" });
@@ -7125,15 +7219,15 @@ ${lines2.join("\n")}
         if (!text || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
         const half = label.length * PER_CHARACTER2 / 2;
-        const at = Math.min(Math.max(x2, low + half), high - half);
+        const at2 = Math.min(Math.max(x2, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
-          (y2) => taken.every(([row, from, to]) => row !== y2 || at + half < from || at - half > to)
+          (y2) => taken.every(([row, from, to]) => row !== y2 || at2 + half < from || at2 - half > to)
         );
         put(other, "visibility", "hidden");
         if (free === void 0) put(text, "visibility", "hidden");
         else {
-          taken.push([free, at - half, at + half]);
-          write3(text, label, at, free, "middle");
+          taken.push([free, at2 - half, at2 + half]);
+          write3(text, label, at2, free, "middle");
         }
       }
     }
@@ -7335,15 +7429,15 @@ ${lines2.join("\n")}
       const { bodies, track } = this.#run.header;
       const left = bodies.map(() => 0);
       const right = bodies.map(() => 0);
-      const at = (
+      const at2 = (
         /** @param {number} x */
         (x2) => this.layout.origin + (x2 - shift) * this.layout.scale
       );
       for (let gap = 0; gap <= bodies.length; gap += 1) {
         const [a2, b2] = [this.#carts[gap - 1], this.#carts[gap]];
         if (!a2 && track.left !== "wall" || !b2 && track.right !== "wall") continue;
-        const end = a2 ? Number(centres[gap - 1]) + a2.half : at(0);
-        const start = b2 ? Number(centres[gap]) - b2.half : at(track.length ?? 0);
+        const end = a2 ? Number(centres[gap - 1]) + a2.half : at2(0);
+        const start = b2 ? Number(centres[gap]) - b2.half : at2(track.length ?? 0);
         const overlap = Math.max(0, end - start);
         const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
         const rest = Math.min(b2?.bumper ?? 0, overlap - share);
@@ -7360,7 +7454,7 @@ ${lines2.join("\n")}
       const seen = Math.abs(v2) < 1e-9 * view.velocity ? 0 : v2;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x2, exact, layout.width);
-      const [at, anchor] = velocityText(x2, length, layout.width);
+      const [at2, anchor] = velocityText(x2, length, layout.width);
       put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x2, cart.lane, length));
       put(
         need(cart.velocity, '[data-part="leader"]'),
@@ -7373,7 +7467,7 @@ ${lines2.join("\n")}
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
       const outside2 = x2 < 0 || x2 > layout.width;
-      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at));
+      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at2));
       put(text, "y", px(cart.lane + 4));
       put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
       say(text, outside2 ? tr("{name} is outside: {speed}", { name: name2, speed }) : speed);
@@ -7509,14 +7603,14 @@ ${lines2.join("\n")}
     show(run, windows) {
       const { header } = run;
       const pushes = isTold(run) ? marks(header, false) : [];
-      const at = (t3) => `${px(100 * t3 / header.until, 3)}%`;
+      const at2 = (t3) => `${px(100 * t3 / header.until, 3)}%`;
       this.bands.replaceChildren(
         ...windows.map(
           (w2) => svg("rect", {
             class: "carts-contact-band",
-            x: at(w2.start),
+            x: at2(w2.start),
             y: 0,
-            width: at(w2.end - w2.start),
+            width: at2(w2.end - w2.start),
             height: 18
           })
         )
@@ -7526,8 +7620,8 @@ ${lines2.join("\n")}
         header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes.map(({ t: t3 }) => ({ t: t3, kind: "push" }))).map(
           (event) => svg("line", {
             class: `carts-event carts-event-${event.kind}`,
-            x1: at(event.t),
-            x2: at(event.t),
+            x1: at2(event.t),
+            x2: at2(event.t),
             y1: 1,
             y2: 17
           })
@@ -8022,7 +8116,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   };
 
   // src/scene/element.js
-  function sceneElement(client) {
+  function sceneElement(client2) {
     return class CartsScene extends HTMLElement {
       /** @type {SceneView | null} */
       #view = null;
@@ -8049,9 +8143,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#waiting.promise.catch(() => {
         });
         this.#adopt();
-        client.addEventListener("state", () => this.#follow());
+        client2.addEventListener("state", () => this.#follow());
         for (const kind of ["pointerdown", "keydown", "focusin"]) {
-          this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
+          this.addEventListener(kind, () => client2.wake(), { once: true, passive: true });
         }
         addEventListener("beforeprint", () => this.#view?.print(true));
         addEventListener("afterprint", () => this.#view?.print(false));
@@ -8064,9 +8158,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#baked = baked;
         this.#view = view;
         const { controls, switches } = baked.fence;
-        const change2 = (target, value, at) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
+        const change2 = (target, value, at2) => void this.set({ [target]: value }, at2).catch((error) => this.#complain(target, error));
         this.#controls = new Controls(this, controls, change2, switches);
-        const inside = wireInside(this, baked, view, client, {
+        const inside = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
           undo: () => this.#undo(),
           preset: (changes2) => this.#preset(changes2),
@@ -8077,7 +8171,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         view.draggable({
           ready: () => this.#told && view.player.time === 0 && !view.player.playing,
           value: (target) => valueIn(view.run.header, target),
-          change: (control, value, at) => this.#controls?.take(control.set, value, at)
+          change: (control, value, at2) => this.#controls?.take(control.set, value, at2)
         });
         this.#predict = askFirst(this, baked, view, {
           locked: (now) => void this.#reveal(now),
@@ -8139,13 +8233,13 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
        * and leaves the run as it is when a value makes no sense.
        * @param {Settings} changes @param {number} at time of the input, for the measure
        */
-      async set(changes2, at = performance.now()) {
+      async set(changes2, at2 = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
         this.#values.ask(changes2);
-        await this.#compute(changes2, at);
+        await this.#compute(changes2, at2);
       }
       /** @param {Settings} changes to be given up if they are refused @param {number} at */
-      async #compute(changes2, at) {
+      async #compute(changes2, at2) {
         const generation = this.#generation;
         const reply = await this.#ask();
         if (!reply.header.ok) {
@@ -8155,14 +8249,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         if (generation !== this.#generation) return;
         this.#values.good = reply.sent.set;
         await this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
-        await drawn(this, at, { ...this.#values.good });
+        await drawn(this, at2, { ...this.#values.good });
       }
       get #told() {
         return !this.#predict || this.#lesson !== null;
       }
       #ask() {
         const scene = this.#baked?.fence.scene;
-        return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#values.wanted } }));
+        return client2.ask(this, () => ({ kind: "run", scene, set: { ...this.#values.wanted } }));
       }
       #undo() {
         this.#values.undo();
@@ -8200,9 +8294,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** Follows the page's worker: starting, live, failed. */
       #follow() {
-        if (client.state === "starting" || client.state === "idle") {
-          this.dataset.state = client.state === "idle" ? "still" : "starting";
-        } else if (client.state === "failed") this.#fail();
+        if (client2.state === "starting" || client2.state === "idle") {
+          this.dataset.state = client2.state === "idle" ? "still" : "starting";
+        } else if (client2.state === "failed") this.#fail();
         else if (this.dataset.state !== "live") void this.#goLive();
         else this.#mark();
       }
@@ -8217,7 +8311,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
             this.#draw({ header, trajectory: fromWire(header, numbers) });
           }
           await frame();
-          if (client.state !== "ready") return;
+          if (client2.state !== "ready") return;
           this.dataset.state = "live";
           this.#mark();
           performance.mark("carts:live");
@@ -8225,14 +8319,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           if (this.#told)
             void followLink(this, this.#baked?.fence.id ?? "", (text) => this.#say(text));
         } catch (error) {
-          if (client.state !== "failed") this.#fail(
+          if (client2.state !== "failed") this.#fail(
             /** @type {Error} */
             error
           );
         }
       }
       /** @param {Error & {reason?: string}} error */
-      #fail(error = client.error ?? new Error(NOT_STARTED)) {
+      #fail(error = client2.error ?? new Error(NOT_STARTED)) {
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#controls?.enable(false);
@@ -8280,46 +8374,17 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     };
   }
 
-  // src/shared/features.js
-  function missingFeatures() {
-    const needed = [
-      [tr("custom elements"), typeof customElements === "object"],
-      ["WebAssembly", typeof WebAssembly === "object"],
-      [tr("workers"), typeof Worker === "function"],
-      [tr("decompression"), typeof DecompressionStream === "function"],
-      [tr("array methods"), typeof Array.prototype.findLast === "function"],
-      [
-        tr("container queries"),
-        typeof CSS === "object" && CSS.supports("container-type: inline-size")
-      ]
-    ];
-    return needed.filter(([, there]) => !there).map(([name2]) => name2);
-  }
-  function excuse(scene, missing2) {
-    const note = scene.querySelector(".carts-note");
-    if (!(note instanceof HTMLElement)) return;
-    note.hidden = false;
-    note.textContent = tr(
-      "This browser is too old to play the run (missing: {features}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.",
-      { features: missing2.join(", ") }
-    );
-  }
-
   // src/main.js
   function packages() {
     const scenes = [...document.querySelectorAll("carts-scene")];
     const names = scenes.flatMap((scene) => (scene.getAttribute("data-packages") ?? "").split(" "));
     return [...new Set(names.filter(Boolean))];
   }
-  var missing = missingFeatures();
-  if (missing.length) {
-    for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
-  } else {
-    const client = pagePython(packages);
-    customElements.define("carts-scene", sceneElement(client));
-    customElements.define("carts-map", mapElement(client));
-    customElements.define("carts-cost", costElement(client));
-    customElements.define("carts-hard", hardElement(client));
-    if (document.querySelector("carts-scene")) startWhenIdle(client);
-  }
+  var client = pagePython(packages);
+  customElements.define("carts-scene", sceneElement(client));
+  customElements.define("carts-map", mapElement(client));
+  customElements.define("carts-cost", costElement(client));
+  customElements.define("carts-hard", hardElement(client));
+  if (document.querySelector("carts-scene")) startWhenIdle(client);
+  document.documentElement.dataset.cartsScenes = "";
 })();
