@@ -18,13 +18,17 @@ export class Markup {
 /** @typedef {Markup | string | number | boolean | null | undefined} Part */
 
 /**
- * HTML as a template: html`<p>${text}</p>`. Lists stand one after another; nothing stands for
- * false, null and undefined.
+ * HTML as a template: html`<p title=${title}>${text}</p>`. The value of an attribute gets its quotes
+ * here. Lists stand one after another; nothing stands for false, null and undefined.
  * @param {TemplateStringsArray} strings @param {(Part | Part[])[]} values @returns {Markup}
  */
 export function html(strings, ...values) {
-  const written = values.map((value, k) => asText(value) + (strings[k + 1] ?? ""));
-  return new Markup((strings[0] ?? "") + written.join(""));
+  let written = strings[0] ?? "";
+  values.forEach((value, k) => {
+    const quote = strings[k]?.endsWith("=") ? '"' : "";
+    written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+  });
+  return new Markup(written);
 }
 
 /** @param {Part | Part[]} value @returns {string} */
@@ -33,14 +37,4 @@ function asText(value) {
   if (value instanceof Markup) return value.text;
   if (value === false || value === null || value === undefined) return "";
   return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
-}
-
-/** JSON that can stand in a script element, whatever the texts in it say. @param {unknown} value */
-export function scriptJson(value) {
-  return new Markup(
-    JSON.stringify(value).replace(
-      /[<>&\u2028\u2029]/g,
-      (sign) => `\\u${sign.charCodeAt(0).toString(16).padStart(4, "0")}`,
-    ),
-  );
 }

@@ -40,12 +40,12 @@ function freeBody(baked) {
   ];
   const alone = bodies.map(
     ({ name }, i) =>
-      html`<div class="carts-alone carts-${styleOf(i)}" data-body="${name}"><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
+      html`<div class="carts-alone carts-${styleOf(i)}" data-body=${name}><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
 `,
   );
   const lines = rows.map(
     ([name, symbol, unit, quantity]) =>
-      html`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body) => html`<td data-body="${body.name}" data-quantity="${quantity}">–</td>`)}</tr>
+      html`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body) => html`<td data-body=${body.name} data-quantity=${quantity}>–</td>`)}</tr>
 `,
   );
   return html`<section class="carts-view carts-free-body" data-view="free-body"${closed(baked, "free-body")}>
@@ -63,7 +63,7 @@ ${lines}</tbody></table></div>
 function lens(baked) {
   const sides = [0, 1].map(
     (k) =>
-      html`<g data-side="${k}"><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`,
+      html`<g data-side=${k}><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`,
   );
   return html`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
 <p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>

@@ -10,8 +10,8 @@ import { lower, QUANTITIES } from "../words.js";
 /** @typedef {import("../types.js").Baked} Baked */
 /** @typedef {import("../markup.js").Markup} Markup */
 
-const WITH_SIGN = html` <button type="button" class="carts-sign" aria-pressed="false" disabled title="${tr("Show the direction: + means to the right")}">${tr("with sign")}</button>`;
-const LEDGER = html` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title="${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}">${tr("as a ledger")}</button>`;
+const WITH_SIGN = html` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
+const LEDGER = html` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title=${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}>${tr("as a ledger")}</button>`;
 
 /** @type {Record<string, Markup>} a button of its own */
 const TOGGLES = { F: WITH_SIGN, energy: LEDGER };
@@ -23,12 +23,14 @@ export function graph({ fence, view, run }, quantity) {
   const name = isForce ? sizeName(run.header) : title;
   const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
   const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
-  return html`<div class="carts-graph" data-quantity="${quantity}" role="group" aria-label="${tr("{quantity} against time", { quantity: name })}">
+  const label = tr("{quantity} against time", { quantity: name });
+  const table = tr("Table: {quantity}", { quantity: lower(name) });
+  return html`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${tr("Table: {quantity}", { quantity: lower(name) })}</summary>
+<details class="carts-more"><summary>${table}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
 }
@@ -37,11 +39,11 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 function plot(clip, isForce) {
   const inside = html`clip-path="url(#${clip})"`;
   const shade = html`<path class="carts-impulse" d=""/>`;
-  return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" aria-hidden="true">
-<defs><clipPath id="${clip}"><rect x="${LEFT}" y="${TOP - 4}" width="${RIGHT - LEFT + 1}" height="${BOTTOM - TOP + 8}"/></clipPath></defs>
+  return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x="${RIGHT}" y="${HEIGHT - 3}" text-anchor="end">${tr("time t in s")}</text>
+<text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" ${inside}>${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
 <g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>

@@ -18,11 +18,11 @@ export function panel(baked) {
   const names = Object.keys(presets);
   const buttons = names.map(
     (name) =>
-      html`<button type="button" class="carts-button carts-preset" data-preset="${name}" disabled>${name}</button>`,
+      html`<button type="button" class="carts-button carts-preset" data-preset=${name} disabled>${name}</button>`,
   );
   const back = controls.length || switches.length || names.length;
   return html`<div class="carts-side">
-${names.length > 0 && html`<p class="carts-presets" role="group" aria-label="${tr("Ready-made settings")}">${buttons}</p>`}
+${names.length > 0 && html`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}</p>`}
 <div class="carts-panel">
 ${cartCards(baked)}
 ${otherCards(baked)}
@@ -41,8 +41,8 @@ function cartCards(baked) {
     const style = `carts-${styleOf(i)}`;
     const title = tr("Cart {name}", { name });
     const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
-    return html`<div class="carts-card ${style}" role="group" aria-label="${title}" data-body="${name}">
-<p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d="${MARKERS[styleOf(i)]}" transform="translate(13 6)"/></svg>${title}</p>
+    return html`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
+<p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
 <dl class="carts-readouts">${readouts(baked)}</dl>
 ${own.map((one) => control(one, fence.id))}</div>
 `;
@@ -63,7 +63,7 @@ function readouts({ fence, view }) {
   }
   return rows.map(
     ([name, symbol, quantity, unit]) =>
-      html`<div><dt><span class="carts-word">${name} </span><i>${symbol}</i></dt><dd><span class="carts-value" data-quantity="${quantity}"></span> ${unit}</dd></div>`,
+      html`<div><dt><span class="carts-word">${name} </span><i>${symbol}</i></dt><dd><span class="carts-value" data-quantity=${quantity}></span> ${unit}</dd></div>`,
   );
 }
 
@@ -82,7 +82,7 @@ function otherCards({ fence, run: { header } }) {
   return cards
     .filter(([, own]) => own.length)
     .map(
-      ([title, own]) => html`<div class="carts-card" role="group" aria-label="${title}">
+      ([title, own]) => html`<div class="carts-card" role="group" aria-label=${title}>
 <p class="carts-heading">${title}</p>
 ${own.map((one) => control(one, fence.id))}</div>
 `,
@@ -96,9 +96,9 @@ function effectCard({ fence, run: { header } }) {
   const title = tr("What acts");
   const boxes = fence.switches.map(
     ({ set, label, value }) =>
-      html`<div class="carts-switch"><label><input type="checkbox" data-switch="${set}" autocomplete="off"${value && html` checked`} disabled> <span>${label}</span></label><p class="carts-error" hidden></p></div>`,
+      html`<div class="carts-switch"><label><input type="checkbox" data-switch=${set} autocomplete="off"${value && html` checked`} disabled> <span>${label}</span></label><p class="carts-error" hidden></p></div>`,
   );
-  return html`<div class="carts-card carts-effect-card" role="group" aria-label="${title}">
+  return html`<div class="carts-card carts-effect-card" role="group" aria-label=${title}>
 <p class="carts-heading">${title}</p>
 ${boxes}
 ${own.map((one) => control(one, fence.id))}</div>`;
@@ -109,11 +109,12 @@ function control({ set, label, short, unit, low, high, step, value }, id) {
   const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
   const text = fixed(value, decimals).replace("−", "-");
   const box = `${id}-${set.replaceAll(".", "-")}`;
+  const slider = tr("{label}, slider", { label });
   const measured = unit ? tr(" in {unit}", { unit }) : "";
-  return html`<div class="carts-control" data-set="${set}">
-<label for="${box}">${short}</label>
-<input type="range" class="carts-slider" min="${low}" max="${high}" step="${step}" value="${value}" aria-label="${tr("{label}, slider", { label })}" aria-valuetext="${text} ${unit}" disabled>
-<span class="carts-typed"><input type="text" class="carts-number-box" id="${box}" inputmode="decimal" autocomplete="off" spellcheck="false" value="${text}" aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
+  return html`<div class="carts-control" data-set=${set}>
+<label for=${box}>${short}</label>
+<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider} aria-valuetext="${text} ${unit}" disabled>
+<span class="carts-typed"><input type="text" class="carts-number-box" id=${box} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text} aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
 `;

@@ -22,13 +22,13 @@ const FORMS = { arrows, curve, choice, text };
 export function predict(baked, spec) {
   const { id } = baked.fence;
   const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
-  return html`<div class="carts-predict" data-kind="${spec.kind}" role="group" aria-labelledby="${id}-ask">
+  return html`<div class="carts-predict" data-kind=${spec.kind} role="group" aria-labelledby="${id}-ask">
 <p class="carts-heading">${tr("Predict first")}</p>
 <p class="carts-ask" id="${id}-ask">${spec.ask}</p>
 ${FORMS[spec.kind](baked, spec)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
-<div class="carts-talk" role="group" aria-label="${tr("Talk with your partner")}" hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
+<div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
 <div class="carts-compared" hidden></div>
 <label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off"></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
@@ -47,8 +47,9 @@ function arrows({ fence, view, run: { header } }, { pairs }) {
   const rows = asked.map(({ pair, on, by }, k) => {
     const i = header.bodies.findIndex(({ name }) => name === on);
     const force = forceOn(body(on), body(by));
+    const label = tr("{force}, length of the arrow", { force });
     const id = `${fence.id}-guess-${k + 1}`;
-    return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair="${pair}" data-on="${on}"><label for="${id}">${force}</label><input type="range" autocomplete="off" min="0" max="${full}" step="${step}" value="0" aria-label="${tr("{force}, length of the arrow", { force })}" disabled><span class="carts-typed"><input type="text" class="carts-number-box" id="${id}" inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
+    return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label} disabled><span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
 `;
   });
   return html`<div class="carts-guesses">
@@ -59,8 +60,7 @@ ${rows}</div>`;
 function curve({ run: { header } }, { cart }) {
   const i = header.bodies.findIndex(({ name }) => name === cart);
   const knobs = KNOBS.map(
-    (k) =>
-      html`<circle class="carts-knob" data-index="${k}" cx="${40 + 77.5 * k}" cy="130" r="7"/>`,
+    (k) => html`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`,
   );
   const heights = [
     tr("at first touch"),
@@ -82,7 +82,7 @@ function curve({ run: { header } }, { cart }) {
 function choice({ fence: { id } }, { options }) {
   const rows = options.map(
     (option, k) =>
-      html`<label><input type="radio" autocomplete="off" name="${id}-predict" value="${k}" disabled> <span>${option}</span></label>`,
+      html`<label><input type="radio" autocomplete="off" name="${id}-predict" value=${k} disabled> <span>${option}</span></label>`,
   );
   return html`<div class="carts-options" role="radiogroup" aria-labelledby="${id}-ask">${rows}</div>`;
 }

@@ -34,9 +34,9 @@ export function inside(baked, found = false) {
     ? tr("Make your prediction on paper. The run needs JavaScript.")
     : tr("The picture shows the start. Playing the run needs JavaScript.");
   return html`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title="${tr("Full screen for the class (key P)")}" aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label="${tr("not live yet")}"><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
-<div class="carts-world" tabindex="0" role="group" aria-label="${tr("Carts on the track")}" aria-describedby="${id}-described">
+<div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described">
 ${view.layouts.map((layout) => stage(baked, layout))}
 <p class="carts-torn" data-now="no"${!view.mayTear && html` hidden`}>${tr("A torn box is not to scale: its cart is heavier.")}</p>
 ${run.header.effects.length > 0 && html`<p class="carts-acting"></p>`}
@@ -52,7 +52,7 @@ ${views(baked)}
 <div class="carts-graphs">
 ${quantities.map((quantity) => graph(baked, quantity))}
 <div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
-<ol class="carts-events" aria-label="${tr("What happens")}"></ol></div>
+<ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
 </div>
 ${asked && predict(baked, asked)}
@@ -75,7 +75,7 @@ function find() {
   const [before, after] = tr(
     "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”.",
   ).split("{formula}");
-  return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find one, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label="${tr("mean force in N, plus is to the right")}" disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+  return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find one, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
 }
 
 /** The start of every cart as a sentence. @param {Baked} baked */

@@ -26,10 +26,10 @@ export function stage(baked, layout) {
   const { kind, width, height } = layout;
   const forces = fence.forces === "shown";
   const hatch = `${fence.id}-${kind}-hatch`;
-  const size = html`viewBox="0 0 ${px(width)} ${px(height)}" width="${px(width)}" height="${px(height)}"`;
-  return html`<svg class="carts-stage carts-stage-${kind}" data-kind="${kind}" ${size} aria-hidden="true">
+  const size = html`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
+  return html`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
 <defs>
-<pattern id="${hatch}" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
+<pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
 </defs>
 ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
@@ -44,7 +44,7 @@ ${legend(baked, layout)}
 
 /** @param {{name: string}} body @param {number} i */
 function velocity({ name }, i) {
-  return html`<g class="carts-velocity carts-${styleOf(i)}" data-body="${name}"><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
+  return html`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
 `;
 }
 
@@ -52,7 +52,7 @@ function velocity({ name }, i) {
 function cart({ name }, i) {
   const face = (/** @type {string} */ side) =>
     html`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-  return html`<g class="carts-cart carts-${styleOf(i)}" data-body="${name}"><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d="${BREAK}"/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+  return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
 }
 
@@ -68,7 +68,7 @@ function pushes({ run: { header } }) {
     .flatMap(({ pair, bodies }) =>
       bodies.map(
         (on) =>
-          html`<g class="carts-push carts-${style(on)}" data-pair="${pair}" data-on="${on}"><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
+          html`<g class="carts-push carts-${style(on)}" data-pair=${pair} data-on=${on}><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
 `,
       ),
     );
@@ -93,19 +93,19 @@ function ground({ fence, view, run: { header } }, layout, hatch) {
   const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
   const tall = Math.max(view.tallest, LEAST_WALL);
   const wall = (/** @type {number} */ edge, /** @type {number} */ from) => {
-    const box = html`x="${px(from)}" y="${px(layout.track - tall)}" width="${WALL}" height="${px(tall + layout.beam)}"`;
+    const box = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
     return html`<rect class="carts-wall" ${box}/>
 <rect ${box} fill="url(#${hatch})"/>
 <path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
   };
   return html`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x="${px(start)}" y="${px(layout.track)}" width="${px(end - start)}" height="${px(layout.beam)}"/>
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
-<path class="carts-fine" d="${fine.join("")}"/>
+<path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
   (x) =>
-    html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x="${px(at(x))}" y="${px(under + 21)}">${fixed(x, axisDecimals(numbers))}</text>
+    html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
 `,
 )}</g>`;
 }
@@ -116,15 +116,15 @@ function legend({ fence, view }, layout) {
   const wide = layout.kind === "wide";
   const [per, unit] = speedUnit(view.velocity);
   const text = (/** @type {number} */ x, /** @type {string} */ said) =>
-    html`<text x="${px(x)}" y="${px(y + 4)}">${said}</text>`;
+    html`<text x=${px(x)} y=${px(y + 4)}>${said}</text>`;
   const force = fence.forces === "shown" && view.force > 0;
   const x = force ? 12 + layout.force + 50 : 12;
   const next = x + layout.velocity + 6;
   const axis = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
   return html`<g class="carts-legend">
-${force && html`<path class="carts-block-arrow" d="${blockArrow(12, y, layout.force)}"/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
-<path class="carts-line-arrow" d="${lineArrow(x, y, layout.velocity)}"/>${text(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html`<text class="carts-torn" data-now="no" x="${px(next + 60)}" y="${px(y + 4)}">${tr("torn: not to scale")}</text>`}
-<text x="${px(layout.width - 12)}" y="${px(y + 4)}" text-anchor="end">${fence.camera ? tr("position on the track in m") : axis}</text>
+${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
+${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis}</text>
 </g>`;
 }

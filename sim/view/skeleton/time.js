@@ -15,7 +15,7 @@ const FORWARD = "M3.5 3v10M6 3l7 5-7 5z";
 export function timeline({ run: { header } }) {
   return html`<div class="carts-timeline">
 <svg class="carts-ticks" width="100%" height="34" aria-hidden="true"><g data-part="contacts"></g><g data-part="events"></g><g data-part="numbers"></g></svg>
-<input type="range" class="carts-scrub" min="0" max="${header.until}" step="any" value="0" aria-label="${tr("Time")}" disabled>
+<input type="range" class="carts-scrub" min="0" max=${header.until} step="any" value="0" aria-label=${tr("Time")} disabled>
 </div>`;
 }
 
@@ -24,12 +24,12 @@ export function transport({ fence, run: { header } }) {
   const slow = fence.slow !== "never" && header.contacts.some(({ stiffness }) => stiffness);
   const speed = openingSpeed(header.until);
   const speeds = SPEEDS.map(
-    (n) => html`<option value="${n}"${n === speed && html` selected`}>${n}×</option>`,
+    (n) => html`<option value=${n}${n === speed && html` selected`}>${n}×</option>`,
   );
   return html`<div class="carts-transport">
 ${button("start", START, tr("Back to the start"), tr("Back to the start (Home)"))}
 ${button("back", BACK, tr("Step back"), tr("Step back (left arrow key)"))}
-<button type="button" class="carts-button carts-play" title="${tr("Play or pause (space bar)")}" disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
+<button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
 ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
 ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
@@ -39,7 +39,7 @@ ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="car
 
 /** @param {string} name @param {string} icon path @param {string} label @param {string} title */
 function button(name, icon, label, title) {
-  return html`<button type="button" class="carts-button carts-${name}" aria-label="${label}" title="${title}" disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="${icon}"/></svg></button>`;
+  return html`<button type="button" class="carts-button carts-${name}" aria-label=${label} title=${title} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${icon}/></svg></button>`;
 }
 
 /** The speed at which a long run is seen in 6 to 60 s; at most a hundredfold. @param {number} until in s */

@@ -7757,8 +7757,12 @@ ${lines2.join("\n")}
     }
   };
   function html2(strings, ...values) {
-    const written = values.map((value, k) => asText(value) + (strings[k + 1] ?? ""));
-    return new Markup((strings[0] ?? "") + written.join(""));
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
   }
   function asText(value) {
     if (Array.isArray(value)) return value.map(asText).join("");
@@ -7768,8 +7772,8 @@ ${lines2.join("\n")}
   }
 
   // ../view/skeleton/graph.js
-  var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title="${tr("Show the direction: + means to the right")}">${tr("with sign")}</button>`;
-  var LEDGER = html2` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title="${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}">${tr("as a ledger")}</button>`;
+  var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
+  var LEDGER = html2` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title=${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}>${tr("as a ledger")}</button>`;
   var TOGGLES = { F: WITH_SIGN, energy: LEDGER };
   function graph({ fence, view, run }, quantity) {
     const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
@@ -7777,23 +7781,25 @@ ${lines2.join("\n")}
     const name2 = isForce ? sizeName(run.header) : title;
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
-    return html2`<div class="carts-graph" data-quantity="${quantity}" role="group" aria-label="${tr("{quantity} against time", { quantity: name2 })}">
+    const label = tr("{quantity} against time", { quantity: name2 });
+    const table = tr("Table: {quantity}", { quantity: lower(name2) });
+    return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name2} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${tr("Table: {quantity}", { quantity: lower(name2) })}</summary>
+<details class="carts-more"><summary>${table}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
   function plot(clip, isForce) {
     const inside = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
-    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH5} ${HEIGHT2}" width="${WIDTH5}" height="${HEIGHT2}" aria-hidden="true">
-<defs><clipPath id="${clip}"><rect x="${LEFT3}" y="${TOP2 - 4}" width="${RIGHT2 - LEFT3 + 1}" height="${BOTTOM3 - TOP2 + 8}"/></clipPath></defs>
+    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH5} ${HEIGHT2}" width=${WIDTH5} height=${HEIGHT2} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP2 - 4} width=${RIGHT2 - LEFT3 + 1} height=${BOTTOM3 - TOP2 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x="${RIGHT2}" y="${HEIGHT2 - 3}" text-anchor="end">${tr("time t in s")}</text>
+<text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" ${inside}>${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
 <g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>

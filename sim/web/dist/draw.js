@@ -10315,8 +10315,12 @@
     }
   };
   function html(strings, ...values) {
-    const written = values.map((value, k) => asText(value) + (strings[k + 1] ?? ""));
-    return new Markup((strings[0] ?? "") + written.join(""));
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
   }
   function asText(value) {
     if (Array.isArray(value)) return value.map(asText).join("");
@@ -11064,11 +11068,11 @@ ${bars(baked)}
       [tr("change of velocity"), "Δv", speedUnit(baked.view.velocity)[1], "dv"]
     ];
     const alone = bodies.map(
-      ({ name }, i) => html`<div class="carts-alone carts-${styleOf(i)}" data-body="${name}"><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
+      ({ name }, i) => html`<div class="carts-alone carts-${styleOf(i)}" data-body=${name}><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
 `
     );
     const lines = rows.map(
-      ([name, symbol, unit, quantity]) => html`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body2) => html`<td data-body="${body2.name}" data-quantity="${quantity}">–</td>`)}</tr>
+      ([name, symbol, unit, quantity]) => html`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body2) => html`<td data-body=${body2.name} data-quantity=${quantity}>–</td>`)}</tr>
 `
     );
     return html`<section class="carts-view carts-free-body" data-view="free-body"${closed(baked, "free-body")}>
@@ -11083,7 +11087,7 @@ ${lines}</tbody></table></div>
   }
   function lens(baked) {
     const sides = [0, 1].map(
-      (k) => html`<g data-side="${k}"><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`
+      (k) => html`<g data-side=${k}><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`
     );
     return html`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
 <p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
@@ -11258,8 +11262,8 @@ ${rows}</tbody></table></div>
   }
 
   // ../view/skeleton/graph.js
-  var WITH_SIGN = html` <button type="button" class="carts-sign" aria-pressed="false" disabled title="${tr("Show the direction: + means to the right")}">${tr("with sign")}</button>`;
-  var LEDGER = html` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title="${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}">${tr("as a ledger")}</button>`;
+  var WITH_SIGN = html` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
+  var LEDGER = html` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title=${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}>${tr("as a ledger")}</button>`;
   var TOGGLES = { F: WITH_SIGN, energy: LEDGER };
   function graph({ fence, view, run }, quantity) {
     const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
@@ -11267,23 +11271,25 @@ ${rows}</tbody></table></div>
     const name = isForce ? sizeName(run.header) : title;
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
-    return html`<div class="carts-graph" data-quantity="${quantity}" role="group" aria-label="${tr("{quantity} against time", { quantity: name })}">
+    const label = tr("{quantity} against time", { quantity: name });
+    const table = tr("Table: {quantity}", { quantity: lower(name) });
+    return html`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${tr("Table: {quantity}", { quantity: lower(name) })}</summary>
+<details class="carts-more"><summary>${table}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
   function plot(clip, isForce) {
     const inside2 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
-    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" aria-hidden="true">
-<defs><clipPath id="${clip}"><rect x="${LEFT}" y="${TOP - 4}" width="${RIGHT - LEFT + 1}" height="${BOTTOM - TOP + 8}"/></clipPath></defs>
+    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x="${RIGHT}" y="${HEIGHT - 3}" text-anchor="end">${tr("time t in s")}</text>
+<text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" ${inside2}>${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside2}></g>
 <g data-part="cursor" ${inside2}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>
@@ -11295,11 +11301,11 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     const { controls, switches, presets } = baked.fence;
     const names = Object.keys(presets);
     const buttons = names.map(
-      (name) => html`<button type="button" class="carts-button carts-preset" data-preset="${name}" disabled>${name}</button>`
+      (name) => html`<button type="button" class="carts-button carts-preset" data-preset=${name} disabled>${name}</button>`
     );
     const back = controls.length || switches.length || names.length;
     return html`<div class="carts-side">
-${names.length > 0 && html`<p class="carts-presets" role="group" aria-label="${tr("Ready-made settings")}">${buttons}</p>`}
+${names.length > 0 && html`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}</p>`}
 <div class="carts-panel">
 ${cartCards(baked)}
 ${otherCards(baked)}
@@ -11316,8 +11322,8 @@ ${back > 0 && html`<p class="carts-reset-row"><button type="button" class="carts
       const style = `carts-${styleOf(i)}`;
       const title = tr("Cart {name}", { name });
       const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
-      return html`<div class="carts-card ${style}" role="group" aria-label="${title}" data-body="${name}">
-<p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d="${MARKERS[styleOf(i)]}" transform="translate(13 6)"/></svg>${title}</p>
+      return html`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
+<p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
 <dl class="carts-readouts">${readouts(baked)}</dl>
 ${own.map((one) => control(one, fence.id))}</div>
 `;
@@ -11335,7 +11341,7 @@ ${own.map((one) => control(one, fence.id))}</div>
       rows.push([tr("resultant force"), "F", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
     }
     return rows.map(
-      ([name, symbol, quantity, unit]) => html`<div><dt><span class="carts-word">${name} </span><i>${symbol}</i></dt><dd><span class="carts-value" data-quantity="${quantity}"></span> ${unit}</dd></div>`
+      ([name, symbol, quantity, unit]) => html`<div><dt><span class="carts-word">${name} </span><i>${symbol}</i></dt><dd><span class="carts-value" data-quantity=${quantity}></span> ${unit}</dd></div>`
     );
   }
   function otherCards({ fence, run: { header } }) {
@@ -11352,7 +11358,7 @@ ${own.map((one) => control(one, fence.id))}</div>
       ]
     );
     return cards.filter(([, own]) => own.length).map(
-      ([title, own]) => html`<div class="carts-card" role="group" aria-label="${title}">
+      ([title, own]) => html`<div class="carts-card" role="group" aria-label=${title}>
 <p class="carts-heading">${title}</p>
 ${own.map((one) => control(one, fence.id))}</div>
 `
@@ -11363,9 +11369,9 @@ ${own.map((one) => control(one, fence.id))}</div>
     if (!own.length && !fence.switches.length) return null;
     const title = tr("What acts");
     const boxes = fence.switches.map(
-      ({ set, label, value }) => html`<div class="carts-switch"><label><input type="checkbox" data-switch="${set}" autocomplete="off"${value && html` checked`} disabled> <span>${label}</span></label><p class="carts-error" hidden></p></div>`
+      ({ set, label, value }) => html`<div class="carts-switch"><label><input type="checkbox" data-switch=${set} autocomplete="off"${value && html` checked`} disabled> <span>${label}</span></label><p class="carts-error" hidden></p></div>`
     );
-    return html`<div class="carts-card carts-effect-card" role="group" aria-label="${title}">
+    return html`<div class="carts-card carts-effect-card" role="group" aria-label=${title}>
 <p class="carts-heading">${title}</p>
 ${boxes}
 ${own.map((one) => control(one, fence.id))}</div>`;
@@ -11374,11 +11380,12 @@ ${own.map((one) => control(one, fence.id))}</div>`;
     const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
     const text2 = fixed(value, decimals).replace("−", "-");
     const box2 = `${id}-${set.replaceAll(".", "-")}`;
+    const slider = tr("{label}, slider", { label });
     const measured = unit ? tr(" in {unit}", { unit }) : "";
-    return html`<div class="carts-control" data-set="${set}">
-<label for="${box2}">${short2}</label>
-<input type="range" class="carts-slider" min="${low}" max="${high}" step="${step}" value="${value}" aria-label="${tr("{label}, slider", { label })}" aria-valuetext="${text2} ${unit}" disabled>
-<span class="carts-typed"><input type="text" class="carts-number-box" id="${box2}" inputmode="decimal" autocomplete="off" spellcheck="false" value="${text2}" aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
+    return html`<div class="carts-control" data-set=${set}>
+<label for=${box2}>${short2}</label>
+<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider} aria-valuetext="${text2} ${unit}" disabled>
+<span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2} aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
 `;
@@ -11392,13 +11399,13 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   function predict(baked, spec) {
     const { id } = baked.fence;
     const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
-    return html`<div class="carts-predict" data-kind="${spec.kind}" role="group" aria-labelledby="${id}-ask">
+    return html`<div class="carts-predict" data-kind=${spec.kind} role="group" aria-labelledby="${id}-ask">
 <p class="carts-heading">${tr("Predict first")}</p>
 <p class="carts-ask" id="${id}-ask">${spec.ask}</p>
 ${FORMS[spec.kind](baked, spec)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
-<div class="carts-talk" role="group" aria-label="${tr("Talk with your partner")}" hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
+<div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
 <div class="carts-compared" hidden></div>
 <label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off"></textarea></label>
 <div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
@@ -11415,8 +11422,9 @@ ${FORMS[spec.kind](baked, spec)}
     const rows = asked.map(({ pair, on, by }, k) => {
       const i = header.bodies.findIndex(({ name }) => name === on);
       const force = forceOn(body(on), body(by));
+      const label = tr("{force}, length of the arrow", { force });
       const id = `${fence.id}-guess-${k + 1}`;
-      return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair="${pair}" data-on="${on}"><label for="${id}">${force}</label><input type="range" autocomplete="off" min="0" max="${full}" step="${step}" value="0" aria-label="${tr("{force}, length of the arrow", { force })}" disabled><span class="carts-typed"><input type="text" class="carts-number-box" id="${id}" inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
+      return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label} disabled><span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
 `;
     });
     return html`<div class="carts-guesses">
@@ -11425,7 +11433,7 @@ ${rows}</div>`;
   function curve({ run: { header } }, { cart: cart2 }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
     const knobs = KNOBS.map(
-      (k) => html`<circle class="carts-knob" data-index="${k}" cx="${40 + 77.5 * k}" cy="130" r="7"/>`
+      (k) => html`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`
     );
     const heights = [
       tr("at first touch"),
@@ -11443,7 +11451,7 @@ ${rows}</div>`;
   }
   function choice({ fence: { id } }, { options }) {
     const rows = options.map(
-      (option, k) => html`<label><input type="radio" autocomplete="off" name="${id}-predict" value="${k}" disabled> <span>${option}</span></label>`
+      (option, k) => html`<label><input type="radio" autocomplete="off" name="${id}-predict" value=${k} disabled> <span>${option}</span></label>`
     );
     return html`<div class="carts-options" role="radiogroup" aria-labelledby="${id}-ask">${rows}</div>`;
   }
@@ -11463,10 +11471,10 @@ ${rows}</div>`;
     const { kind, width, height } = layout;
     const forces2 = fence.forces === "shown";
     const hatch = `${fence.id}-${kind}-hatch`;
-    const size = html`viewBox="0 0 ${px(width)} ${px(height)}" width="${px(width)}" height="${px(height)}"`;
-    return html`<svg class="carts-stage carts-stage-${kind}" data-kind="${kind}" ${size} aria-hidden="true">
+    const size = html`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
+    return html`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
 <defs>
-<pattern id="${hatch}" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
+<pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
 </defs>
 ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
@@ -11479,12 +11487,12 @@ ${legend(baked, layout)}
 </svg>`;
   }
   function velocity({ name }, i) {
-    return html`<g class="carts-velocity carts-${styleOf(i)}" data-body="${name}"><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
+    return html`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
 `;
   }
   function cart({ name }, i) {
     const face = (side) => html`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html`<g class="carts-cart carts-${styleOf(i)}" data-body="${name}"><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d="${BREAK}"/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+    return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
   function pushes({ run: { header } }) {
@@ -11495,7 +11503,7 @@ ${legend(baked, layout)}
     };
     return header.contacts.filter(({ stiffness, pair }) => stiffness || linked.has(pair)).flatMap(
       ({ pair, bodies }) => bodies.map(
-        (on) => html`<g class="carts-push carts-${style(on)}" data-pair="${pair}" data-on="${on}"><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
+        (on) => html`<g class="carts-push carts-${style(on)}" data-pair=${pair} data-on=${on}><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
 `
       )
     );
@@ -11517,18 +11525,18 @@ ${legend(baked, layout)}
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
     const wall = (edge, from) => {
-      const box2 = html`x="${px(from)}" y="${px(layout.track - tall)}" width="${WALL}" height="${px(tall + layout.beam)}"`;
+      const box2 = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html`<rect class="carts-wall" ${box2}/>
 <rect ${box2} fill="url(#${hatch})"/>
 <path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x="${px(start)}" y="${px(layout.track)}" width="${px(end - start)}" height="${px(layout.beam)}"/>
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
-<path class="carts-fine" d="${fine.join("")}"/>
+<path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
-      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x="${px(at(x))}" y="${px(under + 21)}">${fixed(x, axisDecimals(numbers))}</text>
+      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
   }
@@ -11536,16 +11544,16 @@ ${ticks(numbers).map(
     const y = layout.height - 10;
     const wide = layout.kind === "wide";
     const [per, unit] = speedUnit(view.velocity);
-    const text2 = (x2, said) => html`<text x="${px(x2)}" y="${px(y + 4)}">${said}</text>`;
+    const text2 = (x2, said) => html`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
     const x = force ? 12 + layout.force + 50 : 12;
     const next = x + layout.velocity + 6;
     const axis2 = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
     return html`<g class="carts-legend">
-${force && html`<path class="carts-block-arrow" d="${blockArrow(12, y, layout.force)}"/>${text2(12 + layout.force + 6, `${short(view.force)} N`)}`}
-<path class="carts-line-arrow" d="${lineArrow(x, y, layout.velocity)}"/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html`<text class="carts-torn" data-now="no" x="${px(next + 60)}" y="${px(y + 4)}">${tr("torn: not to scale")}</text>`}
-<text x="${px(layout.width - 12)}" y="${px(y + 4)}" text-anchor="end">${fence.camera ? tr("position on the track in m") : axis2}</text>
+${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text2(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
+${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis2}</text>
 </g>`;
   }
 
@@ -11558,19 +11566,19 @@ ${wide && html`<text class="carts-torn" data-now="no" x="${px(next + 60)}" y="${
   function timeline({ run: { header } }) {
     return html`<div class="carts-timeline">
 <svg class="carts-ticks" width="100%" height="34" aria-hidden="true"><g data-part="contacts"></g><g data-part="events"></g><g data-part="numbers"></g></svg>
-<input type="range" class="carts-scrub" min="0" max="${header.until}" step="any" value="0" aria-label="${tr("Time")}" disabled>
+<input type="range" class="carts-scrub" min="0" max=${header.until} step="any" value="0" aria-label=${tr("Time")} disabled>
 </div>`;
   }
   function transport({ fence, run: { header } }) {
     const slow = fence.slow !== "never" && header.contacts.some(({ stiffness }) => stiffness);
     const speed = openingSpeed(header.until);
     const speeds = SPEEDS.map(
-      (n) => html`<option value="${n}"${n === speed && html` selected`}>${n}×</option>`
+      (n) => html`<option value=${n}${n === speed && html` selected`}>${n}×</option>`
     );
     return html`<div class="carts-transport">
 ${button("start", START2, tr("Back to the start"), tr("Back to the start (Home)"))}
 ${button("back", BACK, tr("Step back"), tr("Step back (left arrow key)"))}
-<button type="button" class="carts-button carts-play" title="${tr("Play or pause (space bar)")}" disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
+<button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
 ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
 ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
@@ -11578,7 +11586,7 @@ ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="car
 </div>`;
   }
   function button(name, icon, label, title) {
-    return html`<button type="button" class="carts-button carts-${name}" aria-label="${label}" title="${title}" disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="${icon}"/></svg></button>`;
+    return html`<button type="button" class="carts-button carts-${name}" aria-label=${label} title=${title} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${icon}/></svg></button>`;
   }
   function openingSpeed(until) {
     if (until <= LONG) return 1;
@@ -11595,9 +11603,9 @@ ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="car
     );
     const paper = asked ? tr("Make your prediction on paper. The run needs JavaScript.") : tr("The picture shows the start. Playing the run needs JavaScript.");
     return html`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
-<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title="${tr("Full screen for the class (key P)")}" aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label="${tr("not live yet")}"><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
-<div class="carts-world" tabindex="0" role="group" aria-label="${tr("Carts on the track")}" aria-describedby="${id}-described">
+<div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described">
 ${view.layouts.map((layout) => stage(baked, layout))}
 <p class="carts-torn" data-now="no"${!view.mayTear && html` hidden`}>${tr("A torn box is not to scale: its cart is heavier.")}</p>
 ${run.header.effects.length > 0 && html`<p class="carts-acting"></p>`}
@@ -11613,7 +11621,7 @@ ${views(baked)}
 <div class="carts-graphs">
 ${quantities.map((quantity) => graph(baked, quantity))}
 <div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
-<ol class="carts-events" aria-label="${tr("What happens")}"></ol></div>
+<ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
 </div>
 ${asked && predict(baked, asked)}
@@ -11632,7 +11640,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const [before2, after2] = tr(
       "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”."
     ).split("{formula}");
-    return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find one, and you see them all")}</summary><p>${before2}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after2}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label="${tr("mean force in N, plus is to the right")}" disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+    return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find one, and you see them all")}</summary><p>${before2}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after2}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
@@ -13638,7 +13646,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     drawing.at(0);
     for (const { table } of drawing.graphs) table.fill();
     for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", "");
-    return root.innerHTML;
+    return root.innerHTML.replaceAll("&#160;", " ");
   }
   globalThis.cartsDraw = (kind, values) => {
     const draw = KINDS2[kind];

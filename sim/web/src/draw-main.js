@@ -25,7 +25,7 @@ function scene({ baked: raw, found }) {
   drawing.at(0);
   for (const { table } of drawing.graphs) table.fill();
   for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", ""); // until a script answers
-  return root.innerHTML;
+  return root.innerHTML.replaceAll("&#160;", "\u00a0");
 }
 
 /** @type {any} */ (globalThis).cartsDraw = (
