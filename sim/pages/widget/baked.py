@@ -21,9 +21,7 @@ DIGITS, FEWER_DIGITS, LONG = 11, 7, 1500
 TELLING = ("final", "energy", "momentum", "work", "evaluations", "outcome")
 
 
-def baked_values(
-    fence: Any, header: Mapping[str, Any], numbers: Sequence[float]
-) -> dict[str, Any]:
+def baked_values(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]) -> dict[str, Any]:
     """Plain values for the page: the header of the run, `numbers`, `fence` and `view`."""
     told = fence.predict is None
     digits = DIGITS if len(numbers) <= LONG else FEWER_DIGITS
