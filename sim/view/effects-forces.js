@@ -3,7 +3,7 @@
 import { listed } from "./bodies.js";
 import { actsAt, agent, kindsOnOne, viewOf } from "./effects.js";
 import { tr } from "./language.js";
-import { decimalsFor, fixed } from "./numbers.js";
+import { decimalsFor, fixed, NOISE } from "./numbers.js";
 import { valueAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").Header} Header */
@@ -11,7 +11,6 @@ import { valueAt } from "./trajectory.js";
 /** @typedef {{kind: string, on: string, by: string, value: number, size: string}} Acting N, + is to the right; `size` without sign as text */
 
 export const FEW = 3; // carts; with more, all forces of one kind share a row
-const NOISE = 1e-9; // of the greatest value; less is rounding
 
 /** Every force of an effect on one cart. */
 /** @param {Run} run @param {number} t in s @param {boolean} always with forces that do not act at t: 0 N @returns {Acting[]} */

@@ -3,7 +3,7 @@
 import { body, isWall, listed } from "./bodies.js";
 import { viewOf } from "./effects.js";
 import { heard, tr } from "./language.js";
-import { fixed, short, speedUnit } from "./numbers.js";
+import { fixed, NOISE, short, speedUnit } from "./numbers.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
 /** @typedef {import("./types.js").Header} Header */
@@ -42,7 +42,7 @@ export function lawsOf(contacts) {
 
 /** @param {number} velocity @param {number} scale */
 function isRest(velocity, scale) {
-  return Math.abs(velocity) < 1e-9 * scale;
+  return Math.abs(velocity) < NOISE * scale;
 }
 
 /** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @returns {string} what happens at an event */

@@ -1,4 +1,4 @@
-"""How effects are drawn and told, each by what stands in its own folder: `sim/effects/<kind>/view.js`."""
+"""How effects are drawn and told, each as its own folder says: `sim/effects/<kind>/view.js`."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_what_is_switched_off_is_not_drawn() -> None:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_no_word_of_a_picture_is_left_in_english(name: str) -> None:
-    """Told in a language that marks every sentence, nothing of two words stands outside the marks."""
+    """In a language that marks every sentence, nothing of two words stands outside the marks."""
     described, header, numbers = baked({"id": "scene", **SCENES[name], "title": "⟦⟧"})
     with speaking(MARKED):
         page = render(described, header, numbers).partition('<script type="application/json"')[0]
@@ -83,7 +83,7 @@ def told(kind: str, views: str) -> Any:
     header["columns"] = [*header["columns"], ["E", kind, "A"]]
     return in_node(
         """const { VIEWS } = await import(view + "/../effects/views.js");
-        %s
+        ${views}
         const w = await import(view + "/effects-words.js");
         const f = await import(view + "/effects-forces.js");
         const t = await import(view + "/trajectory.js");
@@ -91,8 +91,7 @@ def told(kind: str, views: str) -> Any:
           trajectory: t.fromWire(data.header, Float64Array.from(data.numbers)) };
         try { give([w.actingSentences(data.header, true),
           f.forcesAt(run, 0).map((force) => f.labels(force)[0])]); }
-        catch (error) { give(error.message); }"""
-        % views,
+        catch (error) { give(error.message); }""".replace("${views}", views),
         {"header": header, "numbers": [*numbers, *[0.25] * header["rows"]]},
     )
 

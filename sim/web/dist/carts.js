@@ -38,6 +38,7 @@
 
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var NOISE = 1e-9;
   var MAX_DECIMALS = 12;
   var SLOW = 0.01;
   function exponent(value) {
@@ -79,10 +80,11 @@
   var WATCH = 3;
   var BEFORE = 0.15;
   var AFTER = 0.25;
+  var SLOWEST = 1e-12;
   var RATES = [0.5, 0.2, 0.1];
   function rateFor(duration2) {
     const wanted = duration2 / WATCH;
-    for (let power = 1; power > 1e-12; power /= 10) {
+    for (let power = 1; power > SLOWEST; power /= 10) {
       for (const rate of RATES) if (rate * power <= wanted) return rate * power;
     }
     return wanted;
@@ -124,6 +126,7 @@
   }
 
   // src/scene/player.js
+  var SAME = 1e-12;
   var STEP = 0.04;
   var STILL = 1;
   var LONGEST_FRAME = 0.1;
@@ -195,7 +198,7 @@
       for (let k = 0; k < count2; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
-        const event = way > 0 ? this.stops.find((t3) => t3 > before + 1e-12) : this.stops.findLast((t3) => t3 < before - 1e-12);
+        const event = way > 0 ? this.stops.find((t3) => t3 > before + SAME) : this.stops.findLast((t3) => t3 < before - SAME);
         const passed = event !== void 0 && (way > 0 ? event < target : event > target);
         this.#move(passed ? event : target);
         this.changed(before, way > 0);
@@ -216,8 +219,8 @@
       const shown2 = this.stills ? this.#waited : seconds;
       this.#waited = 0;
       let next = advance(before, shown2, this.speed, this.#parts, this.until);
-      if (this.stills) next = this.stops.find((t3) => t3 > before + 1e-12 && t3 < next) ?? next;
-      const halt = this.halting ? this.halts.find((t3) => t3 > before + 1e-12 && t3 <= next) : void 0;
+      if (this.stills) next = this.stops.find((t3) => t3 > before + SAME && t3 < next) ?? next;
+      const halt = this.halting ? this.halts.find((t3) => t3 > before + SAME && t3 <= next) : void 0;
       this.#move(halt ?? next);
       if (halt !== void 0 || this.time >= this.until) this.playing = false;
       this.changed(before, true);
@@ -1334,14 +1337,14 @@
     return `${d2}L${px(end)} ${px(-(low + high) / 2)}`;
   }
   function coil(start, end, y2, turns = TURNS, high = COIL) {
-    const span3 = Math.max(0, end - start);
-    const lead = Math.min(LEAD, span3 / 4);
-    const step = (span3 - 2 * lead) / turns;
+    const span2 = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span2 / 4);
+    const step = (span2 - 2 * lead) / turns;
     let d2 = `M${px(start)} ${px(y2)}L${px(start + lead)} ${px(y2)}`;
     for (let k = 0; k < turns; k += 1) {
       d2 += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y2 - high : y2 + high)}`;
     }
-    return `${d2}L${px(start + span3 - lead)} ${px(y2)}L${px(start + span3)} ${px(y2)}`;
+    return `${d2}L${px(start + span2 - lead)} ${px(y2)}L${px(start + span2)} ${px(y2)}`;
   }
   function blockArrow(x2, y2, length) {
     if (Math.abs(length) < SHORTEST) return dot(x2, y2);
@@ -1589,9 +1592,9 @@
   function effectPath({ effects }, keys) {
     if (!Array.isArray(effects)) return null;
     const kind = keys[0] === "effects" ? "" : String(keys[0]);
-    const index = kind ? effects.findIndex((entry2) => kind in entry2) : Number(keys[1]);
-    const entry = effects[index];
-    return entry && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry)[0]), String(keys.at(-1))] : null;
+    const index = kind ? effects.findIndex((entry3) => kind in entry3) : Number(keys[1]);
+    const entry2 = effects[index];
+    return entry2 && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry2)[0]), String(keys.at(-1))] : null;
   }
 
   // src/scene/controls.js
@@ -3058,24 +3061,24 @@
     }
     return found ?? null;
   }
-  function itemOf(entry) {
-    const form = entry?.form ?? "worksheet";
-    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  function itemOf(entry2) {
+    const form = entry2?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry2?.id && item.form === form) ?? null;
   }
-  function isCurrent(entry) {
-    const item = itemOf(entry);
-    return !item || !entry.hash || entry.hash === item.hash;
+  function isCurrent(entry2) {
+    const item = itemOf(entry2);
+    return !item || !entry2.hash || entry2.hash === item.hash;
   }
-  function stamped(entry) {
+  function stamped(entry2) {
     const page2 = outline();
-    const item = itemOf(entry);
-    if (!page2 || !item) return entry;
+    const item = itemOf(entry2);
+    if (!page2 || !item) return entry2;
     return {
       form: item.form,
       lesson: page2.lesson,
       lessonHash: page2.hash,
       hash: item.hash,
-      ...entry
+      ...entry2
     };
   }
 
@@ -3093,13 +3096,13 @@
     const all = other ? union(earlier, [alone(old)]) : earlier;
     return all.length ? { ...value, earlier: all } : value;
   }
-  function alone({ earlier: _2, ...entry }) {
-    return entry;
+  function alone({ earlier: _2, ...entry2 }) {
+    return entry2;
   }
   function union(a2, b2) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    for (const entry2 of [...a2 ?? [], ...b2 ?? []]) {
+      found2.set(JSON.stringify([entry2.hash, entry2.value]), entry2);
     }
     const all = [...found2.values()];
     all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
@@ -3444,11 +3447,11 @@
     async #keep(typed, said) {
       const { site, page: page2 } = place();
       const now = (/* @__PURE__ */ new Date()).toISOString();
-      const entry = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
+      const entry2 = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
       try {
         const store = await openStore(site);
         await store.put(`${page2}#${this.id}`, {
-          ...entry,
+          ...entry2,
           tries: this.#tries,
           locked: null,
           asked: tr("Find a force of this scene")
@@ -3530,7 +3533,6 @@
 
   // ../view/effects-forces.js
   var FEW = 3;
-  var NOISE = 1e-9;
   function forcesAt({ header, trajectory }, t3, always = false) {
     const found2 = [];
     for (const kind of kindsOnOne(header)) {
@@ -4441,7 +4443,7 @@
     return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
   }
   function isRest(velocity2, scale) {
-    return Math.abs(velocity2) < 1e-9 * scale;
+    return Math.abs(velocity2) < NOISE * scale;
   }
   function eventSentence(event, telling, laws) {
     const { decimals, scale, camera, forces: forces2 } = telling;
@@ -5132,15 +5134,15 @@
         const height = place2(drawn2, x2, y2 + LINE2, half - GAP);
         whole.append(drawn2);
         const entries = [...graph2.querySelectorAll(".carts-key > span")];
-        entries.forEach((entry, i2) => {
+        entries.forEach((entry2, i2) => {
           const at2 = y2 + LINE2 + height + 14 + LINE2 * i2;
-          const sample = entry.querySelector("svg");
+          const sample = entry2.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
             place2(swatch, x2 + GAP, at2 - 10, 26);
             whole.append(swatch);
           }
-          write4(entry.textContent ?? "", x2 + GAP + 34, at2, "400");
+          write4(entry2.textContent ?? "", x2 + GAP + 34, at2, "400");
         });
         tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
       });
@@ -5693,7 +5695,13 @@ ${lines2.join("\n")}
       );
       button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
     }
-    const scene = baked.fence.scene;
+    const { scene, controls, switches } = baked.fence;
+    const sliders = new Controls(element, controls, acts.change, switches);
+    view.draggable({
+      ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
+      value: (target) => valueIn(view.run.header, target),
+      change: (control, value, at2) => sliders.take(control.set, value, at2)
+    });
     const [writing, counting] = [{}, {}];
     const program = async () => {
       const set = { ...acts.settings() };
@@ -5722,7 +5730,7 @@ ${lines2.join("\n")}
     const how = new How(element, view, client2, (more) => {
       return { kind: "how", scene, set: { ...acts.settings() }, ...more };
     });
-    return { find, how };
+    return { controls: sliders, find, how };
   }
   function askFirst(element, baked, view, { locked, forgotten }) {
     const ask = element.querySelector(".carts-predict");
@@ -5740,6 +5748,154 @@ ${lines2.join("\n")}
       columns: parts2.map((_2, k) => column(k + 1))
     };
   }
+
+  // src/scene/live.js
+  var Live = class {
+    #waiting = deferred();
+    /** @param {HTMLElement} element @param {import("../runtime/client.js").Client} client @param {Acts} acts */
+    constructor(element, client2, acts) {
+      this.element = element;
+      this.client = client2;
+      this.acts = acts;
+      this.#waiting.promise.catch(() => {
+      });
+    }
+    /** Resolves when Python has answered for this scene; rejects when it cannot start. */
+    get ready() {
+      return this.#waiting.promise;
+    }
+    /** Follows the page's worker. */
+    follow() {
+      const { state } = this.client;
+      const { dataset } = this.element;
+      if (state === "starting" || state === "idle") {
+        dataset.state = state === "idle" ? "still" : "starting";
+      } else if (state === "failed") this.#fail();
+      else if (dataset.state !== "live") void this.#begin();
+      else this.#mark();
+    }
+    async #begin() {
+      try {
+        await this.acts.first();
+        await frame();
+        if (this.client.state !== "ready") return;
+        this.element.dataset.state = "live";
+        this.#mark();
+        performance.mark("carts:live");
+        this.#waiting.resolve(void 0);
+        this.acts.live();
+      } catch (error) {
+        if (this.client.state !== "failed") this.#fail(
+          /** @type {Error} */
+          error
+        );
+      }
+    }
+    #mark() {
+      need(this.element, ".carts-mark").setAttribute("aria-label", LIVE);
+    }
+    /** @param {Error & {reason?: string}} error */
+    #fail(error = this.client.error ?? new Error(NOT_STARTED)) {
+      const { dataset } = this.element;
+      dataset.state = "failed";
+      dataset.reason = error.reason ?? "failed";
+      this.acts.failed();
+      const note = need(this.element, ".carts-note");
+      note.hidden = false;
+      say(note, `${error.message} ${this.acts.told() ? STILL_PLAYS : NOT_SHOWN}`);
+      this.#waiting.reject(error);
+      this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+    }
+  };
+
+  // src/scene/values.js
+  var ONE_CHANGE = 1e3;
+  var MOST3 = 50;
+  var Values = class {
+    /** @type {Settings} accepted: those of the run that is shown */
+    good = {};
+    /** @type {Settings} asked for, newest */
+    wanted = {};
+    /** @type {Settings[]} */
+    #before = [];
+    #last = { target: "", at: 0 };
+    /** @param {Settings} changes */
+    ask(changes2) {
+      const target = Object.keys(changes2).join();
+      const now = performance.now();
+      if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
+        this.#before.push({ ...this.wanted });
+        if (this.#before.length > MOST3) this.#before.shift();
+      }
+      this.#last = { target, at: now };
+      Object.assign(this.wanted, changes2);
+    }
+    /** A refused value goes back to the last good one. @param {Settings} changes */
+    giveUp(changes2) {
+      for (const [key, value] of Object.entries(changes2)) {
+        if (this.wanted[key] !== value) continue;
+        const good = this.good[key];
+        if (good === void 0) delete this.wanted[key];
+        else this.wanted[key] = good;
+      }
+    }
+    /** Other values in the place of all, as one change. @param {Settings} changes */
+    replace(changes2) {
+      this.#before.push({ ...this.wanted });
+      this.wanted = { ...changes2 };
+      this.#last.target = "";
+    }
+    get canUndo() {
+      return this.#before.length > 0;
+    }
+    /** Goes back by one change; the caller then asks for a run. */
+    undo() {
+      this.wanted = this.#before.pop() ?? {};
+      this.#last.target = "";
+    }
+    reset() {
+      if (Object.keys(this.wanted).length) this.#before.push({ ...this.wanted });
+      this.wanted = {};
+      this.good = {};
+      this.#last.target = "";
+    }
+    forget() {
+      this.reset();
+      this.#before = [];
+    }
+  };
+
+  // src/scene/runs.js
+  var Runs = class {
+    values = new Values();
+    #generation = 0;
+    // of resets: what was asked for before one is not shown after it
+    /** @param {object} owner whose newest request counts @param {import("../runtime/client.js").Client} client @param {() => object | undefined} scene as its author wrote it */
+    constructor(owner, client2, scene) {
+      this.owner = owner;
+      this.client = client2;
+      this.scene = scene;
+    }
+    /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
+    async ask(changes2 = {}) {
+      const generation = this.#generation;
+      const { header, numbers, sent } = await this.client.ask(this.owner, () => {
+        return { kind: "run", scene: this.scene(), set: { ...this.values.wanted } };
+      });
+      if (!header.ok) {
+        this.values.giveUp(changes2);
+        throw refusal2(header.problems ?? []);
+      }
+      if (generation !== this.#generation) return null;
+      this.values.good = sent.set;
+      return { header, trajectory: fromWire(header, numbers) };
+    }
+    /** Back to the values that the scene came with. */
+    reset() {
+      this.#generation += 1;
+      this.values.reset();
+    }
+  };
 
   // ../view/effects-words.js
   function actingSentences(header, numbers) {
@@ -5776,7 +5932,7 @@ ${lines2.join("\n")}
   }
 
   // src/scene/announcer.js
-  var MOST3 = 3;
+  var MOST4 = 3;
   var Announcer = class {
     /** @param {HTMLElement} root */
     constructor(root) {
@@ -5790,7 +5946,7 @@ ${lines2.join("\n")}
     }
     /** @param {string[]} sentences */
     tell(sentences) {
-      if (sentences.length) this.region.textContent = sentences.slice(-MOST3).join(" ");
+      if (sentences.length) this.region.textContent = sentences.slice(-MOST4).join(" ");
     }
   };
 
@@ -5903,7 +6059,7 @@ ${lines2.join("\n")}
         if (!curve) return;
         const at2 = (when) => {
           const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
-          return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
+          return Math.abs(value) < NOISE * this.#full ? 0 : value;
         };
         const [before, now] = [at2(start), at2(t3)];
         say(need(row, "th"), curve.label);
@@ -5999,7 +6155,7 @@ ${lines2.join("\n")}
       this.root = root;
       this.view = baked.view;
       this.per = speedUnit(baked.view.velocity)[0];
-      this.zero = 1e-9 * (baked.view.force || 1);
+      this.zero = NOISE * (baked.view.force || 1);
       this.note = need(root, ".carts-touch-note");
       const vertical = (
         /** @type {HTMLInputElement} */
@@ -6032,7 +6188,7 @@ ${lines2.join("\n")}
         const speed = (at2) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at2);
         const change2 = speed(t3) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
-        const seen = Math.abs(change2) < 1e-9 * velocity2 ? 0 : change2 / this.per;
+        const seen = Math.abs(change2) < NOISE * velocity2 ? 0 : change2 / this.per;
         this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
         this.#say(name2, "mass", short(mass));
         this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
@@ -6168,7 +6324,7 @@ ${lines2.join("\n")}
       const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
       const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
       const faces = [left.face - share, Math.max(right.face, left.face - share)];
-      const force = contactForce(run, touch.pair, t3, 1e-9 * (this.view.force || 1));
+      const force = contactForce(run, touch.pair, t3, NOISE * (this.view.force || 1));
       [left, right].forEach((side, k) => {
         this.#draw(k, side, Number(faces[k]), middle, force);
       });
@@ -6418,6 +6574,49 @@ ${lines2.join("\n")}
     );
   }
 
+  // src/scene/graphs/axes.js
+  function drawAxes(root, plane) {
+    const times2 = timeMarks(plane);
+    const rows = valueMarks(plane);
+    marks2(need(root, '[data-part="times"]'), times2.length, (line, text, i2) => {
+      const { at: at2, label } = (
+        /** @type {{at: string, label: string}} */
+        times2[i2]
+      );
+      put(line, "class", "carts-grid");
+      put(line, "d", `M${at2} ${TOP2}V${BOTTOM3}`);
+      put(text, "class", "carts-tick-x");
+      put(text, "x", at2);
+      put(text, "y", String(BOTTOM3 + 14));
+      say(text, label);
+    });
+    marks2(need(root, '[data-part="values"]'), rows.length, (line, text, i2) => {
+      const { at: at2, textY, label, zero } = (
+        /** @type {(typeof rows)[number]} */
+        rows[i2]
+      );
+      put(line, "class", zero ? "carts-zero" : "carts-grid");
+      put(line, "d", `M${LEFT3} ${at2}H${RIGHT2}`);
+      put(text, "class", "carts-tick-y");
+      put(text, "x", String(LEFT3 - 5));
+      put(text, "y", textY);
+      say(text, label);
+    });
+  }
+  function marks2(group2, count2, draw) {
+    while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();
+    while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
+    for (let i2 = 0; i2 < count2; i2 += 1) {
+      draw(
+        /** @type {Element} */
+        group2.children[2 * i2],
+        /** @type {Element} */
+        group2.children[2 * i2 + 1],
+        i2
+      );
+    }
+  }
+
   // ../view/impulse.js
   function area({ trajectory }, pair, from, to) {
     const { t: t3, F: F2, dF } = trajectory;
@@ -6502,6 +6701,36 @@ ${lines2.join("\n")}
     }
   };
 
+  // src/scene/graphs/key.js
+  var Key = class {
+    #told = "";
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.root = root;
+    }
+    /** @param {Series[]} curves @param {string} note */
+    show(curves, note) {
+      const wanted = [...curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note].join("|");
+      if (this.#told === wanted && this.root.firstChild) return;
+      this.#told = wanted;
+      this.root.replaceChildren(...curves.map(entry), ...note ? [html("span", "", note)] : []);
+    }
+    /** Something else was written in its place. */
+    forget() {
+      this.#told = "";
+    }
+  };
+  function entry({ style, over, label }) {
+    const made3 = html("span", `carts-${style}`);
+    const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
+    const sample = svg("svg", size);
+    const line = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
+    const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
+    sample.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
+    made3.append(sample, label);
+    return made3;
+  }
+
   // ../view/ledger.js
   function ledger({ header, trajectory }, windows, camera) {
     const moving = seriesOf("energy", header, trajectory, camera).filter((c2) => c2.style !== "total");
@@ -6549,9 +6778,9 @@ ${lines2.join("\n")}
   }
   function stacked(entries) {
     let below = new Float64Array(entries[0]?.values.length ?? 0);
-    return entries.map((entry) => {
-      below = Float64Array.from(below, (value, k) => value + Number(entry.values[k]));
-      return { ...entry, values: below };
+    return entries.map((entry2) => {
+      below = Float64Array.from(below, (value, k) => value + Number(entry2.values[k]));
+      return { ...entry2, values: below };
     });
   }
 
@@ -6619,13 +6848,13 @@ ${lines2.join("\n")}
       });
       this.key.replaceChildren(
         ...this.entries.map(({ style }) => {
-          const entry = document.createElement("span");
+          const entry2 = document.createElement("span");
           const swatch = svg("svg", { viewBox: "0 0 14 12", width: 14, height: 12 });
           swatch.setAttribute("aria-hidden", "true");
           swatch.append(svg("path", { class: `carts-band carts-${style}`, d: "M1 1H13V11H1Z" }));
-          entry.className = `carts-${style}`;
-          entry.append(swatch, document.createElement("b"));
-          return entry;
+          entry2.className = `carts-${style}`;
+          entry2.append(swatch, document.createElement("b"));
+          return entry2;
         })
       );
     }
@@ -6695,7 +6924,7 @@ ${lines2.join("\n")}
         row.append(html("td", "", fixed(t3, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
           const value = valueAt(run.trajectory.t, values, slopes, t3);
-          row.append(html("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
+          row.append(html("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
         }
         return row;
       });
@@ -6739,8 +6968,6 @@ ${lines2.join("\n")}
     // “with sign”, “as a ledger”
     #t = 0;
     // s, the instant shown
-    #told = "";
-    // what the key below says
     /** @type {[number, number] | null} */
     #window = null;
     /**
@@ -6758,6 +6985,7 @@ ${lines2.join("\n")}
       this.plot = /** @type {SVGSVGElement} */
       /** @type {unknown} */
       need(root, ".carts-plot");
+      this.key = new Key(need(root, ".carts-key"));
       this.table = new Table(need(root, "details"), this.quantity, baked.view);
       this.button = /** @type {HTMLButtonElement | null} */
       root.querySelector(".carts-sign");
@@ -6847,7 +7075,7 @@ ${lines2.join("\n")}
         ]
       );
       this.#plane = planeFor(both, this.#window ?? [0, header.until]);
-      this.#axes();
+      drawAxes(this.root, this.#plane);
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve, i2) => {
@@ -6862,10 +7090,11 @@ ${lines2.join("\n")}
       this.#cursor();
       if (this.#stacked) {
         this.ledger?.draw(this.#plane);
-        this.#told = "";
+        this.key.forget();
       } else {
         this.ledger?.clear();
-        this.#key();
+        const note = graphNote(this.quantity, header.events, this.#curves.length);
+        this.key.show(this.#curves, note);
       }
       this.at(t3);
     }
@@ -6873,34 +7102,6 @@ ${lines2.join("\n")}
     #curvesOf({ header, trajectory }) {
       if (this.#stacked) return this.ledger?.tops ?? [];
       return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
-    }
-    #axes() {
-      const times2 = timeMarks(this.#plane);
-      const rows = valueMarks(this.#plane);
-      marks2(need(this.root, '[data-part="times"]'), times2.length, (line, text, i2) => {
-        const { at: at2, label } = (
-          /** @type {{at: string, label: string}} */
-          times2[i2]
-        );
-        put(line, "class", "carts-grid");
-        put(line, "d", `M${at2} ${TOP2}V${BOTTOM3}`);
-        put(text, "class", "carts-tick-x");
-        put(text, "x", at2);
-        put(text, "y", String(BOTTOM3 + 14));
-        say(text, label);
-      });
-      marks2(need(this.root, '[data-part="values"]'), rows.length, (line, text, i2) => {
-        const { at: at2, textY, label, zero } = (
-          /** @type {(typeof rows)[number]} */
-          rows[i2]
-        );
-        put(line, "class", zero ? "carts-zero" : "carts-grid");
-        put(line, "d", `M${LEFT3} ${at2}H${RIGHT2}`);
-        put(text, "class", "carts-tick-y");
-        put(text, "x", String(LEFT3 - 5));
-        put(text, "y", textY);
-        say(text, label);
-      });
     }
     #cursor() {
       const group2 = need(this.root, '[data-part="cursor"]');
@@ -6912,55 +7113,10 @@ ${lines2.join("\n")}
         put(dot2, "d", MARKERS[style] ?? "");
       });
     }
-    #key() {
-      const key = need(this.root, ".carts-key");
-      const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
-      const wanted = [...this.#curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note].join("|");
-      if (this.#told === wanted && key.firstChild) return;
-      this.#told = wanted;
-      key.replaceChildren(...this.#curves.map(keyEntry), ...note ? [span2(note)] : []);
-    }
   };
-  function span2(text) {
-    return Object.assign(document.createElement("span"), { textContent: text });
-  }
-  function keyEntry(curve) {
-    const entry = span2("");
-    entry.className = `carts-${curve.style}`;
-    const sample = svg("svg", {
-      viewBox: "0 0 26 10",
-      width: 26,
-      height: 10,
-      "aria-hidden": "true"
-    });
-    const over = curve.over ? " carts-over" : "";
-    sample.append(
-      svg("path", { class: `carts-curve carts-${curve.style}${over}`, d: "M0 5H26" }),
-      svg("path", {
-        class: `carts-dot carts-${curve.style}`,
-        d: MARKERS[curve.style] ?? "",
-        transform: "translate(13 5)"
-      })
-    );
-    entry.append(sample, curve.label);
-    return entry;
-  }
   function fit(group2, count2, make) {
     while (group2.children.length > count2) group2.lastElementChild?.remove();
     while (group2.children.length < count2) group2.append(make());
-  }
-  function marks2(group2, count2, draw) {
-    while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();
-    while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
-    for (let i2 = 0; i2 < count2; i2 += 1) {
-      draw(
-        /** @type {Element} */
-        group2.children[2 * i2],
-        /** @type {Element} */
-        group2.children[2 * i2 + 1],
-        i2
-      );
-    }
   }
 
   // src/scene/readouts.js
@@ -7135,7 +7291,6 @@ ${lines2.join("\n")}
   // src/scene/pushes.js
   var PER_CHARACTER2 = 7.8;
   var ROW = 19;
-  var NOISE2 = 1e-9;
   var GAP3 = 8;
   var EDGE3 = 6;
   var Pushes = class {
@@ -7181,7 +7336,7 @@ ${lines2.join("\n")}
         const { t: times2, F: F2, dF } = run.trajectory;
         const [column, slopes] = [F2[push.pair], dF[push.pair]];
         const force = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
-        const signed = Math.abs(force) < NOISE2 * view.force ? 0 : force;
+        const signed = Math.abs(force) < NOISE * view.force ? 0 : force;
         const size = Math.abs(signed);
         const length = arrowLength(signed, view.force, layout.force);
         const y2 = layout.track - PUSH;
@@ -7451,7 +7606,7 @@ ${lines2.join("\n")}
       const { trajectory } = this.#run;
       const { layout, view } = this;
       const v2 = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3) - this.camera;
-      const seen = Math.abs(v2) < 1e-9 * view.velocity ? 0 : v2;
+      const seen = Math.abs(v2) < NOISE * view.velocity ? 0 : v2;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x2, exact, layout.width);
       const [at2, anchor] = velocityText(x2, length, layout.width);
@@ -7961,7 +8116,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.transport = new Transport(root, this.player, baked.view.decimals);
       this.announcer = new Announcer(root);
       this.drawing.zoom.addEventListener("change", () => this.#zoom());
-      root.addEventListener("carts-redraw", () => {
+      need(root, ".carts-frame").addEventListener("carts-redraw", () => {
         for (const graph2 of this.drawing.graphs) graph2.show(this.run, this.player.time);
       });
     }
@@ -8064,63 +8219,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
   };
 
-  // src/scene/values.js
-  var ONE_CHANGE = 1e3;
-  var MOST4 = 50;
-  var Values = class {
-    /** @type {Settings} accepted: those of the run that is shown */
-    good = {};
-    /** @type {Settings} asked for, newest */
-    wanted = {};
-    /** @type {Settings[]} */
-    #before = [];
-    #last = { target: "", at: 0 };
-    /** @param {Settings} changes */
-    ask(changes2) {
-      const target = Object.keys(changes2).join();
-      const now = performance.now();
-      if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
-        this.#before.push({ ...this.wanted });
-        if (this.#before.length > MOST4) this.#before.shift();
-      }
-      this.#last = { target, at: now };
-      Object.assign(this.wanted, changes2);
-    }
-    /** A refused value goes back to the last good one. @param {Settings} changes */
-    giveUp(changes2) {
-      for (const [key, value] of Object.entries(changes2)) {
-        if (this.wanted[key] !== value) continue;
-        const good = this.good[key];
-        if (good === void 0) delete this.wanted[key];
-        else this.wanted[key] = good;
-      }
-    }
-    /** Other values in the place of all, as one change. @param {Settings} changes */
-    replace(changes2) {
-      this.#before.push({ ...this.wanted });
-      this.wanted = { ...changes2 };
-      this.#last.target = "";
-    }
-    get canUndo() {
-      return this.#before.length > 0;
-    }
-    /** Goes back by one change; the caller then asks for a run. */
-    undo() {
-      this.wanted = this.#before.pop() ?? {};
-      this.#last.target = "";
-    }
-    reset() {
-      if (Object.keys(this.wanted).length) this.#before.push({ ...this.wanted });
-      this.wanted = {};
-      this.good = {};
-      this.#last.target = "";
-    }
-    forget() {
-      this.reset();
-      this.#before = [];
-    }
-  };
-
   // src/scene/element.js
   function sceneElement(client2) {
     return class CartsScene extends HTMLElement {
@@ -8128,34 +8226,44 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #view = null;
       /** @type {import("../../../view/types.js").Baked | null} */
       #baked = null;
-      /** @type {Controls | null} */
-      #controls = null;
       /** @type {import("../predict/predict.js").Predict | null} */
       #predict = null;
       /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
-      #values = new Values();
+      #runs = new Runs(this, client2, () => this.#baked?.fence.scene);
       /** @type {ReturnType<typeof wireInside> | null} */
       #inside = null;
-      #generation = 0;
       #asBaked = "";
       // the inside of the element as the generator wrote it, for “Start again”
-      #waiting = deferred();
+      #live = new Live(this, client2, {
+        first: () => this.#first(),
+        told: () => this.#told,
+        live: () => this.#told && void followLink(this, this.id, (text) => this.#say(text)),
+        failed: () => this.#inside?.controls.enable(false)
+      });
+      #leaving = new AbortController();
+      // ends what the element hears of page and worker
       /** @type {Promise<void>} when the reader's earlier prediction is back */
       #restored = Promise.resolve();
       connectedCallback() {
+        this.#listen();
         if (this.#view) return;
         if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
-        this.#waiting.promise.catch(() => {
-        });
         this.#adopt();
-        client2.addEventListener("state", () => this.#follow());
         for (const kind of ["pointerdown", "keydown", "focusin"]) {
           this.addEventListener(kind, () => client2.wake(), { once: true, passive: true });
         }
-        addEventListener("beforeprint", () => this.#view?.print(true));
-        addEventListener("afterprint", () => this.#view?.print(false));
         requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+      }
+      disconnectedCallback() {
+        this.#leaving.abort();
+      }
+      #listen() {
+        this.#leaving = new AbortController();
+        const { signal } = this.#leaving;
+        client2.addEventListener("state", () => this.#live.follow(), { signal });
+        addEventListener("beforeprint", () => this.#view?.print(true), { signal });
+        addEventListener("afterprint", () => this.#view?.print(false), { signal });
       }
       /** Takes over the picture and the controls that the generator wrote. */
       #adopt() {
@@ -8163,22 +8271,16 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         const view = new SceneView(this, baked);
         this.#baked = baked;
         this.#view = view;
-        const { controls, switches } = baked.fence;
-        const change2 = (target, value, at2) => void this.set({ [target]: value }, at2).catch((error) => this.#complain(target, error));
-        this.#controls = new Controls(this, controls, change2, switches);
         const inside = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
           undo: () => this.#undo(),
           preset: (changes2) => this.#preset(changes2),
           found: () => void this.#showForces(),
-          settings: () => this.#values.good
+          settings: () => this.#values.good,
+          told: () => this.#told,
+          change: (target, value, at2) => void this.set({ [target]: value }, at2).catch((error) => this.#complain(target, error))
         });
         this.#inside = inside;
-        view.draggable({
-          ready: () => this.#told && view.player.time === 0 && !view.player.playing,
-          value: (target) => valueIn(view.run.header, target),
-          change: (control, value, at2) => this.#controls?.take(control.set, value, at2)
-        });
         this.#predict = askFirst(this, baked, view, {
           locked: (now) => void this.#reveal(now),
           forgotten: () => void this.#startAgain()
@@ -8188,9 +8290,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         void inside.find?.restore();
         void inside.how.follow(baked.run);
         view.enable(!this.#predict);
-        this.#controls.enable(!this.#predict);
+        inside.controls.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
-        this.#follow();
+        this.#live.follow();
       }
       /** The start state and an empty prediction, as on the first visit. */
       async #startAgain() {
@@ -8201,7 +8303,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.classList.add("carts-asks");
         this.#adopt();
         await this.#restored;
-        this.querySelector(".carts-predict :is(input, textarea):enabled")?.focus();
+        need(this, ".carts-predict :is(input, textarea):enabled").focus();
       }
       /** A force was found: now they are all shown, at the same values and the same instant. */
       async #showForces() {
@@ -8218,7 +8320,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** Resolves when Python has answered for this scene; rejects when it cannot start. */
       get ready() {
-        return this.#waiting.promise;
+        return this.#live.ready;
       }
       get trajectory() {
         return this.#told ? this.#view?.run.trajectory ?? null : null;
@@ -8246,23 +8348,16 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** @param {Settings} changes to be given up if they are refused @param {number} at */
       async #compute(changes2, at2) {
-        const generation = this.#generation;
-        const reply = await this.#ask();
-        if (!reply.header.ok) {
-          this.#values.giveUp(changes2);
-          throw refusal2(reply.header.problems ?? []);
-        }
-        if (generation !== this.#generation) return;
-        this.#values.good = reply.sent.set;
-        await this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
+        const run = await this.#runs.ask(changes2);
+        if (!run) return;
+        await this.#draw(run);
         await drawn(this, at2, { ...this.#values.good });
+      }
+      get #values() {
+        return this.#runs.values;
       }
       get #told() {
         return !this.#predict || this.#lesson !== null;
-      }
-      #ask() {
-        const scene = this.#baked?.fence.scene;
-        return client2.ask(this, () => ({ kind: "run", scene, set: { ...this.#values.wanted } }));
       }
       #undo() {
         this.#values.undo();
@@ -8284,63 +8379,23 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
         const shown2 = this.#inside?.how.follow(run);
-        this.#controls?.show(this.#values.good, run.header);
+        this.#inside?.controls.show(this.#values.good, run.header);
         this.#inside?.find?.show(run);
         const undo = this.querySelector(".carts-undo");
         if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
         return shown2;
       }
       #reset() {
-        this.#generation += 1;
-        this.#values.reset();
+        this.#runs.reset();
         this.#inside?.how.reset();
         this.#view?.player.pause();
         if (this.#lesson) this.#draw(this.#lesson);
         this.#view?.player.seek(0);
       }
-      /** Follows the page's worker: starting, live, failed. */
-      #follow() {
-        if (client2.state === "starting" || client2.state === "idle") {
-          this.dataset.state = client2.state === "idle" ? "still" : "starting";
-        } else if (client2.state === "failed") this.#fail();
-        else if (this.dataset.state !== "live") void this.#goLive();
-        else this.#mark();
-      }
-      #mark() {
-        need(this, ".carts-mark").setAttribute("aria-label", LIVE);
-      }
-      async #goLive() {
-        try {
-          const { header, numbers } = await this.#ask();
-          if (!header.ok) throw refusal2(header.problems ?? []);
-          if (this.#told && !this.#view?.player.playing) {
-            this.#draw({ header, trajectory: fromWire(header, numbers) });
-          }
-          await frame();
-          if (client2.state !== "ready") return;
-          this.dataset.state = "live";
-          this.#mark();
-          performance.mark("carts:live");
-          this.#waiting.resolve(void 0);
-          if (this.#told)
-            void followLink(this, this.#baked?.fence.id ?? "", (text) => this.#say(text));
-        } catch (error) {
-          if (client2.state !== "failed") this.#fail(
-            /** @type {Error} */
-            error
-          );
-        }
-      }
-      /** @param {Error & {reason?: string}} error */
-      #fail(error = client2.error ?? new Error(NOT_STARTED)) {
-        this.dataset.state = "failed";
-        this.dataset.reason = error.reason ?? "failed";
-        this.#controls?.enable(false);
-        const note = need(this, ".carts-note");
-        note.hidden = false;
-        say(note, `${error.message} ${this.#told ? STILL_PLAYS : NOT_SHOWN}`);
-        this.#waiting.reject(error);
-        this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+      /** Python's own answer takes the place of the baked run. */
+      async #first() {
+        const run = await this.#runs.ask();
+        if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
       }
       /** The run without a prediction, for a whole class: nothing is kept. */
       async reveal() {
@@ -8349,18 +8404,15 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
       async #reveal(now, own = true) {
         this.#predict?.complain("");
-        const generation = this.#generation;
         try {
-          const { header, numbers } = await this.#ask();
-          if (generation !== this.#generation) return;
-          if (!header.ok) throw refusal2(header.problems ?? []);
-          const run = { header, trajectory: fromWire(header, numbers) };
+          const run = await this.#runs.ask();
+          if (!run) return;
           this.#lesson = run;
           this.classList.remove("carts-asks");
           need(this, ".carts-results").hidden = false;
           this.#draw(run);
           this.#view?.enable(true);
-          this.#controls?.enable(true);
+          this.#inside?.controls.enable(true);
           if (own) this.#predict?.compare(run);
           if (now)
             this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
@@ -8374,7 +8426,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** @param {string} target @param {Error} error */
       #complain(target, error) {
-        this.#controls?.complain(target, error.message);
+        this.#inside?.controls.complain(target, error.message);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
       }
     };

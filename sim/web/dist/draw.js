@@ -2687,22 +2687,22 @@
       items: getElementsByTagName("entry", childs).map((item) => {
         var _a3;
         const { children } = item;
-        const entry = { media: getMediaElements(children) };
-        addConditionally(entry, "id", "id", children);
-        addConditionally(entry, "title", "title", children);
+        const entry2 = { media: getMediaElements(children) };
+        addConditionally(entry2, "id", "id", children);
+        addConditionally(entry2, "title", "title", children);
         const href2 = (_a3 = getOneElement("link", children)) === null || _a3 === void 0 ? void 0 : _a3.attribs["href"];
         if (href2) {
-          entry.link = href2;
+          entry2.link = href2;
         }
         const description2 = fetch("summary", children) || fetch("content", children);
         if (description2) {
-          entry.description = description2;
+          entry2.description = description2;
         }
         const pubDate = fetch("updated", children);
         if (pubDate) {
-          entry.pubDate = new Date(pubDate);
+          entry2.pubDate = new Date(pubDate);
         }
-        return entry;
+        return entry2;
       })
     };
     addConditionally(feed, "id", "id", childs);
@@ -2727,15 +2727,15 @@
       id: "",
       items: getElementsByTagName("item", feedRoot.children).map((item) => {
         const { children } = item;
-        const entry = { media: getMediaElements(children) };
-        addConditionally(entry, "id", "guid", children);
-        addConditionally(entry, "title", "title", children);
-        addConditionally(entry, "link", "link", children);
-        addConditionally(entry, "description", "description", children);
+        const entry2 = { media: getMediaElements(children) };
+        addConditionally(entry2, "id", "guid", children);
+        addConditionally(entry2, "title", "title", children);
+        addConditionally(entry2, "link", "link", children);
+        addConditionally(entry2, "description", "description", children);
         const pubDate = fetch("pubDate", children) || fetch("dc:date", children);
         if (pubDate)
-          entry.pubDate = new Date(pubDate);
-        return entry;
+          entry2.pubDate = new Date(pubDate);
+        return entry2;
       })
     };
     addConditionally(feed, "title", "title", childs);
@@ -10331,6 +10331,7 @@
 
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var NOISE = 1e-9;
   var MAX_DECIMALS = 12;
   var SLOW = 0.01;
   function exponent(value) {
@@ -10594,14 +10595,14 @@
     return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
   }
   function coil(start, end, y, turns = TURNS, high = COIL) {
-    const span3 = Math.max(0, end - start);
-    const lead = Math.min(LEAD, span3 / 4);
-    const step = (span3 - 2 * lead) / turns;
+    const span2 = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span2 / 4);
+    const step = (span2 - 2 * lead) / turns;
     let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
     for (let k = 0; k < turns; k += 1) {
       d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
     }
-    return `${d}L${px(start + span3 - lead)} ${px(y)}L${px(start + span3)} ${px(y)}`;
+    return `${d}L${px(start + span2 - lead)} ${px(y)}L${px(start + span2)} ${px(y)}`;
   }
   function blockArrow(x, y, length) {
     if (Math.abs(length) < SHORTEST) return dot(x, y);
@@ -10816,7 +10817,7 @@
     return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
   }
   function isRest(velocity2, scale) {
-    return Math.abs(velocity2) < 1e-9 * scale;
+    return Math.abs(velocity2) < NOISE * scale;
   }
   function eventSentence(event, telling, laws) {
     const { decimals, scale, camera, forces: forces2 } = telling;
@@ -10976,7 +10977,6 @@
 
   // ../view/effects-forces.js
   var FEW = 3;
-  var NOISE = 1e-9;
   function forcesAt({ header, trajectory }, t, always = false) {
     const found = [];
     for (const kind of kindsOnOne(header)) {
@@ -11868,7 +11868,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         if (!curve2) return;
         const at = (when) => {
           const value = valueAt(run.trajectory.t, curve2.values, curve2.slopes, when);
-          return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
+          return Math.abs(value) < NOISE * this.#full ? 0 : value;
         };
         const [before2, now] = [at(start), at(t)];
         say(need(row, "th"), curve2.label);
@@ -11964,7 +11964,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.root = root;
       this.view = baked.view;
       this.per = speedUnit(baked.view.velocity)[0];
-      this.zero = 1e-9 * (baked.view.force || 1);
+      this.zero = NOISE * (baked.view.force || 1);
       this.note = need(root, ".carts-touch-note");
       const vertical = (
         /** @type {HTMLInputElement} */
@@ -11997,7 +11997,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const speed = (at) => valueAt(times2, v[name] ?? [], a[name] ?? [], at);
         const change = speed(t) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
-        const seen = Math.abs(change) < 1e-9 * velocity2 ? 0 : change / this.per;
+        const seen = Math.abs(change) < NOISE * velocity2 ? 0 : change / this.per;
         this.#say(name, "F", fixed(resultant, decimals.F ?? 2));
         this.#say(name, "mass", short(mass));
         this.#say(name, "a", fixed(resultant / mass, decimals.a ?? 2));
@@ -12133,7 +12133,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
       const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
       const faces = [left.face - share, Math.max(right.face, left.face - share)];
-      const force = contactForce(run, touch.pair, t, 1e-9 * (this.view.force || 1));
+      const force = contactForce(run, touch.pair, t, NOISE * (this.view.force || 1));
       [left, right].forEach((side, k) => {
         this.#draw(k, side, Number(faces[k]), middle, force);
       });
@@ -12254,6 +12254,49 @@ ${found && html`<p class="carts-found" hidden></p>`}
     );
   }
 
+  // src/scene/graphs/axes.js
+  function drawAxes(root, plane) {
+    const times2 = timeMarks(plane);
+    const rows = valueMarks(plane);
+    marks2(need(root, '[data-part="times"]'), times2.length, (line, text2, i) => {
+      const { at, label } = (
+        /** @type {{at: string, label: string}} */
+        times2[i]
+      );
+      put(line, "class", "carts-grid");
+      put(line, "d", `M${at} ${TOP}V${BOTTOM}`);
+      put(text2, "class", "carts-tick-x");
+      put(text2, "x", at);
+      put(text2, "y", String(BOTTOM + 14));
+      say(text2, label);
+    });
+    marks2(need(root, '[data-part="values"]'), rows.length, (line, text2, i) => {
+      const { at, textY, label, zero } = (
+        /** @type {(typeof rows)[number]} */
+        rows[i]
+      );
+      put(line, "class", zero ? "carts-zero" : "carts-grid");
+      put(line, "d", `M${LEFT} ${at}H${RIGHT}`);
+      put(text2, "class", "carts-tick-y");
+      put(text2, "x", String(LEFT - 5));
+      put(text2, "y", textY);
+      say(text2, label);
+    });
+  }
+  function marks2(group, count, draw) {
+    while (group.children.length > 2 * count) group.lastElementChild?.remove();
+    while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
+    for (let i = 0; i < count; i += 1) {
+      draw(
+        /** @type {Element} */
+        group.children[2 * i],
+        /** @type {Element} */
+        group.children[2 * i + 1],
+        i
+      );
+    }
+  }
+
   // ../view/impulse.js
   function area({ trajectory }, pair, from, to) {
     const { t, F, dF } = trajectory;
@@ -12338,6 +12381,36 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
   };
 
+  // src/scene/graphs/key.js
+  var Key = class {
+    #told = "";
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.root = root;
+    }
+    /** @param {Series[]} curves @param {string} note */
+    show(curves, note) {
+      const wanted = [...curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
+      if (this.#told === wanted && this.root.firstChild) return;
+      this.#told = wanted;
+      this.root.replaceChildren(...curves.map(entry), ...note ? [html2("span", "", note)] : []);
+    }
+    /** Something else was written in its place. */
+    forget() {
+      this.#told = "";
+    }
+  };
+  function entry({ style, over, label }) {
+    const made = html2("span", `carts-${style}`);
+    const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
+    const sample = svg("svg", size);
+    const line = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
+    const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
+    sample.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
+    made.append(sample, label);
+    return made;
+  }
+
   // ../view/ledger.js
   function ledger({ header, trajectory }, windows, camera) {
     const moving = seriesOf("energy", header, trajectory, camera).filter((c) => c.style !== "total");
@@ -12385,9 +12458,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
   function stacked(entries2) {
     let below = new Float64Array(entries2[0]?.values.length ?? 0);
-    return entries2.map((entry) => {
-      below = Float64Array.from(below, (value, k) => value + Number(entry.values[k]));
-      return { ...entry, values: below };
+    return entries2.map((entry2) => {
+      below = Float64Array.from(below, (value, k) => value + Number(entry2.values[k]));
+      return { ...entry2, values: below };
     });
   }
 
@@ -12506,13 +12579,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       });
       this.key.replaceChildren(
         ...this.entries.map(({ style }) => {
-          const entry = document.createElement("span");
+          const entry2 = document.createElement("span");
           const swatch = svg("svg", { viewBox: "0 0 14 12", width: 14, height: 12 });
           swatch.setAttribute("aria-hidden", "true");
           swatch.append(svg("path", { class: `carts-band carts-${style}`, d: "M1 1H13V11H1Z" }));
-          entry.className = `carts-${style}`;
-          entry.append(swatch, document.createElement("b"));
-          return entry;
+          entry2.className = `carts-${style}`;
+          entry2.append(swatch, document.createElement("b"));
+          return entry2;
         })
       );
     }
@@ -12582,7 +12655,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         row.append(html2("td", "", fixed(t, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
           const value = valueAt(run.trajectory.t, values, slopes, t);
-          row.append(html2("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
+          row.append(html2("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
         }
         return row;
       });
@@ -12626,8 +12699,6 @@ ${found && html`<p class="carts-found" hidden></p>`}
     // “with sign”, “as a ledger”
     #t = 0;
     // s, the instant shown
-    #told = "";
-    // what the key below says
     /** @type {[number, number] | null} */
     #window = null;
     /**
@@ -12645,6 +12716,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.plot = /** @type {SVGSVGElement} */
       /** @type {unknown} */
       need(root, ".carts-plot");
+      this.key = new Key(need(root, ".carts-key"));
       this.table = new Table(need(root, "details"), this.quantity, baked.view);
       this.button = /** @type {HTMLButtonElement | null} */
       root.querySelector(".carts-sign");
@@ -12734,7 +12806,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         ]
       );
       this.#plane = planeFor(both, this.#window ?? [0, header.until]);
-      this.#axes();
+      drawAxes(this.root, this.#plane);
       const group = need(this.root, '[data-part="curves"]');
       fit(group, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve2, i) => {
@@ -12749,10 +12821,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.#cursor();
       if (this.#stacked) {
         this.ledger?.draw(this.#plane);
-        this.#told = "";
+        this.key.forget();
       } else {
         this.ledger?.clear();
-        this.#key();
+        const note = graphNote(this.quantity, header.events, this.#curves.length);
+        this.key.show(this.#curves, note);
       }
       this.at(t);
     }
@@ -12760,34 +12833,6 @@ ${found && html`<p class="carts-found" hidden></p>`}
     #curvesOf({ header, trajectory }) {
       if (this.#stacked) return this.ledger?.tops ?? [];
       return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
-    }
-    #axes() {
-      const times2 = timeMarks(this.#plane);
-      const rows = valueMarks(this.#plane);
-      marks2(need(this.root, '[data-part="times"]'), times2.length, (line, text2, i) => {
-        const { at, label } = (
-          /** @type {{at: string, label: string}} */
-          times2[i]
-        );
-        put(line, "class", "carts-grid");
-        put(line, "d", `M${at} ${TOP}V${BOTTOM}`);
-        put(text2, "class", "carts-tick-x");
-        put(text2, "x", at);
-        put(text2, "y", String(BOTTOM + 14));
-        say(text2, label);
-      });
-      marks2(need(this.root, '[data-part="values"]'), rows.length, (line, text2, i) => {
-        const { at, textY, label, zero } = (
-          /** @type {(typeof rows)[number]} */
-          rows[i]
-        );
-        put(line, "class", zero ? "carts-zero" : "carts-grid");
-        put(line, "d", `M${LEFT} ${at}H${RIGHT}`);
-        put(text2, "class", "carts-tick-y");
-        put(text2, "x", String(LEFT - 5));
-        put(text2, "y", textY);
-        say(text2, label);
-      });
     }
     #cursor() {
       const group = need(this.root, '[data-part="cursor"]');
@@ -12799,55 +12844,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
         put(dot2, "d", MARKERS[style] ?? "");
       });
     }
-    #key() {
-      const key2 = need(this.root, ".carts-key");
-      const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
-      const wanted = [...this.#curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
-      if (this.#told === wanted && key2.firstChild) return;
-      this.#told = wanted;
-      key2.replaceChildren(...this.#curves.map(keyEntry), ...note ? [span2(note)] : []);
-    }
   };
-  function span2(text2) {
-    return Object.assign(document.createElement("span"), { textContent: text2 });
-  }
-  function keyEntry(curve2) {
-    const entry = span2("");
-    entry.className = `carts-${curve2.style}`;
-    const sample = svg("svg", {
-      viewBox: "0 0 26 10",
-      width: 26,
-      height: 10,
-      "aria-hidden": "true"
-    });
-    const over = curve2.over ? " carts-over" : "";
-    sample.append(
-      svg("path", { class: `carts-curve carts-${curve2.style}${over}`, d: "M0 5H26" }),
-      svg("path", {
-        class: `carts-dot carts-${curve2.style}`,
-        d: MARKERS[curve2.style] ?? "",
-        transform: "translate(13 5)"
-      })
-    );
-    entry.append(sample, curve2.label);
-    return entry;
-  }
   function fit(group, count, make) {
     while (group.children.length > count) group.lastElementChild?.remove();
     while (group.children.length < count) group.append(make());
-  }
-  function marks2(group, count, draw) {
-    while (group.children.length > 2 * count) group.lastElementChild?.remove();
-    while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
-    for (let i = 0; i < count; i += 1) {
-      draw(
-        /** @type {Element} */
-        group.children[2 * i],
-        /** @type {Element} */
-        group.children[2 * i + 1],
-        i
-      );
-    }
   }
 
   // src/scene/readouts.js
@@ -13022,7 +13022,6 @@ ${found && html`<p class="carts-found" hidden></p>`}
   // src/scene/pushes.js
   var PER_CHARACTER2 = 7.8;
   var ROW = 19;
-  var NOISE2 = 1e-9;
   var GAP2 = 8;
   var EDGE2 = 6;
   var Pushes = class {
@@ -13068,7 +13067,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const { t: times2, F, dF } = run.trajectory;
         const [column, slopes] = [F[push2.pair], dF[push2.pair]];
         const force = column && slopes ? valueAt(times2, column, slopes, t) : 0;
-        const signed = Math.abs(force) < NOISE2 * view.force ? 0 : force;
+        const signed = Math.abs(force) < NOISE * view.force ? 0 : force;
         const size = Math.abs(signed);
         const length = arrowLength(signed, view.force, layout.force);
         const y = layout.track - PUSH;
@@ -13338,7 +13337,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const { trajectory } = this.#run;
       const { layout, view } = this;
       const v = valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
-      const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
+      const seen = Math.abs(v) < NOISE * view.velocity ? 0 : v;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x, exact, layout.width);
       const [at, anchor] = velocityText(x, length, layout.width);

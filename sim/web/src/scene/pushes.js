@@ -7,7 +7,7 @@
 import { brief, isWall } from "../../../view/bodies.js";
 import { linkOf } from "../../../view/effects.js";
 import { tr } from "../../../view/language.js";
-import { fixed, px } from "../../../view/numbers.js";
+import { fixed, NOISE, px } from "../../../view/numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut, PUSH } from "../../../view/shapes.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { need, put, say } from "../shared/dom.js";
@@ -19,7 +19,6 @@ import { need, put, say } from "../shared/dom.js";
 
 const PER_CHARACTER = 7.8; // units, of the bold names on the beam in a wide font
 const ROW = 19; // units between two rows of names
-const NOISE = 1e-9; // of the full scale; less is no force
 const GAP = 8; // units between a name and the place of contact or a wall
 const EDGE = 6; // units that names keep from the edges of the picture
 

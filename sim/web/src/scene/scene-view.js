@@ -37,7 +37,7 @@ export class SceneView {
     this.transport = new Transport(root, this.player, baked.view.decimals);
     this.announcer = new Announcer(root);
     this.drawing.zoom.addEventListener("change", () => this.#zoom());
-    root.addEventListener("carts-redraw", () => {
+    need(root, ".carts-frame").addEventListener("carts-redraw", () => {
       for (const graph of this.drawing.graphs) graph.show(this.run, this.player.time);
     });
   }

@@ -7,7 +7,7 @@
 import { body, listed } from "../../../../view/bodies.js";
 import { contactForce } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
-import { fixed, px, short } from "../../../../view/numbers.js";
+import { fixed, NOISE, px, short } from "../../../../view/numbers.js";
 import { niceAbove } from "../../../../view/scales.js";
 import { arrowLength, blockArrow, cutArrow, isCut, spring } from "../../../../view/shapes.js";
 import { valueAt } from "../../../../view/trajectory.js";
@@ -86,7 +86,7 @@ export class Lens {
     const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
     const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
     const faces = [left.face - share, Math.max(right.face, left.face - share)];
-    const force = contactForce(run, touch.pair, t, 1e-9 * (this.view.force || 1));
+    const force = contactForce(run, touch.pair, t, NOISE * (this.view.force || 1));
     [left, right].forEach((side, k) => {
       this.#draw(k, side, Number(faces[k]), middle, force);
     });
