@@ -427,6 +427,7 @@
   }
 
   // src/scene/player.js
+  var SAME = 1e-12;
   var STEP = 0.04;
   var STILL = 1;
   var LONGEST_FRAME = 0.1;
@@ -498,7 +499,7 @@
       for (let k = 0; k < count; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
-        const event = way > 0 ? this.stops.find((t) => t > before + 1e-12) : this.stops.findLast((t) => t < before - 1e-12);
+        const event = way > 0 ? this.stops.find((t) => t > before + SAME) : this.stops.findLast((t) => t < before - SAME);
         const passed = event !== void 0 && (way > 0 ? event < target : event > target);
         this.#move(passed ? event : target);
         this.changed(before, way > 0);
@@ -519,8 +520,8 @@
       const shown2 = this.stills ? this.#waited : seconds;
       this.#waited = 0;
       let next = advance(before, shown2, this.speed, this.#parts, this.until);
-      if (this.stills) next = this.stops.find((t) => t > before + 1e-12 && t < next) ?? next;
-      const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : void 0;
+      if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
+      const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : void 0;
       this.#move(halt ?? next);
       if (halt !== void 0 || this.time >= this.until) this.playing = false;
       this.changed(before, true);
