@@ -32,8 +32,8 @@ def items_csv(report: Mapping[str, Any]) -> str:
     """Numbers by item and form; full precision."""
     rows = [
         [
-            lesson["lesson"], form["form"], item["id"], item["n"], item["right"], item["partly"],
-            item["wrong"], item["empty"], item["unread"], item["difficulty"],
+            lesson["lesson"], form["form"], item["id"], item["answered"], item["right"],
+            item["partly"], item["wrong"], item["empty"], item["unread"], item["difficulty"],
             item["discrimination"], item["point_biserial"],
             " ".join(f"{c['option']}:{c['count']}" for c in item["choices"]),
         ]

@@ -81,6 +81,34 @@ def bars(rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequenc
     return _figure("".join([*parts, *axis]), y + (54 if len(shown) > 1 else 28), label)
 
 
+def curves(drawn: Sequence[Sequence[float]], highest: float = 10.0) -> str:
+    """Curves of a class over each other: many equal ones make a dark line."""
+    width, height, left, top = 360, 150, 40, 10
+    paths = []
+    for heights in drawn:
+        step = (width - left - 10) / (len(heights) - 1)
+        shares = [1 - min(max(h, 0), highest) / highest for h in heights]
+        points = " ".join(
+            f"{left + k * step:.1f} {top + (height - 40) * share:.1f}"
+            for k, share in enumerate(shares)
+        )
+        paths.append(f'<path class="drawn" d="M{points}"/>')
+    base = top + height - 40
+    axis = f'<path class="axis" d="M{left} {top}V{base}H{width - 10}"/>'
+    words = [
+        _text(left, base + 18, "begin", "key"),
+        _text(width - 40, base + 18, "end", "key"),
+        _text(8, top + 8, "large", "key"),
+        _text(8, base + 4, "0", "key"),
+    ]
+    label = f"{len(drawn)} drawn curves over each other"
+    content = "".join([axis, *paths, *words])
+    return (
+        f'<svg class="carts-class-plot carts-class-curves" role="img" aria-label="{label}" '
+        f'viewBox="0 0 {width} {height}" xmlns="http://www.w3.org/2000/svg">{content}</svg>'
+    )
+
+
 def _axis(x: object, y: float, of: float) -> list[str]:
     assert callable(x)
     step = next((s for s in (1, 2, 5, 10, 20, 50, 100) if of / s <= 12), 1000)

@@ -51,6 +51,7 @@ def sort_out(files: Sequence[Marked], now: str = "") -> Sorted:
         flags += _times(file, now)
     flags += _order(counted)
     flags += _foreign(counted)
+    flags += _nameless(counted)
     return Sorted(tuple(counted), tuple(aside), tuple(flags))
 
 
@@ -65,7 +66,7 @@ def _doubles(files: Sequence[Marked]) -> tuple[list[Marked], list[Marked], list[
             counted += same
             continue
         names = tuple(file.name for file in same)
-        who = f"{same[0].file.student}, form {same[0].file.form}"
+        who = f"{same[0].who}, form {same[0].file.form}"
         typed = any(not file.file.created for file in same)  # a hand-in code has no times
         distinct = {_answers(file, times=not typed) for file in same}
         if len(distinct) == 1:
@@ -152,7 +153,7 @@ def _times(file: Marked, now: str) -> list[Flag]:
     flags = []
     if strange or ahead:
         text = (
-            f"{f.student}, form {f.form}: the times in this file cannot be right. Was the clock "
+            f"{file.who}, form {f.form}: the times in this file cannot be right. Was the clock "
             "of that laptop wrong, or was the file changed by hand?"
         )
         flags.append(Flag("impossible-times", text, (file.name,)))
@@ -160,7 +161,7 @@ def _times(file: Marked, now: str) -> list[Flag]:
         took = max(last for _, last in moments) - min(first for first, _ in moments)
         if took < HASTE * (len(moments) - 1):
             text = (
-                f"{f.student}, form {f.form}: {len(moments)} answers in {took.seconds} s. "
+                f"{file.who}, form {f.form}: {len(moments)} answers in {took.seconds} s. "
                 "Was this only a try?"
             )
             flags.append(Flag("in-haste", text, (file.name,)))
@@ -188,7 +189,7 @@ def _order(files: Sequence[Marked]) -> list[Flag]:
             begun, ended = _moment(pre.file.created), _moment(post.file.saved)
             if begun and ended and ended < begun:
                 text = (
-                    f"{post.file.student}: the form post was saved before the form pre was begun. "
+                    f"{post.who}: the form post was saved before the form pre was begun. "
                     "Were the two forms mixed up, or is a clock wrong?"
                 )
                 flags.append(Flag("post-before-pre", text, (pre.name, post.name)))
@@ -239,3 +240,17 @@ def _versions(files: Sequence[Marked]) -> list[Flag]:
             )
             flags.append(Flag("other-version", text, others))
     return flags
+
+
+def _nameless(files: Sequence[Marked]) -> list[Flag]:
+    """Files that say nothing of whose they are."""
+    names = tuple(file.name for file in files if not file.file.student.strip())
+    if not names:
+        return []
+    one = len(names) == 1
+    text = (
+        f"{'1 file has' if one else f'{len(names)} files have'} no code word: "
+        f"{'it counts' if one else 'each counts'} as a person of its own. Do you know whose "
+        f"{'it is' if one else 'they are'}? Then give {'it' if one else 'them'} a code word."
+    )
+    return [Flag("no-code", text, names)]

@@ -12,6 +12,8 @@ from sim.classroom.reading import Read
 from sim.lesson.answer_file import AnswerFile, Item
 from sim.lesson.mark import Mark, Verdict, is_empty
 
+NO_CODE = "no code word"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answer:
@@ -46,8 +48,13 @@ class Marked:
 
     @property
     def student(self) -> str:
-        """The pseudonym as it is compared."""
-        return pseudonym(self.file.student)
+        """Who it is, as it is compared; a file without a code word is a person of its own."""
+        return pseudonym(self.file.student) or f"{NO_CODE} {self.name}"
+
+    @property
+    def who(self) -> str:
+        """Who it is, for people: the code word, or the name of the file that has none."""
+        return self.file.student.strip() or f"{NO_CODE} ({self.name})"
 
     @property
     def key(self) -> tuple[str, str, str, str]:
@@ -89,7 +96,8 @@ def mark_file(read: Read, group: str, form: KeyedForm | None, given: Given) -> M
     by_id: dict[str, list[Item]] = {}
     for item in file.items:
         by_id.setdefault(item.id, []).append(item)
-    who = (file.lesson, file.form, pseudonym(file.student))
+    person = pseudonym(file.student) or f"{NO_CODE} ({read.name})".upper()
+    who = (file.lesson, file.form, person)
     answers = {
         name: _marked(keyed, by_id.get(name, []), given.get((*who, name)))
         for name, keyed in form.items.items()

@@ -44,12 +44,12 @@ def pair_up(
     both = sorted(first.keys() & second.keys())
     return Pairs(
         group=group,
-        students=tuple(first[name].file.student for name in both),
+        students=tuple(first[name].who for name in both),
         before=tuple(float(first[name].total(items)) for name in both),
         after=tuple(float(second[name].total(others)) for name in both),
         of=float(of),
-        without_before=tuple(second[n].file.student for n in sorted(second.keys() - first.keys())),
-        without_after=tuple(first[n].file.student for n in sorted(first.keys() - second.keys())),
+        without_before=tuple(second[n].who for n in sorted(second.keys() - first.keys())),
+        without_after=tuple(first[n].who for n in sorted(first.keys() - second.keys())),
         same_items=same,
     )
 

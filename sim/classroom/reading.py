@@ -6,7 +6,7 @@ named with the reason and the others are read on.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from sys import intern
 from typing import TypeGuard
@@ -15,7 +15,14 @@ from sim.classroom.archive import entries, is_zip, shown
 from sim.classroom.keyed import KeyedForm, KeyFileError, read_key_file
 from sim.classroom.marks_file import KIND as MARKS
 from sim.classroom.marks_file import Given, MarksFileError, read_marks
-from sim.lesson.answer_file import MOST_BYTES, AnswerFile, AnswerFileError, read_answer_file
+from sim.lesson.answer_file import (
+    MOST_BYTES,
+    PREDICTIONS,
+    AnswerFile,
+    AnswerFileError,
+    Item,
+    read_answer_file,
+)
 
 MOST_FILES = 20_000
 """Files of one reading: a year of a large school."""
@@ -44,7 +51,7 @@ class Refused:
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """A file of answers under the name it came with. Of texts beside the answers only `sure`."""
+    """A file of answers under the name it came with, with the words of predictions."""
 
     name: str
     answers: AnswerFile
@@ -80,6 +87,16 @@ class Reading:
             self.keys += outcome
         else:
             self.given |= outcome
+
+    def name(self, students: Mapping[str, str]) -> None:
+        """Gives files that have no code word one, by the name of the file or the end of it."""
+        for k, read in enumerate(self.files):
+            code = next(
+                (code for name, code in students.items() if f"/{read.name}".endswith(f"/{name}")),
+                "",
+            )
+            if code and not read.answers.student.strip():
+                self.files[k] = replace(read, answers=replace(read.answers, student=code))
 
 
 def outcomes(sources: Iterable[Source]) -> Iterator[Outcome]:
@@ -121,6 +138,8 @@ def of_file(name: str, content: bytes) -> Outcome:
         return Read(name, _slim(read_answer_file(text)))
     except AnswerFileError as error:
         return _of_teacher(name, text, str(error))
+    except Exception as error:  # whatever one file does, the others of the class are read
+        return Refused(name, f"this file cannot be read ({type(error).__name__})")
 
 
 def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:
@@ -147,11 +166,18 @@ def _slim(answers: AnswerFile) -> AnswerFile:
                 hash=intern(item.hash),
                 type=intern(item.type),
                 value=intern(item.value) if _is_short(item.value) else item.value,
-                more={"sure": intern(item.more["sure"])} if "sure" in item.more else _NOTHING,
+                more=_kept(item),
             )
             for item in answers.items
         ),
     )
+
+
+def _kept(item: Item) -> Mapping[str, str]:
+    """How sure; and of a prediction, which has no key that tells the rest, its words."""
+    if item.type in PREDICTIONS:
+        return item.more
+    return {"sure": intern(item.more["sure"])} if "sure" in item.more else _NOTHING
 
 
 def _is_short(value: object) -> TypeGuard[str]:

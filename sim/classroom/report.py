@@ -17,9 +17,11 @@ from sim.classroom.keyed import KeyedForm
 from sim.classroom.marked import Marked, counted_items, mark_file, worth
 from sim.classroom.marks_file import Given
 from sim.classroom.pairing import Pairs, pair_up
+from sim.classroom.predictions import prediction_rows
 from sim.classroom.reading import MOST_NAMED, Read, Refused
 from sim.classroom.refusal import FEWEST
 from sim.classroom.spread import Spread, median, spread
+from sim.classroom.talk import talk_rows
 from sim.classroom.topics import topic_rows
 
 FORMAT = 1
@@ -110,6 +112,7 @@ def _form(
     good = [file for file in files if not file.foreign]
     counted = counted_items(good) if key else ()
     unread = sorted({name for file in good for name in file.waiting})
+    items = item_rows(files, key, counted)
     return {
         "form": form,
         "has_key": key is not None,
@@ -121,9 +124,11 @@ def _form(
             _student(file, counted, has_key=key is not None)
             for file in sorted(files, key=lambda f: (asked.groups.index(f.group), f.student))
         ],
-        "items": item_rows(files, key, counted),
+        "items": items,
         "beliefs": belief_rows(files, key),
         "words": word_rows(files, key),
+        "predictions": prediction_rows(good),
+        "talk": talk_rows(items),
     }
 
 
@@ -151,7 +156,7 @@ def _group(
 def _student(file: Marked, counted: Sequence[str], *, has_key: bool) -> dict[str, Any]:
     whole = has_key and not file.foreign
     return {
-        "student": file.file.student, "group": file.group, "file": file.name,
+        "student": file.who, "group": file.group, "file": file.name,
         "total": file.total(counted) if whole else None,
         "open": list(file.open), "waiting": list(file.waiting), "foreign": list(file.foreign),
         "saved": file.file.saved,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 import zipfile
+from contextlib import suppress
 from pathlib import Path
 
 import click
@@ -98,12 +99,16 @@ def write_zip(files: dict[str, bytes], out: Path) -> None:
         )
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
-        with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        whole = out.with_name(f"{out.name}.part")  # a full disk must leave no zip that is cut off
+        with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
             for name, content in files.items():
                 entry = zipfile.ZipInfo(name, DATE)
                 entry.external_attr = 0o644 << 16
                 archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
+        whole.replace(out)
     except OSError as error:
+        with suppress(OSError):
+            out.with_name(f"{out.name}.part").unlink(missing_ok=True)
         raise click.ClickException(
             f"{out} cannot be written: {error.strerror}. Another place: carts pack --out FILE.zip"
         ) from None

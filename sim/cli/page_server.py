@@ -25,6 +25,11 @@ border-left: 4px solid #c62828; padding-left: 1rem }}</style></head><body>
 <p>Mend it and save the file: this page comes back by itself.</p></body></html>"""
 
 
+def _refused(start_response: Any, status: str) -> list[bytes]:
+    start_response(status, [("Content-Type", "text/plain; charset=utf-8")])
+    return [status.encode()]
+
+
 class PageServer(LiveReloadServer):
     """Serves the folder `site` on this computer alone; bound to its port from the start."""
 
@@ -37,6 +42,8 @@ class PageServer(LiveReloadServer):
         logging.getLogger("mkdocs.livereload").setLevel(logging.ERROR)
         self.server_bind()
         self.server_activate()
+        # A page elsewhere may let its own name point at this computer and read what is unpublished.
+        self.names = {f"{name}:{self.server_port}" for name in ("127.0.0.1", "localhost")}
 
     def serve(self, *, open_in_browser: bool = False) -> None:
         """Answer requests and build at each change, until the program is ended."""
@@ -47,6 +54,10 @@ class PageServer(LiveReloadServer):
     def serve_request(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
         """A file of the site, or in place of a page what is wrong."""
         text, path = self.trouble(), str(environ["PATH_INFO"])
+        if environ.get("HTTP_HOST") not in self.names:
+            return _refused(start_response, "403 Forbidden")
+        if "\0" in path:
+            return _refused(start_response, "404 Not Found")
         if not text or not path.endswith(("/", ".html")):
             return super().serve_request(environ, start_response)
         with self._epoch_cond:

@@ -7,7 +7,6 @@ understood is refused as a whole, with a message for the teacher; unknown keys a
 from __future__ import annotations
 
 import json
-import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,13 +19,17 @@ KIND = "newtons-carts-answers"
 MOST_BYTES = 2_000_000  # an answer file has some 20 000
 MOST_ITEMS = 2000
 LONGEST = 20_000  # characters of one answer
+LARGEST = 1e300  # a number; beyond, and for what is no number, nothing is compared or added
+MOST_TRIES = 1_000_000
 _ID = re.compile(r"[a-z_][a-z0-9-]{0,63}", re.ASCII)
 _HASH = re.compile(r"[0-9a-f]{12}", re.ASCII)
 _TYPE = re.compile(r"[a-z]{3,12}", re.ASCII)
 _TIME = re.compile(r"\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z", re.ASCII)
 _NAME = re.compile(r"[\w.+-]{1,64}", re.ASCII)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f#@]")
-TEXTS = ("unit", "said", "asked", "sure", "locked")
+_HALF = re.compile(r"\\u[dD][89a-fA-F]")
+TEXTS = ("unit", "said", "asked", "sure", "locked", "why")
+PREDICTIONS = ("arrows", "curve", "choice", "text")  # types of what was said before a run
 
 
 class AnswerFileError(ValueError):
@@ -102,6 +105,8 @@ def _table(text: str) -> dict[str, Any]:
         raise AnswerFileError("this file is too large to be a file of answers")
     try:
         content = json.loads(text.removeprefix("\ufeff"), parse_constant=_no_constant)
+        if _HALF.search(text):  # half a character: no text with it could ever be written out
+            json.dumps(content, ensure_ascii=False).encode("utf-8")
     except (ValueError, RecursionError):
         raise AnswerFileError("this file is damaged, or it is not a file of answers") from None
     if not isinstance(content, dict) or content.get("kind") != KIND:
@@ -130,7 +135,7 @@ def _item(row: object) -> Item:
         first=row["first"],
         last=row["last"],
         tries=row["tries"],
-        own=float(own) if isinstance(own, (int, float)) and math.isfinite(own) else None,
+        own=float(own) if isinstance(own, (int, float)) and abs(own) < LARGEST else None,
         more={
             name: row[name]
             for name in TEXTS
@@ -153,7 +158,7 @@ def _is_good(row: Mapping[str, Any]) -> bool:
         )
         and isinstance(tries, int)
         and not isinstance(tries, bool)
-        and tries >= 0
+        and 0 <= tries <= MOST_TRIES
     )
 
 
@@ -164,7 +169,7 @@ def is_plain(value: object, depth: int = 0) -> bool:
     if isinstance(value, str):
         return len(value) <= LONGEST
     if isinstance(value, (int, float)):
-        return abs(value) < 1e300
+        return abs(value) < LARGEST
     if depth > 3 or not isinstance(value, (list, dict)) or len(value) > 200:
         return False
     pairs = value.items() if isinstance(value, dict) else ((str(k), v) for k, v in enumerate(value))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from sim.scene import quantity
+from sim.scene.notation import same_unit, written_like
 from sim.scene.quantity import Dimension
 
 MOMENTUM = Dimension(
@@ -12,7 +13,7 @@ MOMENTUM = Dimension(
     "kg m/s",
     "0.3 kg m/s",
     {
-        **dict.fromkeys(("kg m/s", "kg·m/s", "N s", "N·s", "Ns"), Fraction(1)),
+        **dict.fromkeys(("kg m/s", "N s", "Ns"), Fraction(1)),
         **dict.fromkeys(("g m/s", "mN s"), Fraction(1, 1000)),
     },
 )
@@ -44,15 +45,29 @@ def dimension_of(unit: str) -> Dimension | None:
     """The kind of quantity that `unit` measures; an empty unit is a plain number."""
     if not unit or unit == "%":
         return RATIO
-    return next((d for d in DIMENSIONS if unit in d.units), None)
+    return next((d for d in DIMENSIONS if d.factor(unit) is not None), None)
 
 
 def factors(unit: str, dimension: Dimension) -> dict[str, float]:
-    """How many `unit` each other unit is, each rounded once: for numbers that a student types."""
-    own = dimension.units[unit]
-    return {other: float(size / own) for other, size in dimension.units.items()}
+    """How many `unit` each other unit is, each rounded once: for numbers that a student types.
+
+    The units are written in the way in which the question writes its own, which comes first.
+    """
+    own = size_of(unit, dimension)
+    found = {unit: 1.0}
+    for other, size in dimension.units.items():
+        if not same_unit(other, unit):
+            found[written_like(unit, other)] = float(size / own)
+    return found
+
+
+def size_of(unit: str, dimension: Dimension) -> Fraction:
+    """How many SI units one `unit` is, which `dimension` is known to have."""
+    size = dimension.factor(unit)
+    assert size is not None, f"{unit} is no unit of {dimension.name}"
+    return size
 
 
 def tidy(value: Fraction, unit: str, dimension: Dimension) -> float:
     """An SI value in `unit`, rounded once."""
-    return float(value / dimension.units[unit])
+    return float(value / size_of(unit, dimension))

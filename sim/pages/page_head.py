@@ -18,7 +18,8 @@ from html import escape
 from html.parser import HTMLParser
 from typing import Any, Literal
 
-from sim.pages.language import ENGLISH
+from sim.pages.language import ENGLISH, speaking, words
+from sim.pages.watchdog import watchdog
 
 Audience = Literal["offline", "hosted", "preview"]
 
@@ -119,12 +120,16 @@ def finish(
 
     `assets` leads from the page to the folder assets/carts/, with a slash at its end.
     """
+    with speaking(words(needs.language)):
+        watching = watchdog()
     allowed = [script for script in inline_scripts(page) if is_trusted(script, trusted)]
+    allowed.append(watching)
     first = (
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
         f'content="{policy(audience, allowed)}">\n'
         f'    <meta name="carts-site" content="{escape(site_id)}">\n'
-        f'    <meta name="carts-page" content="{escape(page_id)}">'
+        f'    <meta name="carts-page" content="{escape(page_id)}">\n'
+        f"    <script>{watching}</script>"
     )
     last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in ("site.css", "carts.css")]
     if needs.formulas:

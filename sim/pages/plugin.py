@@ -108,6 +108,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
 
     def on_files(self, files: Files, *, config: MkDocsConfig) -> Files:
         """Lessons and their pictures join the site; what only developers use is left out."""
+        with _stopping():
+            self.build.refuse_links(Path(config.docs_dir), self.folder)
         if self.lessons_only:
             self._ready_pages(files, config)
         pictures = (p for p in sorted(self.folder.rglob("*")) if p.suffix.lower() in PICTURES)

@@ -29,6 +29,7 @@ from sim.pages.language import (
 )
 from sim.pages.lesson_text import language_findings, lesson_order
 from sim.pages.offline import Hosting
+from sim.pages.own_files import strangers
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.teach.doors import Doors
@@ -140,6 +141,15 @@ class SiteBuild:
             trusted=self.trusted,
         )
         return self.hosting.head(page, name, assets) if self.hosting and name else page
+
+    def refuse_links(self, *folders: Path) -> None:
+        """Raises `SiteError` where a link leads out of a folder of the site."""
+        for path in strangers(folders):
+            shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
+            raise SiteError(
+                f"{shown.as_posix()} is a link that leads out of this site or to nothing. "
+                "Put a copy of the file in its place."
+            )
 
     def strangers(self, html: str) -> list[str]:
         """Inline scripts in a page that are not the theme's: its policy will not let them run."""

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
+from sim.scene.notation import same_unit, with_exponent
+
 LARGEST = Fraction(10) ** 50
 SMALLEST = 1 / LARGEST
 """Magnitudes outside 1e-50 to 1e50 (SI) are refused. Products of five such numbers, the longest
@@ -42,6 +44,14 @@ class Dimension:
     si: str
     example: str
     units: dict[str, Fraction]
+
+    def factor(self, unit: str) -> Fraction | None:
+        """How many SI units one `unit` is, however it is written; None: it measures another."""
+        known = self.units.get(_micro(unit))
+        if known is not None or not unit:
+            return known
+        same = (size for other, size in self.units.items() if same_unit(other, unit))
+        return next(same, None)
 
 
 def _dimension(name: str, example: str, **units: str) -> Dimension:
@@ -82,7 +92,12 @@ ACCELERATION = Dimension(
     "acceleration",
     "m/s²",
     "9.81 m/s²",
-    dict.fromkeys(("m/s²", "m/s^2", "m/s2", "N/kg"), Fraction(1)),
+    {
+        "m/s²": Fraction(1),
+        "N/kg": Fraction(1),
+        "cm/s²": Fraction(1, 100),
+        "mm/s²": Fraction(1, 1000),
+    },
 )
 ANGLE = Dimension(
     "angle",
@@ -137,14 +152,14 @@ def exact(number: str) -> Fraction:
 
 def unit_of(text: str) -> str:
     """The unit at the end of a quantity's text, or nothing."""
-    match = _NUMBER.fullmatch(text.strip().translate(_MINUS))
+    match = _NUMBER.fullmatch(with_exponent(text.strip()).translate(_MINUS))
     return match.group(2).strip() if match else ""
 
 
 def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
     if len(text) > LONGEST_TEXT:
         raise QuantityError("not-a-number", "this text is too long to be a number", hint)
-    match = _NUMBER.fullmatch(text.strip().translate(_MINUS))
+    match = _NUMBER.fullmatch(with_exponent(text.strip()).translate(_MINUS))
     if match is None:
         if text.strip().lstrip("+-−").lower() in {"nan", "inf", "infinity", ".nan", ".inf"}:
             raise QuantityError("not-finite", f"{text.strip()} is not a usable number", hint)
@@ -158,7 +173,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
         )
     factor = Fraction(1)
     if unit:
-        known = dimension.units.get(_micro(unit))
+        known = dimension.factor(unit)
         if known is None:
             takes = ", ".join(dimension.units) or "no unit"
             raise QuantityError(

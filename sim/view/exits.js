@@ -1,4 +1,4 @@
-/** When carts leave the picture at an open end. Twin of `sim/pages/widget/exits.py`. */
+/** When carts leave the picture at an open end. */
 
 import { valueAt } from "./trajectory.js";
 

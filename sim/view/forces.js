@@ -3,11 +3,12 @@
  * comes from. Contact forces come out of the run; weight and support of what the track holds up.
  */
 
-import { forcesAt, linkKind } from "./effects-forces.js";
+import { body, forceOn } from "./bodies.js";
+import { linkOf, viewOf } from "./effects.js";
+import { forcesAt } from "./effects-forces.js";
 import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
 import { valueAt } from "./trajectory.js";
-import { body, forceOn } from "./words.js";
 
 /** @typedef {import("./types.js").Run} Run */
 /**
@@ -29,7 +30,7 @@ export function contactForces(run, name, t, zero) {
   return run.header.contacts
     .filter(
       ({ pair, bodies, stiffness }) =>
-        bodies.includes(name) && (stiffness || linkKind(run.header, pair)),
+        bodies.includes(name) && (stiffness || linkOf(run.header, pair)),
     )
     .map(({ pair, bodies: [left, right] }) => {
       const size = contactForce(run, pair, t, zero);
@@ -53,20 +54,9 @@ export function effectForces(run, name, t) {
   return forcesAt(run, t, true)
     .filter(({ on }) => on === name)
     .map(({ kind, on, by, value, size }) => {
-      const face = value < 0 ? "right" : "left";
-      const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
-      return {
-        name:
-          kind === "incline"
-            ? tr("force on {on} by {by}, along the slope", { on, by })
-            : forceOn(on, by),
-        on,
-        by,
-        way: "along",
-        side: kind === "push" ? face : side,
-        value,
-        size,
-      };
+      const { forceName = forceOn, side } = viewOf(kind);
+      const at = side?.(value) ?? "middle";
+      return { name: forceName(on, by), on, by, way: "along", side: at, value, size };
     });
 }
 
@@ -77,8 +67,8 @@ export function effectForces(run, name, t) {
 export function verticalForces({ header }, name) {
   const mass = header.bodies.find((one) => one.name === name)?.mass ?? 0;
   const slope = header.effects
-    .filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name))
-    .reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
+    .filter(({ active, carts }) => active && carts.includes(name))
+    .reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
   const weight = mass * header.gravity * Math.cos(slope);
   return [
     {

@@ -1,4 +1,4 @@
-/** A graph against time as SVG attributes. Twin of `sim/pages/widget/graph.py`. */
+/** A graph against time as SVG attributes. */
 
 import { fixed, px } from "./numbers.js";
 import { axis, axisDecimals, span, ticks } from "./scales.js";

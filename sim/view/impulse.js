@@ -1,5 +1,6 @@
 /** The impulse of a touch: the area under the force curve from the first touch to the cursor. */
 
+import { isLink } from "./effects.js";
 import { hermite, rowAt, valueAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").Run} Run */
@@ -35,8 +36,10 @@ export function changes({ header, trajectory }, windows, touch, t) {
       (one) => one !== touch && one.bodies.includes(name) && one.start < t && one.end > touch.start,
     );
     const acting = header.effects.some(
-      ({ active, carts, between, kind }) =>
-        active && carts.includes(name) && (kind === "release" || between?.join("-") !== touch.pair), // what a pair's own spring does is in its F
+      (effect) =>
+        effect.active &&
+        effect.carts.includes(name) &&
+        !(isLink(effect) && effect.between?.join("-") === touch.pair), // what a pair's own spring does is in its F
     );
     if (mass === undefined || others || acting) return { name, change: null };
     const v = (/** @type {number} */ at) =>

@@ -3,8 +3,9 @@
  * Who shows the graph asks by an event; the scene's element answers it.
  */
 
+import { listed } from "./bodies.js";
+import { viewOf } from "./effects.js";
 import { tr } from "./language.js";
-import { listed } from "./listed.js";
 import { seriesOf } from "./series.js";
 import { valueAt } from "./trajectory.js";
 
@@ -14,16 +15,7 @@ import { valueAt } from "./trajectory.js";
 
 export const WANTED = "carts-energy-wanted";
 
-/** @type {Record<string, [string, string]>} what a band is called, and its style */
-const BANDS = {
-  bumpers: [tr("in squeezed bumpers"), "squeezed"],
-  spring: [tr("in the spring"), "stored"],
-  magnets: [tr("between the magnets"), "stored"],
-  incline: [tr("as height, above the lowest point"), "stored"],
-};
-/** @type {Record<string, string>} what friction, drag and dampers warm */
-const WARM = { friction: tr("track"), drag: tr("air"), spring: tr("spring") };
-
+const [BUMPERS, WARMED] = ["bumpers", "warmed"]; // parts that are no effect's
 const AROUND = tr("surroundings");
 
 /** @param {import("./types.js").Baked} baked @returns {boolean} whether the ledger needs what Python counts */
@@ -57,27 +49,30 @@ export function ledgerWithEffects({ header, trajectory }, parts) {
     ...curve,
     label: tr("motion of {cart}", { cart: curve.label }),
   }));
-  for (const [name, [label, style]] of Object.entries(BANDS)) {
-    if (!parts.names.includes(name)) continue;
+  for (const name of parts.names.filter((one) => one !== WARMED)) {
+    const [label, style] =
+      name === BUMPERS
+        ? [tr("in squeezed bumpers"), "squeezed"]
+        : [viewOf(name).stored ?? "", "stored"];
+    if (!label) continue; // it gives energy, or takes it away, and keeps none
     const values = column(name);
     // What is stored counts from where there is least. (A long run has more values than a call takes.)
     const lowest = values.reduce((least, value) => Math.min(least, value), 0);
     const above = Float64Array.from(values, (value) => value - lowest);
     bands.push({ label, style, over: false, values: above, slopes: null });
   }
-  const warm = Float64Array.from(column("warmed"), (value) => Math.max(0, value));
-  bands.push({ label: warmed(header), style: "warmed", over: false, values: warm, slopes: null });
+  const warm = { values: column(WARMED), style: "warmed", over: false, slopes: null };
+  bands.push({ ...warm, label: warmed(header) });
   return bands;
 }
 
 /** @param {import("./types.js").Header} header */
 function warmed({ contacts, effects }) {
   const what = contacts.length ? [tr("bumpers")] : [];
-  for (const { kind, active, numbers } of effects) {
-    const damped = kind !== "spring" || (numbers.damping ?? 0) > 0;
-    if (active && WARM[kind] && damped) what.push(String(WARM[kind]));
+  for (const effect of effects.filter(({ active }) => active)) {
+    what.push(viewOf(effect.kind).warms?.(effect) ?? "");
   }
-  const names = [...new Set(what)];
+  const names = [...new Set(what.filter(Boolean))];
   const things = listed(names) || AROUND;
   return tr("has warmed the {things}", { things });
 }

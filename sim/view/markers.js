@@ -1,4 +1,4 @@
-/** A second cue beside colour: each body has its own mark. Twin of `sim/pages/widget/markers.py`. */
+/** A second cue beside colour: each body has its own mark. */
 
 /** @type {Record<string, string>} */
 export const MARKERS = {

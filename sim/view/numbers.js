@@ -1,6 +1,8 @@
-/** Numbers as text, the same as `sim/pages/widget/numbers.py` writes into the page. */
+/** Numbers as text. A real minus sign; never “−0”. */
 
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+/** Of the scale of a quantity: less is rounding, and drawn and told as zero. */
+export const NOISE = 1e-9;
 const MAX_DECIMALS = 12;
 const SLOW = 0.01; // m/s; scenes with no greater speed speak of mm/s
 

@@ -1,4 +1,4 @@
-/** Round numbers for axes. Twin of `sim/pages/widget/scales.py`. */
+/** Round numbers for axes. */
 
 import { exponent } from "./numbers.js";
 

@@ -1,9 +1,9 @@
-/** The curves of each graph. Twin of `sim/pages/widget/series.py`. */
+/** The curves of each graph. */
 
+import { brief } from "./bodies.js";
 import { outside } from "./effects-forces.js";
 import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
-import { brief } from "./words.js";
 
 /** @typedef {import("./types.js").Header} Header */
 /** @typedef {import("./types.js").Trajectory} Trajectory */

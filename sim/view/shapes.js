@@ -1,4 +1,4 @@
-/** Shapes of the world view as SVG attributes. Twin of `sim/pages/widget/shapes.py`. */
+/** Shapes of the world view as SVG attributes. */
 
 import { px, short } from "./numbers.js";
 
@@ -23,6 +23,9 @@ const NAMED = 34;
 const SPRING = [2, 10];
 export const PUSH = 15.5;
 const FACE = 22;
+const TURNS = 9; // of a coil
+const LEAD = 5; // units of straight wire at each end of a coil
+export const COIL = 7; // half its height
 
 /** @param {Body} body @param {View} view @param {Layout} layout @param {number} lift @returns {Box} area ∝ mass, or all alike */
 export function box(body, view, layout, lift) {
@@ -64,6 +67,18 @@ export function spring(start, end) {
     d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
   }
   return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+}
+
+/** @param {number} start @param {number} end @param {number} y @returns {string} a wire of always the same turns */
+export function coil(start, end, y, turns = TURNS, high = COIL) {
+  const span = Math.max(0, end - start);
+  const lead = Math.min(LEAD, span / 4);
+  const step = (span - 2 * lead) / turns;
+  let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+  for (let k = 0; k < turns; k += 1) {
+    d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+  }
+  return `${d}L${px(start + span - lead)} ${px(y)}L${px(start + span)} ${px(y)}`;
 }
 
 /** @param {number} x @param {number} y @param {number} length @returns {string} force arrow, tail at (x, y) */

@@ -1,4 +1,4 @@
-/** A finished run and its values at any instant. Twin of `sim/pages/widget/run.py`. */
+/** A finished run and its values at any instant. */
 
 /** @typedef {import("./types.js").Header} Header */
 /** @typedef {import("./types.js").Trajectory} Trajectory */

@@ -23,18 +23,34 @@
  * @typedef {{header: Header, trajectory: Trajectory}} Run
  *
  * The lesson's wishes:
- * @typedef {{set: string, label: string, unit: string, per: number, low: number, high: number, step: number, value: number}} Control
+ * @typedef {{set: string, label: string, short: string, unit: string, per: number, low: number, high: number, step: number, value: number}} Control
  * @typedef {{kind: "arrows" | "curve" | "choice" | "text", ask: string, talk: boolean, pairs: [string, string][], cart: string | null, options: string[]}} PredictSpec
  * @typedef {{id: string, scene: Record<string, unknown>, show: string[], forces: "shown" | "hidden", boxes: "mass" | "alike", slow: "auto" | "never" | "stops",
- *   camera: number, packages: string[], controls: Control[], switches: {set: string, value: boolean}[], predict: PredictSpec | null,
+ *   camera: number, packages: string[], controls: Control[], switches: {set: string, label: string, value: boolean}[], opened: string[], predict: PredictSpec | null,
  *   presets: Record<string, Record<string, number | string>>}} Fence
  *
  * The scales and layouts that the generator fixed:
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,
  *   ranks: number, stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number,
  *   slots: Record<string, number>, tilt: number}} Layout
- * @typedef {{perHeight: number, alike: boolean, tallest: number, force: number, velocity: number,
+ * @typedef {{perHeight: number, alike: boolean, tallest: number, mayTear: boolean, force: number, velocity: number,
  *   decimals: Record<string, number>, reach: Record<string, [number, number, number, number]>, layouts: Layout[]}} View
+ *
+ * What `sim/effects/<kind>/view.js` says of an effect; whatever it leaves out, the drawing has a plain answer for:
+ * `name` in lists of what is left out, `leftOut` below the picture; `row` of its force arrow from above, `side` of a cart where it
+ * acts, `agent` it comes from, `around`: who gets the momentum, `earth`: the Earth too; `link`: what a label calls it that acts between two
+ * bodies (null: no lasting force); `stored`, `warms`: its parts of the energy ledger; `slope` in rad; `pieces`: what it looks like.
+ * @typedef {(name: string, side: "left" | "right") => number} Face drawing coordinate of a side of a body
+ * @typedef {(name: string) => number} Centre drawing coordinate of the middle of a cart
+ * @typedef {{key: string, cls: string, behind?: boolean, d?: string, text?: string, x?: string, y?: string, anchor?: string}} Piece
+ * @typedef {{everyone: boolean, on: string, both: string, agent: string, seen: (text: string) => string}} Said
+ * @typedef {{name?: string, leftOut?: string, row?: number, side?: (force: number) => "below" | "above" | "left" | "right" | "middle",
+ *   agent?: (effect: Effect) => string, around?: string | ((effect: Effect, agent: string) => string), earth?: boolean,
+ *   link?: string | null, stored?: string, warms?: (effect: Effect) => string, slope?: (effect: Effect) => number,
+ *   forceName?: (on: string, by: string) => string, label?: (told: {on: string, by: string, size: string}) => string,
+ *   acts?: (effect: Effect, t: number) => boolean, phrase?: (effect: Effect, said: Said) => string[],
+ *   pieces?: (effect: Effect, place: {key: string, header: Header, layout: Layout, face: Face, centre: Centre}) => Piece[],
+ *   marks?: (effect: Effect, agent: string, until: number, forces: boolean) => {t: number, sentence: string}[]}} EffectView
  *
  * A page's facts about one scene:
  * @typedef {{fence: Fence, view: View, run: Run}} Baked

@@ -1,4 +1,4 @@
-/** When bodies touch. Twin of `sim/pages/widget/contacts.py`. */
+/** When bodies touch. */
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
 /** @typedef {{pair: string, bodies: string[], start: number, end: number}} Touch */

@@ -1,8 +1,9 @@
-/** Sentences for readers. Twin of `sim/pages/widget/words.py`. */
+/** Sentences for readers: what happens, and what is in the model. */
 
+import { body, isWall, listed } from "./bodies.js";
+import { viewOf } from "./effects.js";
 import { heard, tr } from "./language.js";
-import { listed } from "./listed.js";
-import { fixed, short, speedUnit } from "./numbers.js";
+import { fixed, NOISE, short, speedUnit } from "./numbers.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
 /** @typedef {import("./types.js").Header} Header */
@@ -18,43 +19,11 @@ export const QUANTITIES = {
   p: [tr("Momentum"), "p", "kg m/s"],
   energy: [tr("Kinetic energy"), "E", "J"],
 };
-/** @type {Record<string, string>} */
-export const EFFECTS = {
-  friction: tr("friction"),
-  incline: tr("a slope"),
-  drag: tr("air resistance"),
-  push: tr("pushes from outside"),
-  spring: tr("springs between the carts"),
-  magnets: tr("magnets"),
-  release: tr("a release between the carts"),
-};
 const BOTH_FORCES = tr(
   "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.",
 );
 const IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
 const JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
-
-/** @param {string} name */
-export function isWall(name) {
-  return name === "left" || name === "right";
-}
-
-/** @param {string} name @returns {string} a body as a sentence names it */
-export function body(name) {
-  if (name === "left") return tr("the left wall");
-  return name === "right" ? tr("the right wall") : name;
-}
-
-/** @param {string} name @returns {string} a body as a label names it */
-export function brief(name) {
-  if (name === "left") return tr("left wall");
-  return name === "right" ? tr("right wall") : name;
-}
-
-/** @param {string} on @param {string} by @returns {string} both bodies as a sentence names them */
-export function forceOn(on, by) {
-  return tr("force on {on} by {by}", { on, by });
-}
 
 /** @param {number} velocity @param {number} decimals @param {number} scale of velocities in the scene */
 export function motion(velocity, decimals, scale) {
@@ -73,7 +42,7 @@ export function lawsOf(contacts) {
 
 /** @param {number} velocity @param {number} scale */
 function isRest(velocity, scale) {
-  return Math.abs(velocity) < 1e-9 * scale;
+  return Math.abs(velocity) < NOISE * scale;
 }
 
 /** @param {RunEvent} event @param {Telling} telling @param {Laws} laws @returns {string} what happens at an event */
@@ -193,7 +162,7 @@ export function modelSentences(header) {
   const sentences = [...new Set(header.plan.map((phase) => sentence(told(phase.why))))];
   const open = header.plan.length > 0; // not so before a prediction
   if (open && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-  const leftOut = header.notSimulated.map((name) => EFFECTS[name] ?? name);
+  const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
   if (leftOut.length) {
     sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
   }

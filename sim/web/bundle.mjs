@@ -1,11 +1,20 @@
-// Bundles the page's script. `node sim/web/bundle.mjs [entry [output]]`, both relative to this folder.
-// One classic file, unminified and committed, so that it can be read and teachers need no Node.js.
+// Bundles the scripts. `node sim/web/bundle.mjs` makes all of them; `node sim/web/bundle.mjs ENTRY OUTPUT`
+// one, both relative to this folder. Each is one classic file, unminified and committed, so that it can
+// be read and teachers need no Node.js.
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
-const [entry = "src/main.js", output = "dist/carts.js"] = process.argv.slice(2);
+const ENTRIES = {
+  "dist/carts.js": "src/main.js",
+  "dist/answers.js": "src/answers-main.js",
+  "dist/class.js": "src/class-main.js",
+  "dist/teacher.js": "src/teacher-main.js",
+  "dist/measured.js": "src/measured-main.js",
+  "dist/draw.js": "src/draw-main.js",
+};
 
 const shared = {
   absWorkingDir: here,
@@ -37,9 +46,36 @@ const asText = {
   },
 };
 
-await build({
-  ...shared,
-  entryPoints: [entry],
-  outfile: path.resolve(here, output),
-  plugins: [asText],
-});
+/** sim/effects/views.js names the view of every effect: of each folder there, whatever has one. */
+function collectEffects() {
+  const effects = path.join(here, "..", "effects");
+  const kinds = readdirSync(effects, { withFileTypes: true })
+    .filter((entry) => entry.isDirectory() && !entry.name.startsWith("_"))
+    .map(({ name }) => name)
+    .sort();
+  const seen = kinds.filter((kind) => existsSync(path.join(effects, kind, "view.js")));
+  const lines = [
+    "/** The view of every effect. Written by `make bundle` from the folders beside this file. */",
+    "",
+    ...seen.map((kind) => `import ${kind} from "./${kind}/view.js";`),
+    "",
+    '/** @type {Record<string, import("../view/types.js").EffectView>} */',
+    "export const VIEWS = {",
+    ...kinds.map((kind) => (seen.includes(kind) ? `  ${kind},` : `  "${kind}": {},`)),
+    "};",
+    "",
+  ];
+  const file = path.join(effects, "views.js");
+  const before = existsSync(file) ? readFileSync(file, "utf8") : "";
+  if (before !== lines.join("\n")) writeFileSync(file, lines.join("\n"));
+}
+
+async function make(entry, output) {
+  const outfile = path.resolve(here, output);
+  await build({ ...shared, entryPoints: [entry], outfile, plugins: [asText] });
+}
+
+collectEffects();
+const [entry, output] = process.argv.slice(2);
+if (entry) await make(entry, output);
+else for (const [file, source] of Object.entries(ENTRIES)) await make(source, file);

@@ -132,7 +132,7 @@ def test_every_answer_has_good_words() -> None:
     ]
     costs = [ask("paper-two-carts")[0], {"cost": {"solution": 2.5, "points": 3e-7}}]
     lines = in_node(
-        "const words = await import(`${source}/how-words.js`);\n"
+        "const words = await import(`${source}/scene/how/words.js`);\n"
         "const told = (how) => [words.signWords(how), ...words.comparedWords(how).flat()];\n"
         "give([\n"
         "  ...data.told.flatMap(told),\n"

@@ -15,6 +15,7 @@ import pytest
 from sim.classroom.archive import MOST_ENTRIES, is_zip
 from sim.classroom.reading import MOST_NAMED, Reading, Source
 from sim.classroom.report import Asked, class_report
+from sim.lesson.answer_file import read_answer_file
 from tests.classroom.makers import answers, bank, keys, random_class, sources, zipped
 
 BANK = bank(6)
@@ -100,6 +101,16 @@ def strange_way() -> bytes:
     return packed(lambda a: a.writestr("a.json", b"{}"), zipfile.ZIP_LZMA)
 
 
+def with_more(key: str) -> bytes:
+    """An answer file whose first answer has one more key, as text."""
+    text = json.dumps(answers(BANK, "F", "pre", {"item-0": "a"}))
+    return text.replace('"tries": 0', f'"tries": 0, {key}', 1).encode()
+
+
+def named(student: str) -> bytes:
+    return json.dumps(answers(BANK, "F", "pre", {})).replace('"F"', student, 1).encode()
+
+
 BAD: dict[str, tuple[Callable[[], bytes], str]] = {
     "bomb": (bomb, "too large"),
     "lying bomb": (lying_bomb, "damaged|too large"),
@@ -114,6 +125,8 @@ BAD: dict[str, tuple[Callable[[], bytes], str]] = {
     "nothing": (lambda: b"", "not a file of answers"),
     "huge text": (lambda: b" " * 3_000_000, "too large"),
     "deep": (lambda: b"[" * 1_000_000, "damaged"),
+    "half a character": (lambda: named('"\\udc80"'), "damaged"),
+    "half a character in an answer": (lambda: with_more('"said": "\\ud83d"'), "damaged"),
     "a large number": (
         lambda: (
             json.dumps(answers(BANK, "F", "pre", {"item-0": "a"}))
@@ -138,6 +151,25 @@ def test_a_bad_file_is_named_and_the_others_are_read(name: str) -> None:
     assert reading.refused[0].name.startswith("bad.file")
     assert any(word in reading.refused[0].reason for word in reason.split("|"))
     assert peak < 100_000_000
+
+
+def test_a_number_of_400_digits_is_no_reading_and_stops_nothing() -> None:
+    reading = Reading.of([Source("large.json", with_more('"own": ' + "9" * 400))])
+    assert [file.answers.items[0].own for file in reading.files] == [None]
+
+
+def test_a_file_that_nobody_thought_of_is_refused_and_the_others_are_read(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def surprising(text: str) -> object:
+        if "surprise" in text:
+            raise ZeroDivisionError
+        return read_answer_file(text)
+
+    monkeypatch.setattr("sim.classroom.reading.read_answer_file", surprising)
+    reading = Reading.of([GOOD[0], Source("odd.json", b"surprise"), GOOD[1]])
+    assert len(reading.files) == 2
+    assert reading.refused[0].reason == "this file cannot be read (ZeroDivisionError)"
 
 
 def test_names_that_point_elsewhere_are_only_names() -> None:

@@ -92,6 +92,23 @@ def test_a_place_that_cannot_be_written_to_is_named(root: Path) -> None:
     )
 
 
+@pytest.mark.parametrize("place", ["worksheets/cart.png", "worksheets/pictures"])
+def test_a_link_that_leads_out_of_the_site_joins_no_zip(
+    root: Path, tmp_path: Path, place: str
+) -> None:
+    secret = tmp_path / "secret"
+    secret.mkdir()
+    (secret / "marks.png").write_bytes(b"of the teacher")
+    (root / place).parent.mkdir(exist_ok=True)
+    (root / place).symlink_to(secret if place.endswith("s") else secret / "marks.png")
+    result = carts("build")
+    assert result.exit_code == 1
+    assert f"{place} is a link that leads out of this site" in result.output
+    (root / place).unlink()
+    (root / place).symlink_to(root / "nothing.png")
+    assert f"{place} is a link" in carts("pack").output
+
+
 @pytest.mark.parametrize(
     ("written", "code", "said"),
     [

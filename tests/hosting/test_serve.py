@@ -6,6 +6,7 @@ import re
 import socket
 import threading
 import time
+import urllib.error
 import urllib.request
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -127,6 +128,16 @@ def test_broken_settings_are_a_sentence_until_they_are_mended(
     assert preview.trouble == ""
 
 
+def status_of(address: str, host: str | None) -> int:
+    """What the server answers to one that came under the name of another host."""
+    request = urllib.request.Request(address, headers={"Host": host} if host else {})
+    try:
+        with urllib.request.urlopen(request, timeout=30) as answer:
+            return int(answer.status)
+    except urllib.error.HTTPError as error:
+        return error.code
+
+
 def test_a_saved_file_reloads_the_page_in_the_browser(root: Path, tmp_path: Path) -> None:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -145,6 +156,8 @@ def test_a_saved_file_reloads_the_page_in_the_browser(root: Path, tmp_path: Path
                 return str(answer.read(), "utf-8")
 
         page = "worksheets/two.html"
+        assert status_of(server.url + page, "elsewhere.example") == 403
+        assert status_of(server.url + "%00", None) == 404
         (epoch,) = re.findall(r"livereload\((\d+), ", get(page))
         time.sleep(0.3)  # the watcher takes its first look
         edit(root / "worksheets" / "two.md", "# Two", "# Two galumphing")

@@ -9,7 +9,7 @@ import pytest
 from sim.bridge.protocol import answer
 from tests.web.widget_site import MEETING, in_node
 
-SCRIPT = """const { fromWire } = await import(source + "/trajectory.js");
+SCRIPT = """const { fromWire } = await import(source + "/../../view/trajectory.js");
 const { reading } = await import(source + "/question/marking/own-run.js");
 const run = fromWire(data.header, Float64Array.from(data.numbers));
 give(data.asked.map(([quantity, at]) => reading(run, { A: 0.5, B: 1 }, quantity, at)));"""

@@ -79,8 +79,8 @@ def test_the_page_writes_and_draws_what_the_generator_does() -> None:
     numbers = [0.3, 1.0, 208.6, 3e4, 1e9]
     errors = [0.0, 3e-16, 0.0141, 40.0]
     seen = in_node(
-        "const { xAt, yAt } = await import(`${source}/cost-figure.js`);\n"
-        "const { cells, told } = await import(`${source}/cost-table.js`);\n"
+        "const { xAt, yAt } = await import(`${source}/cost/figure.js`);\n"
+        "const { cells, told } = await import(`${source}/cost/table.js`);\n"
         "give({ x: data.numbers.map(xAt), y: data.errors.map(yAt), told: told(data.header),\n"
         "  cells: data.rows.map((row) => cells(row, 1, data.labels)) });",
         {"numbers": numbers, "errors": errors, "header": header, "rows": rows(), "labels": LABELS},

@@ -108,7 +108,7 @@ def test_every_verdict_and_every_method_has_words() -> None:
 def test_the_page_says_what_the_generator_says() -> None:
     cases = [[request(case)["expected"], KNOWN[case.name]] for case in ALL]
     seen = in_node(
-        "const { exactCell, steppedCell } = await import(`${source}/hard-words.js`);\n"
+        "const { exactCell, steppedCell } = await import(`${source}/hard/words.js`);\n"
         "give(data.map(([wanted, { exact, stepped }]) =>\n"
         "  [exactCell(wanted, exact), stepped.map((one) => steppedCell(wanted, one))]));",
         cases,

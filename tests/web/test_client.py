@@ -8,7 +8,7 @@ from tests.web.widget_site import in_node
 
 # A stand-in for Python: answers when told to; knows with which packages it was started.
 SCRIPT = """
-const { Client } = await import(`${source}/client.js`);
+const { Client } = await import(`${source}/runtime/client.js`);
 const started = [];
 const failure = (reason) => Object.assign(new Error(reason), { reason });
 const start = async (more) => {
@@ -96,3 +96,33 @@ def test_a_python_that_is_lost_comes_back_with_its_packages() -> None:
         """
     )
     assert said == [3, ["numpy"], "map"]
+
+
+def test_the_client_keeps_the_newest_request_and_survives_three_deaths() -> None:
+    log = in_node(
+        """const { Client } = await import(source + "/runtime/client.js");
+        const log = [];
+        let runtimes = 0;
+        const start = async () => {
+          runtimes += 1;
+          const mine = runtimes;
+          const runtime = { onlost: () => {}, stop: () => {}, request: (message) => {
+            log.push(`${mine}:${message.set}`);
+            if (message.set === "kill") { setTimeout(() => runtime.onlost("gone"), 1);
+              return new Promise(() => {}); }
+            return new Promise((resolve) => setTimeout(() => resolve({ header: { ok: true },
+              numbers: new Float64Array(0) }), 2));
+          } };
+          return runtime;
+        };
+        const client = new Client(start);
+        const [a, b] = [{}, {}];
+        const ask = (owner, set) => client.ask(owner, () => ({ set }));
+        const answers = await Promise.all([ask(a, 1), ask(a, 2), ask(a, 3), ask(b, 9)]);
+        log.push(answers.map((answer) => answer.sent.set).join());
+        const error = await ask(a, "kill").catch((reason) => reason);
+        log.push(`${error.message} ${client.state} ${runtimes}`);
+        give(log);""",
+        None,
+    )
+    assert log == ["1:3", "1:9", "3,3,3,9", *[f"{k}:kill" for k in (1, 2, 3, 4)], "gone failed 4"]

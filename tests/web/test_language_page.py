@@ -111,7 +111,7 @@ def test_the_page_tells_what_comes_from_python_as_the_generator_does() -> None:
     asked = sorted(said | set(sentences()) | {"Do A and B stick?", "A and B", "mass"})
     there = in_node(
         """globalThis.cartsWords = data.words;
-        const { heard } = await import(source + "/language.js");
+        const { heard } = await import(view + "/language.js");
         give(data.asked.map(heard));""",
         {"words": BRACKETS, "asked": asked},
     )

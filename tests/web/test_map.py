@@ -138,9 +138,9 @@ def test_the_page_paints_what_the_generator_draws() -> None:
     drawn = pixels(values, columns, scale)
     numbers = [-0.12, 0.0216, 1e-17, -2.345, 0.0]
     painted = in_node(
-        "const { pixels } = await import(`${source}/map-paint.js`);\n"
-        "const { spread } = await import(`${source}/map-table.js`);\n"
-        "const { figures } = await import(`${source}/map-figures.js`);\n"
+        "const { pixels } = await import(`${source}/map/paint.js`);\n"
+        "const { spread } = await import(`${source}/map/table.js`);\n"
+        "const { figures } = await import(`${source}/map/figures.js`);\n"
         "const values = Float64Array.from(data.values, (v) => v ?? NaN);\n"
         "const { places, width, height } = pixels(values, data.columns, data.scale);\n"
         "give({ places: [...places], width, height, spread: spread(181, 6),\n"

@@ -36,6 +36,40 @@ def test_two_tabs_show_the_same_answers_and_lose_none(
     expect(page.locator("#resultant input")).to_have_value("right 4")
 
 
+SLOW_STORE = """const open = IDBFactory.prototype.open;
+IDBFactory.prototype.open = function (...asked) {
+  const request = open.apply(this, asked);
+  Object.defineProperty(request, "onsuccess", {
+    set(then) {
+      request.addEventListener("success", (event) => setTimeout(() => then(event), 1500));
+    },
+  });
+  return request;
+};"""
+
+
+def test_keys_before_the_store_is_open_destroy_no_earlier_answer(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("written yesterday")
+    page.get_by_label("They are equal").check()
+    saved(page, "why")
+    page.add_init_script(SLOW_STORE)
+    page.reload()
+    page.locator("#why textarea").focus()
+    page.keyboard.type("too early")
+    page.get_by_label("The one on the van").click(force=True)
+    expect(page.locator("#why .carts-q-saved")).to_have_text("Opening your answers …")
+    ready(page)
+    expect(page.locator("#why textarea")).to_have_value("written yesterday")
+    expect(page.get_by_label("They are equal")).to_be_checked()
+    page.locator("#why textarea").press_sequentially("!")
+    saved(page, "why")
+    page.reload()
+    expect(page.locator("#why textarea")).to_have_value("written yesterday!")
+
+
 NO_DATABASE = "Object.defineProperty(window, 'indexedDB', { get() { throw new Error('no'); } });"
 NO_TEXT_STORE = (
     "Object.defineProperty(window, 'localStorage', { get() { throw new Error('no'); } });"

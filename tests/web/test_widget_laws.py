@@ -34,12 +34,12 @@ def views() -> list[dict[str, Any]]:
     """For each scene: areas under the forces, m Δv, the energy ledger at its end, momentum."""
     made = runs(LASTING)
     seen = in_node(
-        """const { fromWire } = await import(source + "/trajectory.js");
-        const { touches } = await import(source + "/windows.js");
-        const { area, changes } = await import(source + "/impulse.js");
-        const { ledger } = await import(source + "/ledger.js");
-        const { seriesOf } = await import(source + "/series.js");
-        const { contactForces } = await import(source + "/forces.js");
+        """const { fromWire } = await import(view + "/trajectory.js");
+        const { touches } = await import(view + "/windows.js");
+        const { area, changes } = await import(view + "/impulse.js");
+        const { ledger } = await import(view + "/ledger.js");
+        const { seriesOf } = await import(view + "/series.js");
+        const { contactForces } = await import(view + "/forces.js");
         give(data.map(({ header, numbers }) => {
           const run = { header, trajectory: fromWire(header, Float64Array.from(numbers)) };
           const windows = touches(header.events, header.until);

@@ -125,6 +125,7 @@ def in_node(script: str, data: object) -> Any:
         'import { readFileSync } from "node:fs";\n'
         'const data = JSON.parse(readFileSync(0, "utf8"));\n'
         f"const source = {json.dumps(source)};\n"
+        f"const view = {json.dumps((ROOT / 'sim' / 'view').as_uri())};\n"
         "const give = (value) => process.stdout.write(JSON.stringify(value));\n"
     )
     done = subprocess.run(

@@ -75,7 +75,9 @@ class Number(Question):
         exact = read_number(table, "answer", dimension, path, problems)
         tolerance = read_tolerance(table, exact, dimension, path, problems)
         wrong = _wrong(table, (tolerance, exact), (unit, dimension), path, problems)
-        if len(problems) == before and not reachable(exact, tolerance, dimension.units[unit]):
+        if len(problems) == before and not reachable(
+            exact, tolerance, units.size_of(unit, dimension)
+        ):
             problems.append(
                 Problem(
                     (*path, "tolerance") if "tolerance" in table else path,

@@ -60,7 +60,7 @@ class Reading(Question):
             problems.append(Problem((*path, "quantity"), "unknown-path", message, hint))
         dimension = dimension or units.RATIO
         unit = keys.text(table, "unit", path, problems) or dimension.si
-        if unit not in dimension.units:
+        if dimension.factor(unit) is None:
             message = f"“{unit[:20]}” is not a unit of {dimension.name}"
             problems.append(
                 Problem((*path, "unit"), "wrong-unit", message, ", ".join(dimension.units))
@@ -81,8 +81,8 @@ class Reading(Question):
             at=_moment(table, path, problems),
             unit=unit,
             units=units.factors(unit, dimension),
-            per=float(dimension.units[unit]),
-            tolerance=float(exact if relative else exact / dimension.units[unit]),
+            per=float(units.size_of(unit, dimension)),
+            tolerance=float(exact if relative else exact / units.size_of(unit, dimension)),
             relative=relative,
         )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
 
@@ -11,6 +12,8 @@ KINDS = {
     "choice": "multichoice", "choices": "multichoice", "number": "numerical",
     "short": "shortanswer", "essay": "essay", "pairs": "matching",
 }  # fmt: skip
+
+_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")  # no XML may hold these
 
 
 def moodle_xml(title: str, questions: Iterable[Portable]) -> str:
@@ -25,7 +28,7 @@ def moodle_xml(title: str, questions: Iterable[Portable]) -> str:
         *(line for question in questions for line in _question(question)),
         "</quiz>",
     ]
-    return "\n".join(lines) + "\n"
+    return _FORBIDDEN.sub("", "\n".join(lines)) + "\n"
 
 
 def _question(q: Portable) -> list[str]:

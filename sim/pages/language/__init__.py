@@ -16,7 +16,7 @@ from sim.pages.language.catalogue import (
     words,
     words_script,
 )
-from sim.pages.language.say import heard, mark, speaking, tr, tr_html
+from sim.pages.language.say import heard, mark, speaking, spoken, tr, tr_html
 
 __all__ = [
     "ENGLISH",
@@ -28,6 +28,7 @@ __all__ = [
     "mark",
     "of_page",
     "speaking",
+    "spoken",
     "tr",
     "tr_html",
     "words",

@@ -24,6 +24,7 @@ SOURCES = (
     ("sim/pages", "*.py", "python", ("tr", "mark")),
     ("sim/pages", "*.j2", "jinja2.ext.babel_extract", ("tr",)),
     ("sim/view", "*.js", "javascript", ("tr",)),
+    ("sim/effects", "*.js", "javascript", ("tr",)),
     ("sim/web/src", "*.js", "javascript", ("tr",)),
 )
 OPTIONS: dict[str, dict[str, Any]] = {

@@ -19,6 +19,11 @@ _PLACE = re.compile(r"\{(\w+)\}")
 _words: ContextVar[Mapping[str, str]] = ContextVar("carts-words", default=MappingProxyType({}))
 
 
+def spoken() -> Mapping[str, str]:
+    """The words that sentences are told in now; empty: English."""
+    return _words.get()
+
+
 def tr(sentence: str, **values: object) -> str:
     """The sentence with its values in the places {name}.
 

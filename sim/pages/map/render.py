@@ -11,8 +11,7 @@ from sim.pages.map.bake import MapRun
 from sim.pages.map.palette import NONE, ZERO
 from sim.pages.map.scale import scale_for
 from sim.pages.templates import script_json, templates
-from sim.pages.widget.numbers import decimals_of, fixed
-from sim.pages.widget.panel import plain
+from sim.pages.widget.numbers import decimals_of, fixed, plain
 from sim.scene.controls import Control
 from sim.scene.map import Map
 

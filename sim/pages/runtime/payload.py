@@ -8,11 +8,12 @@ checked one by one. Their names carry their hash: a cache can't mix two builds.
 from __future__ import annotations
 
 import base64
-import gzip
 import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from sim.pages.gzipped import gzipped
 
 from .cache import sha256
 
@@ -48,7 +49,7 @@ def payload_from_json(name: str, entry: dict[str, Any]) -> Payload:
 
 def write_payload(name: str, data: bytes, folder: Path) -> Payload:
     """Write `data` as scripts into `folder`."""
-    packed = gzip.compress(data, compresslevel=9, mtime=0)
+    packed = gzipped(data)
     parts = []
     for number, start in enumerate(range(0, len(packed), PART_BYTES)):
         chunk = packed[start : start + PART_BYTES]

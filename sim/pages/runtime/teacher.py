@@ -21,7 +21,8 @@ LAYERS = (
     *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach")),
 )
 MODULES = (
-    *("__init__", "bake", "fence_scan", "findings", "lesson_text", "map_block", "scene_block"),
+    *("__init__", "bake", "effect_pages", "fence_scan", "findings", "lesson_text", "map_block"),
+    "scene_block",
     *("templates", "yaml_errors", "yaml_source"),
 )
 """Of `sim/pages`."""

@@ -131,7 +131,7 @@ class Desk:
             run = bake(read.fence.plain)
             if isinstance(run, list):
                 return run
-            return render(read.fence, run.header, run.numbers)
+            return render(read.fence, run.header, run.numbers, drawn=False)
 
         items.scenes.append(read.fence)
         made = self._remembered(f"scene {block.body}\n{read.fence.plain}", make)

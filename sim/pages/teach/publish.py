@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import base64
 import contextlib
-import gzip
 import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
@@ -21,6 +20,7 @@ from typing import Any
 from sim.pages.check import scene_folders
 from sim.pages.fence_scan import KINDS
 from sim.pages.findings import AuthorError
+from sim.pages.gzipped import gzipped
 from sim.pages.measured.block import read_measured_block
 from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.teach.pieces import blocks
@@ -104,7 +104,7 @@ def has_secrets(text: str) -> bool:
 
 def _script(stem: str, told: Mapping[str, Any]) -> Published:
     text = json.dumps(told, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
-    packed = base64.b64encode(gzip.compress(text.encode("utf-8"), 9, mtime=0)).decode("ascii")
+    packed = base64.b64encode(gzipped(text.encode("utf-8"))).decode("ascii")
     script = f'self.__cartsLesson="{packed}";\n'.encode()
     digest = hashlib.sha256(script).hexdigest()[:12]
     return Published(f"{FOLDER}{stem}.{digest}.js", script)

@@ -1,8 +1,8 @@
 """The custom element `<carts-scene>` as the generator writes it: a picture that needs no script.
 
-`render` draws the start of a baked run as SVG, the graphs, tables and controls. The page's script
-takes over the same elements and computes them anew with the same arithmetic: every module that
-draws has a twin in `sim/web/src`, and a test compares what the two write.
+Python decides what the page may know (`baked`) and the scales that hold for its life. What draws is
+the page's own script, run once when the site is built (`sim.pages.drawing`); the page takes over
+the elements that it finds.
 """
 
 from sim.pages.widget.render import render

@@ -15,13 +15,15 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from sim.pages.widget.effects_forces import ROW, rows_of, slots
 from sim.pages.widget.reach import picture_window
 from sim.pages.widget.scale_of import Scales
 
 LANE = 20.0
 ABOVE = 34.0  # from the top of the tallest box to the lowest velocity arrow
 BEAM_ROW = 19.0
+ROW = 19.0  # of the force of an effect, under the track
+FEW = 3  # carts; with more, all forces of one kind share a row
+FROM_ABOVE = ("incline", "push", "friction", "drag")  # rows of other kinds stand below these
 TILT = 24.0  # for a wedge that shows the slope, between ruler and legend
 SIGN = 56.0  # a mass takes at most so much width in any font, such as “A: 0.25 kg”
 MOST_RANKS = 3
@@ -83,7 +85,7 @@ def lay_out(
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
     row_count = (2 if crowded else 1) if forces and scales.force else 0
     acting = slots(header, top + BEAM_ROW * row_count) if forces and scales.force else {}
-    beam = (BEAM_ROW * row_count + ROW * rows_of(acting)) or 8.0
+    beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
     tilted = any(effect["kind"] == "incline" for effect in header["effects"])
     return Layout(
         kind=kind,
@@ -112,3 +114,23 @@ def lay_out(
 def wall_contacts(header: Mapping[str, Any]) -> list[bool]:
     """For each contact whether it is with a wall: its two names stand in two rows on the track."""
     return [c["bodies"][0] == "left" or c["bodies"][1] == "right" for c in header["contacts"]]
+
+
+def slots(header: Mapping[str, Any], top: float) -> dict[str, float]:
+    """y of the row of each force on one cart, by “kind cart”, from `top` downwards.
+
+    What is switched off counts too: a switch must not move the ground under the carts.
+    """
+    many = len(header["bodies"]) > FEW
+    acting = [effect for effect in header["effects"] if not effect["between"]]
+    kinds = {effect["kind"] for effect in acting}
+    rows: dict[str, float] = {}
+    row = 0
+    for kind in [*(k for k in FROM_ABOVE if k in kinds), *sorted(kinds.difference(FROM_ABOVE))]:
+        acted_on = {name for effect in acting if effect["kind"] == kind for name in effect["carts"]}
+        names = [body["name"] for body in header["bodies"] if body["name"] in acted_on]
+        for name in names:
+            rows[f"{kind} {name}"] = top + ROW * (row + 0.5)
+            row += 0 if many else 1
+        row += 1 if many and names else 0
+    return rows

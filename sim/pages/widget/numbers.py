@@ -1,6 +1,4 @@
-"""Numbers as text, the same in Python (the baked page) and in JavaScript (the live one).
-
-Its twin is `sim/web/src/numbers.js`; a test compares the two. Ties round away from zero, as
+"""Numbers as text, for tables and scales. Ties round away from zero, as
 JavaScript's `toFixed` does. A real minus sign; never “−0”.
 """
 
@@ -60,3 +58,8 @@ def px(value: float, decimals: int = 1) -> str:
     factor = float(10**decimals)
     rounded = math.floor(value * factor + 0.5) / factor
     return str(int(rounded)) if rounded == int(rounded) else repr(rounded)
+
+
+def plain(value: float) -> str:
+    """A number for an HTML attribute: shortest form, no exponent for whole numbers."""
+    return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(float(value))

@@ -1,12 +1,11 @@
-"""A finished run as it came over the wire, and its values at any instant.
+"""A finished run as it came over the wire.
 
-Its twin is `sim/web/src/trajectory.js`. Rows are sorted by time; at a jump two rows share one
+Rows are sorted by time; at a jump two rows share one
 time (before, after). Between rows every quantity is a cubic Hermite with the given slopes.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -60,25 +59,3 @@ def from_wire(header: Mapping[str, Any], numbers: Sequence[float]) -> Run:
         else:
             parts[quantity] = column
     return Run(*(parts[name] for name in ("t", "x", "v", "a", "F", "dF", "E")))
-
-
-def value_at(
-    times: Sequence[float], values: Sequence[float], slopes: Sequence[float] | None, t: float
-) -> float:
-    """The value at time t; at a jump the one after it. Without slopes: straight lines."""
-    k = bisect_right(times, t) - 1
-    if k < 0:
-        return values[0]
-    if k >= len(times) - 1:
-        return values[-1]
-    h = times[k + 1] - times[k]
-    s = (t - times[k]) / h
-    if slopes is None:
-        return values[k] + (values[k + 1] - values[k]) * s
-    r = 1 - s
-    return (
-        values[k] * (1 + 2 * s) * r * r
-        + slopes[k] * h * s * r * r
-        + values[k + 1] * (1 + 2 * r) * s * s
-        - slopes[k + 1] * h * r * s * s
-    )

@@ -1,4 +1,4 @@
-"""Round numbers for axes and arrow scales. Its twin is `sim/web/src/scales.js`."""
+"""Round numbers for axes and arrow scales."""
 
 from __future__ import annotations
 

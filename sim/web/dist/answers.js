@@ -1,5 +1,41 @@
 "use strict";
 (() => {
+  // src/shared/older.js
+  function add(owner, name, value) {
+    if (!(name in owner)) {
+      Object.defineProperty(owner, name, { value, configurable: true, writable: true });
+    }
+  }
+  function findLastIndex(fits2) {
+    for (let k = this.length - 1; k >= 0; k -= 1) if (fits2(this[k], k, this)) return k;
+    return -1;
+  }
+  function findLast(fits2) {
+    return this[findLastIndex.call(this, fits2)];
+  }
+  function at(index) {
+    return this[index < 0 ? this.length + index : index];
+  }
+  for (const kind of [Array, Float64Array, Uint8Array]) {
+    add(kind.prototype, "findLast", findLast);
+    add(kind.prototype, "findLastIndex", findLastIndex);
+    add(kind.prototype, "at", at);
+  }
+  add(String.prototype, "at", at);
+  add(
+    Object,
+    "hasOwn",
+    (owner, name) => (
+      // biome-ignore lint/suspicious/noPrototypeBuiltins: this is what stands in for Object.hasOwn
+      Object.prototype.hasOwnProperty.call(owner, name)
+    )
+  );
+  add(
+    globalThis,
+    "structuredClone",
+    (value) => JSON.parse(JSON.stringify(value))
+  );
+
   // ../view/language.js
   var catalogue = (
     /** @type {any} */
@@ -50,8 +86,8 @@
   function inPageOrder(entries) {
     const places = [...document.querySelectorAll("[id]")].map(({ id }) => id);
     const place2 = (entry) => {
-      const at = places.indexOf(sceneOf(entry) || entry.id);
-      return at < 0 ? places.length : at;
+      const at2 = places.indexOf(sceneOf(entry) || entry.id);
+      return at2 < 0 ? places.length : at2;
     };
     return [...entries].sort(([, one], [, other]) => place2(one) - place2(other));
   }
@@ -172,46 +208,39 @@
     return all.slice(-MOST_EARLIER);
   }
 
-  // src/shared/storage.js
-  var READINGS = "-measured";
-  var STORE = "answers";
-  var PATIENCE = 2e4;
-  var STUDENT = "student";
-  var SETTLED = "settled";
-  var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
-    return found2;
-  }
-  async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
-  }
-  function writeStudent(all, code) {
-    return all.put(STUDENT, { code, last: (/* @__PURE__ */ new Date()).toISOString() });
-  }
-  function forStudent(all, code) {
-    const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
-    return {
-      kind: all.kind,
-      how: all.how,
-      get: (key) => all.get(before + key),
-      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
-      remove: (key) => all.remove(before + key),
-      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+  // src/shared/newest-first.js
+  function newestFirst(put) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone2) {
+      const now = put(key, value, alone2);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone2 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone2);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone2;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone2, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
     };
   }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
+  var STORE = "answers";
+  var PATIENCE = 2e4;
+  var SETTLE_AFTER = 400;
   function open(name) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name, 1);
@@ -236,7 +265,8 @@
       }
     };
   }
-  function indexed(begin) {
+  async function indexed(name) {
+    const begin = await reopening(name);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -249,15 +279,17 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone2 = false) => write(begin, (answers) => {
-        if (alone2) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
+      put: newestFirst(
+        (key, value, alone2) => write(begin, (answers) => {
+          if (alone2) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
       remove: (key) => write(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
@@ -287,24 +319,8 @@
       work.onabort = () => reject(work.error);
     });
   }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
+
+  // src/shared/shelter.js
   function shelter() {
     const page = (
       /** @type {any} */
@@ -343,6 +359,63 @@
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
     };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var READINGS = "-measured";
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function writeStudent(all, code) {
+    return all.put(STUDENT, { code, last: (/* @__PURE__ */ new Date()).toISOString() });
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
   }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
@@ -392,9 +465,11 @@
     }
     /** Resolves when the browser says that it is kept; rejects when it refuses. @param {string} form @param {any} entry */
     async put(form, entry) {
+      const blind = !this.store;
       await this.ready;
       const key = this.key(form, entry.id);
-      const full = keepEarlier(this.#known.get(key), { ...entry, form });
+      const known2 = this.#known.get(key);
+      const full = (blind ? merged : keepEarlier)(known2, { ...entry, form });
       this.#known.set(key, full);
       const work = this.#write(key, full);
       this.#writing.add(work);
@@ -536,6 +611,23 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/answers/codes.js
+  var MOST = 80;
+  function readCode(typed) {
+    const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
+    const codes = [...new Set(parts)].sort();
+    const code = codes.join("+");
+    if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
+    if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
+    if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
+      return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
+    }
+    if (codes.some((part2) => part2.length < 4)) {
+      return { problem: tr("A code word has at least four letters or digits.") };
+    }
+    return { code };
+  }
+
   // src/answers/csv.js
   var COLUMNS = [
     "lesson",
@@ -639,7 +731,7 @@
         tries
       }
     );
-    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked"]) {
+    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why"]) {
       const more = entry[name];
       if (more !== void 0 && more !== null && more !== "") made2[name] = more;
     }
@@ -711,7 +803,7 @@
         tries
       }
     );
-    for (const name of ["unit", "said", "asked", "sure", "locked"]) {
+    for (const name of ["unit", "said", "asked", "sure", "locked", "why"]) {
       if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
     }
     if (Number.isFinite(row.own)) entry.own = row.own;
@@ -761,10 +853,10 @@
     made2.addEventListener("click", act);
     return made2;
   }
-  function askingButton(text, question2, yes, act, name) {
+  function askingButton(text, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
-    const asked = html("span", "", `${question2} `);
+    const asked = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
     asked.append(button(yes, act, "carts-answers-yes"), " ", no);
     asked.hidden = true;
@@ -797,6 +889,7 @@
     }
   );
   var MOST_BYTES2 = 4e6;
+  var AFTER_SAVING = 1500;
   function filesPart(book2) {
     const root = part("files", tr("Hand in: save a file"));
     const table = html("div", "carts-answers-table");
@@ -817,23 +910,26 @@
       const name = html("span", "carts-answers-name");
       name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${counted(count)}`);
       if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
+      const asked = html("p", "carts-answers-whose");
+      const keep = (student) => {
+        const now = (/* @__PURE__ */ new Date()).toISOString();
+        const [fresh] = makeFiles(book2.entries(), { site: book2.site, student }, now).filter(
+          (one) => one.page === file.page && one.form === file.form
+        );
+        const { name: name2, content } = fresh ?? file;
+        download(name2, `${JSON.stringify(content, null, 1)}
+`, "application/json");
+        say(
+          told,
+          tr(
+            "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
+            { file: name2 }
+          )
+        );
+      };
       const save = button(
         tr("Save file"),
-        () => {
-          const [fresh] = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString()).filter(
-            (one) => one.page === file.page && one.form === file.form
-          );
-          const content = (fresh ?? file).content;
-          download(file.name, `${JSON.stringify(content, null, 1)}
-`, "application/json");
-          say(
-            told,
-            tr(
-              "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
-              { file: file.name }
-            )
-          );
-        },
+        () => book2.student ? keep(book2.student) : askWhose(asked, book2, keep),
         "carts-answers-save"
       );
       const csv = button(
@@ -848,9 +944,43 @@
         },
         "carts-answers-csv"
       );
-      row.append(name, save, " ", csv);
+      row.append(name, save, " ", csv, asked);
       return row;
     });
+  }
+  function askWhose(place2, book2, keep) {
+    const label = html("label", "", `${tr("Whose file is it? Code word from your card")} `);
+    const box = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-answers-code")
+    );
+    Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
+    box.placeholder = "BLUE-FOX-27";
+    label.append(box);
+    const told = status();
+    const withCode = async () => {
+      const found2 = readCode(box.value);
+      if ("problem" in found2) return say(told, found2.problem);
+      keep(found2.code);
+      await book2.become(found2.code, true);
+      setTimeout(() => location.reload(), AFTER_SAVING);
+    };
+    box.addEventListener("keydown", ({ key }) => {
+      if (key === "Enter") void withCode();
+    });
+    const without = () => {
+      place2.replaceChildren();
+      keep("");
+    };
+    place2.replaceChildren(
+      label,
+      " ",
+      button(tr("Save with this code word"), () => void withCode(), "carts-answers-with-code"),
+      " ",
+      button(tr("Save without a code word"), without, "carts-answers-without-code"),
+      told
+    );
+    box.focus();
   }
   function counted(count) {
     return count === 1 ? tr("1 answer") : tr("{count} answers", { count });
@@ -960,20 +1090,20 @@
     return all && options.reduce((size, count) => size * BigInt(count + 1), 1n) <= 1n << ANSWER_BITS;
   }
   function encode(options, chosen2, form) {
-    let number = 0n;
+    let number2 = 0n;
     options.forEach((count, k) => {
-      number = number * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
+      number2 = number2 * BigInt(count + 1) + BigInt(chosen2[k] ?? 0);
     });
-    const whole2 = number << CHECK_BITS | BigInt(check(number, form));
+    const whole2 = number2 << CHECK_BITS | BigInt(check(number2, form));
     const letters = Array.from(
       { length: 12 },
       (_, k) => ALPHABET[Number(whole2 >> BigInt(55 - 5 * k) & 31n)]
     );
     return [0, 4, 8].map((k) => letters.slice(k, k + 4).join("")).join("-");
   }
-  function check(number, form) {
+  function check(number2, form) {
     const bytes = [...new TextEncoder().encode(form)];
-    for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number >> 8n * k & 255n));
+    for (let k = 5n; k >= 0n; k -= 1n) bytes.push(Number(number2 >> 8n * k & 255n));
     let crc = 65535;
     for (const byte of bytes) {
       crc ^= byte << 8;
@@ -1036,11 +1166,11 @@
   // src/question/shuffle.js
   var LETTERS = "ABCDEFGHIJKL";
   function shuffleOptions(quiz, student) {
-    for (const question2 of quiz.querySelectorAll("carts-question")) {
-      const body = question2.querySelector(".carts-q-options");
+    for (const question of quiz.querySelectorAll("carts-question")) {
+      const body = question.querySelector(".carts-q-options");
       const labels = [...body?.querySelectorAll("label") ?? []];
       const order = new Map(
-        labels.map((label) => [label, hash(`${student}/${question2.id}/${label.dataset.option}`)])
+        labels.map((label) => [label, hash(`${student}/${question.id}/${label.dataset.option}`)])
       );
       labels.sort((a, b) => (order.get(a) ?? 0) - (order.get(b) ?? 0));
       labels.forEach((label, k) => {
@@ -1128,7 +1258,7 @@
         say(need(this, ".carts-quiz-why"), again.join(" "));
         need(this, ".carts-quiz-ask").hidden = !wantsWord;
         need(this, ".carts-quiz-foot").hidden = !open2 || Boolean(handed);
-        for (const question2 of this.#questions()) question2.close(Boolean(handed));
+        for (const question of this.#questions()) question.close(Boolean(handed));
         if (open2 && !handed) this.#count();
         this.#done(handed, Boolean(review));
       }
@@ -1154,7 +1284,7 @@
         });
       }
       #count() {
-        const left = this.#questions().filter((question2) => !question2.answered).length;
+        const left = this.#questions().filter((question) => !question.answered).length;
         say(
           need(this, ".carts-quiz-left"),
           left ? tr("{count} not answered yet", { count: left }) : tr("All answered.")
@@ -1162,7 +1292,7 @@
       }
       /** @param {boolean} on */
       #ask(on) {
-        const left = this.#questions().filter((question2) => !question2.answered).length;
+        const left = this.#questions().filter((question) => !question.answered).length;
         const missing = left === 1 ? tr("1 question is not answered.") : tr("{count} questions are not answered.", { count: left });
         const words2 = [
           left ? missing : "",
@@ -1197,8 +1327,8 @@
       #code() {
         const options = this.facts.items.map((item2) => item2[1]);
         if (!fits(options)) return "";
-        const chosen2 = this.#questions().map((question2) => {
-          return isEmpty(question2.value) ? 0 : question2.facts.options.indexOf(question2.value) + 1;
+        const chosen2 = this.#questions().map((question) => {
+          return isEmpty(question.value) ? 0 : question.facts.options.indexOf(question.value) + 1;
         });
         return encode(options, chosen2, `${this.facts.form}:${this.facts.hash}`);
       }
@@ -1292,23 +1422,6 @@
     window.print();
   }
 
-  // src/answers/codes.js
-  var MOST = 80;
-  function readCode(typed) {
-    const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
-    const codes = [...new Set(parts)].sort();
-    const code = codes.join("+");
-    if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
-    if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
-    if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
-      return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
-    }
-    if (codes.some((part2) => part2.length < 4)) {
-      return { problem: tr("A code word has at least four letters or digits.") };
-    }
-    return { code };
-  }
-
   // src/answers/panel-who.js
   function whoPart(book2) {
     const root = part("who", tr("Who works here"));
@@ -1347,27 +1460,17 @@
       const { code } = found2;
       if (code === student) return say(told, tr("That is who works here now."));
       const loose = !student && book2.entries().length > 0;
-      const known2 = await book2.has(code);
-      if (known2 && !loose) return become(code, false);
-      say(told, question(code, known2, loose));
-      if (loose) {
-        choices.append(
-          button(
-            tr("They are mine: take them along"),
-            () => void become(code, true),
-            "carts-answers-mine"
-          ),
-          " "
-        );
-        choices.append(button(tr("Leave them"), () => void become(code, false)));
-      } else
-        choices.append(
-          button(
-            tr("Begin as {code}", { code }),
-            () => void become(code, false),
-            "carts-answers-begin"
-          )
-        );
+      if (!loose) return become(code, false);
+      say(told, tr("Somebody has answered here without a code word. Was that you?"));
+      choices.append(
+        button(
+          tr("They are mine: take them along"),
+          () => void become(code, true),
+          "carts-answers-mine"
+        ),
+        " ",
+        button(tr("Leave them"), () => void become(code, false))
+      );
       choices.querySelector("button")?.focus();
     }
     async function become(code, carry) {
@@ -1375,13 +1478,6 @@
       location.reload();
     }
     return root;
-  }
-  function question(code, known2, loose) {
-    const words2 = [
-      known2 ? "" : tr("On this computer there is nothing of {code} yet.", { code }),
-      loose ? tr("Somebody has answered here without a code word. Was that you?") : ""
-    ];
-    return words2.filter(Boolean).join(" ");
   }
 
   // src/answers/panel.js
@@ -1766,33 +1862,69 @@
     return hermite(times, values, slopes, k, t);
   }
   function hermite(times, values, slopes, k, t) {
-    const at = (
+    const at2 = (
       /** @type {(column: Column, k: number) => number} */
       ((c, i) => c[i])
     );
-    const h = at(times, k + 1) - at(times, k);
-    const s = (t - at(times, k)) / h;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const h = at2(times, k + 1) - at2(times, k);
+    const s = (t - at2(times, k)) / h;
+    if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s;
     const r = 1 - s;
-    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
-    return Number.isFinite(found2) ? found2 : at(values, k);
+    const found2 = at2(values, k) * (1 + 2 * s) * r * r + at2(slopes, k) * h * s * r * r + at2(values, k + 1) * (1 + 2 * r) * s * s - at2(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found2) ? found2 : at2(values, k);
   }
 
   // src/question/marking/own-run.js
-  function reading(run, mass, quantity, at) {
+  function reading(run, mass, quantity, at2) {
     const [what, ...rest] = quantity.split(".");
     const whose = rest.join(".");
     const column = (what === "p" ? run.v : run[String(what)])?.[whose];
     if (!column?.length) return null;
     const factor = what === "p" ? mass[whose] ?? Number.NaN : 1;
     const slopes = { x: run.v, v: run.a, p: run.a, F: run.dF }[String(what)]?.[whose] ?? null;
-    if (at === "largest") {
+    if (at2 === "largest") {
       let most = 0;
       for (const value of column) if (Math.abs(value) > Math.abs(most)) most = value;
       return most * factor;
     }
-    const t = at === "end" ? run.t[run.t.length - 1] : at === "start" ? run.t[0] : Number(at);
+    const t = at2 === "end" ? run.t[run.t.length - 1] : at2 === "start" ? run.t[0] : Number(at2);
     return valueAt(run.t, column, slopes, t) * factor;
+  }
+
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var FACTOR = /\s*([/·⋅*.]?)\s*([A-Za-zµ°%]+)(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?:\^|\*\*)\(?([+-]?\d(?:\.\d|\/\d)?)\)?|([+-]?\d))?/y;
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var LONGEST2 = 30;
+  var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
+  function number(power) {
+    const [above, below] = power.split("/").map(Number);
+    return Number(above) / (below ?? 1);
+  }
+  function factors(unit) {
+    const text = plain2(unit.trim());
+    if (!text || text.length > LONGEST2) return null;
+    const powers = /* @__PURE__ */ new Map();
+    for (let at2 = 0; at2 < text.length; at2 = FACTOR.lastIndex) {
+      FACTOR.lastIndex = at2;
+      const found2 = FACTOR.exec(text);
+      if (!found2 || at2 === 0 && found2[1]) return null;
+      const power = number(lowered(found2[3] ?? "") || found2[4] || found2[5] || "1");
+      const symbol = String(found2[2]);
+      powers.set(symbol, (powers.get(symbol) ?? 0) + (found2[1] === "/" ? -power : power));
+    }
+    return [...powers].map(([symbol, power]) => `${symbol}^${power}`).sort().join(" ");
+  }
+  function sameUnit(one, other) {
+    const read = factors(one);
+    return one === other || read !== null && read === factors(other);
+  }
+  function withExponent(text) {
+    return plain2(text).replace(POWER_OF_TEN, (_, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
   }
 
   // src/shared/typed.js
@@ -1808,26 +1940,27 @@
   }
 
   // src/question/marking/typed-number.js
-  var LONGEST2 = 40;
+  var LONGEST3 = 40;
   var NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
   var GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
   function readNumber(typed, units) {
-    const text = typed.trim().replace(/[−–]/g, "-");
+    const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
-    if (text.length > LONGEST2) return { problem: tr("That is too long for a number.") };
+    if (text.length > LONGEST3) return { problem: tr("That is too long for a number.") };
     const grouped2 = GROUPED.exec(text);
     if (grouped2) return { problem: twoReadings(String(grouped2[1])) };
     const found2 = NUMBER.exec(text);
     if (!found2) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
-    const number = String(found2[1]);
-    const unit = (found2[2] ?? "").replace(/μ/g, "µ");
-    const factor = unit ? Object.hasOwn(units, unit) ? units[unit] : void 0 : 1;
+    const number2 = String(found2[1]);
+    const unit = found2[2] ?? "";
+    const known2 = Object.keys(units).filter(Boolean);
+    const own = unit ? known2.find((one) => sameUnit(one, unit)) : "";
+    const factor = unit ? own ? units[own] : void 0 : 1;
     if (factor === void 0) {
-      const known2 = Object.keys(units).filter(Boolean).join(", ");
-      const text2 = { unit: String(found2[2]), units: known2 };
+      const text2 = { unit, units: known2.join(", ") };
       return { problem: tr("“{unit}” does not fit here. Units: {units}", text2) };
     }
-    const value = Number(number.replace(",", ".")) * factor;
+    const value = Number(number2.replace(",", ".")) * factor;
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
   }
 
@@ -1952,6 +2085,7 @@
     drawn: drawnForm
   };
   var NOT_SAVED = tr("Not saved");
+  var SOON = 400;
   var ASKED = 300;
   function questionElement(book2) {
     return class CartsQuestion extends HTMLElement {
@@ -1961,10 +2095,10 @@
       #feedback = null;
       /** @type {any} */
       #entry = null;
-      #early = false;
-      // something was typed before the earlier answers were back
       #writes = 0;
       closed = false;
+      #ready = false;
+      // what was answered before is back: until then no field takes a key
       connectedCallback() {
         if (this.#form) return;
         this.facts = JSON.parse(need(this, "script.carts-q-facts").textContent ?? "{}");
@@ -1976,6 +2110,9 @@
         for (const radio of this.#certainty()) {
           radio.addEventListener("change", () => this.#changed());
         }
+        setTimeout(() => {
+          if (!this.#ready) this.#say(tr("Opening your answers …"));
+        }, SOON);
         if (this.facts.key) this.#feedback = new Feedback(this, () => this.#attempt());
         book2.addEventListener("elsewhere", (event) => {
           const key = (
@@ -1998,9 +2135,13 @@
       /** No more changes: the form was handed in, or is over. @param {boolean} closed */
       close(closed) {
         this.closed = closed;
-        this.#form?.enable(!closed);
-        for (const radio of this.#certainty()) radio.disabled = closed;
+        this.#enable();
         need(this, ".carts-q-row").hidden = closed || !this.#feedback;
+      }
+      #enable() {
+        const open2 = this.#ready && !this.closed;
+        this.#form?.enable(open2);
+        for (const radio of this.#certainty()) radio.disabled = !open2;
       }
       #fresh() {
         const { id, hash: hash2, type } = this.facts;
@@ -2012,9 +2153,12 @@
           [...this.querySelectorAll(".carts-q-sure input")]
         );
       }
-      async #restore() {
-        if (this.#early) await this.#keep();
-        else this.#show();
+      #restore() {
+        this.#say("");
+        this.#show();
+        this.#ready = true;
+        this.#enable();
+        this.dataset.ready = "";
         this.#form?.follow?.(book2);
       }
       /** Shows what is kept; an answer to another version of the question is shown beside it. */
@@ -2052,7 +2196,7 @@
         );
       }
       #changed() {
-        if (this.closed) return;
+        if (this.closed || !this.#ready) return;
         const now = (/* @__PURE__ */ new Date()).toISOString();
         const sure = this.#certainty().find((radio) => radio.checked)?.value;
         const entry = {
@@ -2076,7 +2220,6 @@
       async #keep() {
         this.#writes += 1;
         const mine = this.#writes;
-        this.#early = !book2.store;
         this.#say(tr("Saving…"));
         try {
           await book2.put(this.formName ?? "worksheet", this.#entry);
@@ -2183,4 +2326,5 @@
   new Bar(book, () => void panel.open());
   void book.ready.then(() => performance.mark("carts:answers"));
   teacherDoor();
+  document.documentElement.dataset.cartsAnswers = "";
 })();

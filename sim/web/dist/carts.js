@@ -1,7 +1,44 @@
 "use strict";
 (() => {
+  // src/shared/older.js
+  function add(owner, name2, value) {
+    if (!(name2 in owner)) {
+      Object.defineProperty(owner, name2, { value, configurable: true, writable: true });
+    }
+  }
+  function findLastIndex(fits2) {
+    for (let k = this.length - 1; k >= 0; k -= 1) if (fits2(this[k], k, this)) return k;
+    return -1;
+  }
+  function findLast(fits2) {
+    return this[findLastIndex.call(this, fits2)];
+  }
+  function at(index) {
+    return this[index < 0 ? this.length + index : index];
+  }
+  for (const kind of [Array, Float64Array, Uint8Array]) {
+    add(kind.prototype, "findLast", findLast);
+    add(kind.prototype, "findLastIndex", findLastIndex);
+    add(kind.prototype, "at", at);
+  }
+  add(String.prototype, "at", at);
+  add(
+    Object,
+    "hasOwn",
+    (owner, name2) => (
+      // biome-ignore lint/suspicious/noPrototypeBuiltins: this is what stands in for Object.hasOwn
+      Object.prototype.hasOwnProperty.call(owner, name2)
+    )
+  );
+  add(
+    globalThis,
+    "structuredClone",
+    (value) => JSON.parse(JSON.stringify(value))
+  );
+
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var NOISE = 1e-9;
   var MAX_DECIMALS = 12;
   var SLOW = 0.01;
   function exponent(value) {
@@ -43,10 +80,11 @@
   var WATCH = 3;
   var BEFORE = 0.15;
   var AFTER = 0.25;
+  var SLOWEST = 1e-12;
   var RATES = [0.5, 0.2, 0.1];
   function rateFor(duration2) {
     const wanted = duration2 / WATCH;
-    for (let power = 1; power > 1e-12; power /= 10) {
+    for (let power = 1; power > SLOWEST; power /= 10) {
       for (const rate of RATES) if (rate * power <= wanted) return rate * power;
     }
     return wanted;
@@ -88,6 +126,7 @@
   }
 
   // src/scene/player.js
+  var SAME = 1e-12;
   var STEP = 0.04;
   var STILL = 1;
   var LONGEST_FRAME = 0.1;
@@ -159,7 +198,7 @@
       for (let k = 0; k < count2; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
-        const event = way > 0 ? this.stops.find((t3) => t3 > before + 1e-12) : this.stops.findLast((t3) => t3 < before - 1e-12);
+        const event = way > 0 ? this.stops.find((t3) => t3 > before + SAME) : this.stops.findLast((t3) => t3 < before - SAME);
         const passed = event !== void 0 && (way > 0 ? event < target : event > target);
         this.#move(passed ? event : target);
         this.changed(before, way > 0);
@@ -180,8 +219,8 @@
       const shown2 = this.stills ? this.#waited : seconds;
       this.#waited = 0;
       let next = advance(before, shown2, this.speed, this.#parts, this.until);
-      if (this.stills) next = this.stops.find((t3) => t3 > before + 1e-12 && t3 < next) ?? next;
-      const halt = this.halting ? this.halts.find((t3) => t3 > before + 1e-12 && t3 <= next) : void 0;
+      if (this.stills) next = this.stops.find((t3) => t3 > before + SAME && t3 < next) ?? next;
+      const halt = this.halting ? this.halts.find((t3) => t3 > before + SAME && t3 <= next) : void 0;
       this.#move(halt ?? next);
       if (halt !== void 0 || this.time >= this.until) this.playing = false;
       this.changed(before, true);
@@ -220,6 +259,17 @@
       found2
     );
   }
+  function parsed(markup) {
+    const holder = document.createElement("template");
+    holder.innerHTML = markup;
+    return (
+      /** @type {HTMLElement} */
+      holder.content.firstElementChild
+    );
+  }
+  function onResize(element, act) {
+    if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
+  }
 
   // src/cost/figure.js
   var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
@@ -242,9 +292,9 @@
     constructor(root) {
       this.ring = need(root, ".carts-cost-ring");
       this.groups = /* @__PURE__ */ new Map();
-      const marks2 = [...root.querySelectorAll(".carts-cost-key .carts-cost-point")];
+      const marks3 = [...root.querySelectorAll(".carts-cost-key .carts-cost-point")];
       for (const [k, group2] of [...root.querySelectorAll("[data-method]")].entries()) {
-        const mark2 = marks2[k]?.getAttribute("d") ?? "";
+        const mark2 = marks3[k]?.getAttribute("d") ?? "";
         this.groups.set(group2.getAttribute("data-method") ?? "", { group: group2, mark: mark2 });
       }
     }
@@ -424,10 +474,10 @@
     }
     /** Draw the carts at a time, between the samples on straight lines. @param {number} time s */
     at(time) {
-      const times = this.t ?? [];
-      let k = times.findLastIndex((t3) => t3 <= time);
-      k = Math.min(Math.max(k, 0), Math.max(0, times.length - 2));
-      const [a2, b2] = [Number(times[k]), Number(times[k + 1])];
+      const times2 = this.t ?? [];
+      let k = times2.findLastIndex((t3) => t3 <= time);
+      k = Math.min(Math.max(k, 0), Math.max(0, times2.length - 2));
+      const [a2, b2] = [Number(times2[k]), Number(times2[k + 1])];
       const part2 = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
       const between2 = (xs) => {
         const here = Number(xs?.[k]);
@@ -507,7 +557,7 @@
   // src/cost/element.js
   var PACKAGES = ["numpy", "scipy"];
   var ADAPTIVE = ["rk45", "adaptive"];
-  function costElement(client) {
+  function costElement(client2) {
     return class CartsCost extends HTMLElement {
       /** @type {CostFacts | null} */
       #facts = null;
@@ -580,10 +630,10 @@
         try {
           if (adaptive) {
             this.#note("Python’s scipy is being loaded …");
-            await client.need(PACKAGES);
+            await client2.need(PACKAGES);
           }
           const scene = this.#scene;
-          const { header, numbers } = await client.ask(this, () => ({
+          const { header, numbers } = await client2.ask(this, () => ({
             kind: "cost",
             scene,
             method,
@@ -624,12 +674,12 @@
         this.#working(true);
         say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
         try {
-          await client.need(PACKAGES);
+          await client2.need(PACKAGES);
           const rows = [];
           const scene = this.#scene;
           for (let row = 0, of = 1; row < of; row += 1) {
             if (this.#measuring !== turn) return;
-            const { header } = await client.ask(need(this, ".carts-cost-go"), () => ({
+            const { header } = await client2.ask(need(this, ".carts-cost-go"), () => ({
               kind: "cost",
               scene,
               row
@@ -799,13 +849,13 @@
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
   var MEASURES = 200;
-  function waited(name2, at) {
+  function waited(name2, at2) {
     if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
-    performance.measure(name2, { start: at, end: performance.now() });
+    performance.measure(name2, { start: at2, end: performance.now() });
   }
-  async function drawn(scene, at, detail) {
+  async function drawn(scene, at2, detail) {
     await frame();
-    waited("carts:update", at);
+    waited("carts:update", at2);
     scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
   }
   function deferred() {
@@ -877,7 +927,7 @@
   }
 
   // src/hard/element.js
-  function hardElement(client) {
+  function hardElement(client2) {
     return class CartsHard extends HTMLElement {
       /** @type {Record<string, Case> | null} */
       #cases = null;
@@ -922,10 +972,10 @@
           for (const [k, [name2, one]] of all.entries()) {
             if (one.packages.length) {
               this.#say(LOADING);
-              await client.need(one.packages);
+              await client2.need(one.packages);
             }
             if (this.#turn !== turn) return;
-            const { header } = await client.ask(this, () => ({ kind: "hard", ...asked(one) }));
+            const { header } = await client2.ask(this, () => ({ kind: "hard", ...asked(one) }));
             if (this.#turn !== turn) return;
             if (!header.ok) throw refusal2(header.problems ?? []);
             this.#live();
@@ -1022,10 +1072,22 @@
     block.before(button);
   }
 
+  // src/question/marking/notation.js
+  var RAISED = { "⁻": "-", "⁺": "+" };
+  for (const [digit, raised] of [..."⁰¹²³⁴⁵⁶⁷⁸⁹"].entries()) RAISED[raised] = String(digit);
+  var POWER_OF_TEN = /\s*[×xX*·]\s*10(?:([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})|\s*(?:\^|\*\*)\s*(\(?[+-]?\d{1,3}\)?))/;
+  var plain2 = (text) => text.replace(/[−‐‑–]/g, "-").replace(/μ/g, "µ");
+  var lowered = (text) => [...text].map((sign) => RAISED[sign] ?? sign).join("");
+  function withExponent(text) {
+    return plain2(text).replace(POWER_OF_TEN, (_2, raised, power) => {
+      return `e${lowered(raised ?? power).replace(/[()]/g, "")}`;
+    });
+  }
+
   // src/shared/typed.js
   var LONGEST = 40;
   function readTyped(typed) {
-    const text = typed.trim().replace(/[−–]/g, "-");
+    const text = withExponent(typed.trim());
     if (!text) return { problem: tr("Type a number, for example 0.5") };
     if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
     if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
@@ -1033,7 +1095,7 @@
       const value = Number(text.replace(",", "."));
       return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
     }
-    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
       return { text: text.replace(/(\d),(\d)/, "$1.$2") };
     }
     return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
@@ -1047,6 +1109,427 @@
       decimal,
       whole
     });
+  }
+
+  // ../view/bodies.js
+  function isWall(name2) {
+    return name2 === "left" || name2 === "right";
+  }
+  function body(name2) {
+    if (name2 === "left") return tr("the left wall");
+    return name2 === "right" ? tr("the right wall") : name2;
+  }
+  function brief(name2) {
+    if (name2 === "left") return tr("left wall");
+    return name2 === "right" ? tr("right wall") : name2;
+  }
+  function forceOn(on, by) {
+    return tr("force on {on} by {by}", { on, by });
+  }
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = names.slice(0, -1).join(", ");
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
+  // ../effects/drag/view.js
+  var view_default = {
+    name: tr("air resistance"),
+    row: 4,
+    side: () => "above",
+    agent: () => tr("the air"),
+    around: tr("air"),
+    warms: () => tr("air"),
+    phrase({ numbers: { linear, quadratic } }, { everyone, on, seen }) {
+      const sizes = [
+        linear ? tr("{size} N per {unit}", { size: short(linear), unit: "m/s" }) : "",
+        quadratic ? tr("{size} N per {unit}", { size: short(quadratic), unit: "(m/s)²" }) : ""
+      ].filter(Boolean);
+      return [
+        everyone ? tr("drag by the air") : tr("drag on {carts} by the air", { carts: on }),
+        seen(listed(sizes) || "0 N")
+      ];
+    }
+  };
+
+  // ../effects/friction/view.js
+  var TOOTH = 4;
+  var view_default2 = {
+    name: tr("friction"),
+    row: 3,
+    side: () => "below",
+    agent: () => tr("the track"),
+    around: tr("track"),
+    earth: true,
+    warms: () => tr("track"),
+    phrase({ numbers: { coefficient = 0, static: held = coefficient } }, { everyone, on, seen }) {
+      const size = `μ = ${short(coefficient)}`;
+      const rest = tr("(at rest up to {coefficient})", { coefficient: short(held) });
+      return [
+        everyone ? tr("friction by the track") : tr("friction on {carts} by the track", { carts: on }),
+        seen(held > coefficient ? `${size} ${rest}` : size)
+      ];
+    },
+    pieces: rough
+  };
+  function rough({ carts }, { key, header: { bodies, track }, layout, face, centre }) {
+    const piece = { cls: "carts-rough", behind: true };
+    if (carts.length < bodies.length) {
+      return carts.map((name2) => {
+        const length = (bodies.find((body2) => body2.name === name2)?.length ?? 0) * layout.scale;
+        const d3 = teeth(centre(name2) - length / 2, length, layout.track);
+        return { ...piece, key: `${key} ${name2}`, d: d3 };
+      });
+    }
+    const start = track.left === "wall" ? face("left", "right") : -layout.width;
+    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const tooth = 2 * TOOTH;
+    const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
+    const d2 = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    return [{ ...piece, key, d: d2 }];
+  }
+  function teeth(x2, length, y2) {
+    const count2 = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x2)} ${px(y2)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
+  }
+
+  // ../effects/incline/view.js
+  var STEEPEST = 22;
+  var LENGTH = { wide: 120, narrow: 90 };
+  var view_default3 = {
+    name: tr("a slope"),
+    row: 1,
+    agent: () => tr("the Earth"),
+    earth: true,
+    stored: tr("as height, above the lowest point"),
+    slope: ({ numbers }) => numbers.angle ?? 0,
+    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
+    phrase: ({ numbers }, { everyone, on }) => [
+      everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
+      slopeText(numbers.angle ?? 0)
+    ],
+    pieces({ numbers: { angle = 0 } }, { key, layout }) {
+      const slope = Math.abs(Math.tan(angle));
+      const longest = LENGTH[layout.kind] ?? 0;
+      const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
+      const [x2, y2, rise] = [12, layout.tilt, length * slope];
+      const [tall, flat] = angle > 0 ? [x2, x2 + length] : [x2 + length, x2];
+      const d2 = `M${px(tall)} ${px(y2)}V${px(y2 - rise)}L${px(flat)} ${px(y2)}Z`;
+      const words = {
+        text: tiltText(angle),
+        x: px(x2 + length + 10),
+        y: px(y2),
+        anchor: (
+          /** @type {const} */
+          "start"
+        )
+      };
+      return [
+        { key, cls: "carts-wedge", behind: true, d: d2 },
+        { key: `${key} words`, cls: "carts-tilt", behind: true, ...words }
+      ];
+    }
+  };
+  function tiltText(angle) {
+    if (!angle) return tr("the track is level: 0°");
+    const words = tr("track tilted {slope}", { slope: slopeText(angle) });
+    return angle > 0 ? `${words} →` : `← ${words}`;
+  }
+  function slopeText(angle) {
+    const size = short(Math.abs(angle) * 180 / Math.PI);
+    if (size === "0") return tr("0°: the track is level");
+    return angle > 0 ? tr("{angle}° down to the right", { angle: size }) : tr("{angle}° down to the left", { angle: size });
+  }
+
+  // ../effects/magnets/view.js
+  var POLE = 12;
+  var POLES = [
+    ["N", "carts-north"],
+    ["S", "carts-south"]
+    // only where there is room
+  ];
+  var view_default4 = {
+    name: tr("magnets"),
+    link: tr("magnets"),
+    stored: tr("between the magnets"),
+    phrase: (_2, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
+    pieces({ between: between2 }, { key, layout, face }) {
+      const [a2, b2] = between2 ?? ["", ""];
+      return [
+        ...poles(`${key} ${a2}`, face(a2, "right"), -1, layout),
+        ...poles(`${key} ${b2}`, face(b2, "left"), 1, layout)
+      ];
+    }
+  };
+  function poles(key, x2, way, { kind, track }) {
+    const top = track - 40;
+    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+      const start = x2 + way * k * POLE;
+      const d2 = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      return [
+        { key: `${key} ${pole}`, cls, d: d2 },
+        { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
+      ];
+    });
+  }
+
+  // ../view/shapes.js
+  var REFERENCE_HEIGHT = 38;
+  var TALLEST2 = 4;
+  var LANE = 20;
+  var ABOVE = 34;
+  var DOT = 2.5;
+  var RING = 1;
+  var SHORTEST = 0.5;
+  var LONGEST2 = 1.15;
+  var FASTEST = 2.2;
+  var EDGE = 5;
+  var TORN = 6;
+  var LINE = 12;
+  var NAMED = 34;
+  var SPRING = [2, 10];
+  var PUSH = 15.5;
+  var FACE = 22;
+  var TURNS = 9;
+  var LEAD = 5;
+  var COIL = 7;
+  function box(body2, view, layout, lift) {
+    const width = bodyWidth(body2);
+    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
+    const cut = wanted > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
+    const height = Math.min(wanted, TALLEST2 * REFERENCE_HEIGHT);
+    const named = height >= NAMED;
+    const mass = `${short(body2.mass)} kg`;
+    return {
+      x: -width * layout.scale / 2,
+      width: width * layout.scale,
+      height,
+      cut,
+      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+      label: named ? mass : `${body2.name}: ${mass}`,
+      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+    };
+  }
+  function bodyWidth(body2) {
+    return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
+  }
+  function lane(i2, tallest, layout) {
+    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
+    return layout.track - above - LANE * (layout.lanes - 1 - i2 % layout.lanes);
+  }
+  function spring(start, end) {
+    const low = (
+      /** @type {number} */
+      SPRING[0]
+    );
+    const high = (
+      /** @type {number} */
+      SPRING[1]
+    );
+    const step = (end - start) / 4;
+    let d2 = `M${px(start)} ${px(-(low + high) / 2)}`;
+    for (let k = 0; k < 4; k += 1) {
+      d2 += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
+    }
+    return `${d2}L${px(end)} ${px(-(low + high) / 2)}`;
+  }
+  function coil(start, end, y2, turns = TURNS, high = COIL) {
+    const span2 = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span2 / 4);
+    const step = (span2 - 2 * lead) / turns;
+    let d2 = `M${px(start)} ${px(y2)}L${px(start + lead)} ${px(y2)}`;
+    for (let k = 0; k < turns; k += 1) {
+      d2 += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y2 - high : y2 + high)}`;
+    }
+    return `${d2}L${px(start + span2 - lead)} ${px(y2)}L${px(start + span2)} ${px(y2)}`;
+  }
+  function blockArrow(x2, y2, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x2, y2);
+    const tip = x2 + length;
+    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
+    return `M${px(x2)} ${px(y2 - 3)}L${px(neck)} ${px(y2 - 3)}L${px(neck)} ${px(y2 - 6.5)}L${px(tip)} ${px(y2)}L${px(neck)} ${px(y2 + 6.5)}L${px(neck)} ${px(y2 + 3)}L${px(x2)} ${px(y2 + 3)}Z`;
+  }
+  function cutArrow(x2, y2, length) {
+    const half = length / 2 - Math.sign(length) * TORN / 2;
+    const piece = `M${px(x2)} ${px(y2 - 3)}h${px(half)}v6h${px(-half)}Z`;
+    return piece + blockArrow(x2 + length - half, y2, half);
+  }
+  function lineArrow(x2, y2, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x2, y2, RING);
+    const tip = x2 + length;
+    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
+    return `M${px(x2)} ${px(y2)}L${px(tip)} ${px(y2)}M${px(back)} ${px(y2 - 4.5)}L${px(tip)} ${px(y2)}L${px(back)} ${px(y2 + 4.5)}`;
+  }
+  function dot(x2, y2, radius = DOT) {
+    const [r2, d2] = [px(radius), px(2 * radius)];
+    return `M${px(x2 - radius)} ${px(y2)}a${r2} ${r2} 0 1 0 ${d2} 0a${r2} ${r2} 0 1 0 -${d2} 0Z`;
+  }
+  function arrowLength(value, full, length, longest = LONGEST2) {
+    const exact = full ? value / full * length : 0;
+    return Math.max(-longest * length, Math.min(longest * length, exact));
+  }
+  function isCut(value, full, longest = LONGEST2) {
+    return full > 0 && Math.abs(value) > longest * full;
+  }
+  function velocityText(x2, length, width) {
+    const room = 62;
+    if (length >= 0) return x2 > room ? [x2 - 8, "end"] : [x2 + length + 8, "start"];
+    return x2 < width - room ? [x2 + 8, "start"] : [x2 + length - 8, "end"];
+  }
+  function keptInside(x2, length, width) {
+    if (x2 > EDGE && x2 < width - EDGE) {
+      if (x2 + length > width - EDGE) return width - EDGE - x2;
+      if (x2 + length < EDGE) return EDGE - x2;
+    }
+    return length;
+  }
+  function labelTop(box2) {
+    return box2.labelY - LINE;
+  }
+
+  // ../effects/push/view.js
+  var view_default5 = {
+    name: tr("pushes from outside"),
+    row: 2,
+    side: (force) => force < 0 ? "right" : "left",
+    around: (_2, agent2) => agent2,
+    acts: ({ numbers: { from = 0, until = Infinity } }, t3) => t3 >= from && t3 < until,
+    phrase: (effect, { agent: agent2, seen }) => [
+      tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
+      seen(forceText(effect.numbers.force ?? 0)),
+      times(effect)
+    ],
+    pieces({ carts: [name2 = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+      const y2 = layout.track;
+      const way = force >= 0 ? 1 : -1;
+      const body2 = header.bodies.find((one) => one.name === name2);
+      const x2 = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
+      return [{ key, cls: "carts-hand", behind: true, d: d2 }];
+    },
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told3) {
+      const who = { cart: String(carts[0]), agent: agent2 };
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
+      if (end !== void 0 && from < end && end <= until) {
+        marks3.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      }
+      return marks3;
+    }
+  };
+  function forceText(force) {
+    const size = short(Math.abs(force));
+    return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
+  }
+  function times({ numbers: { from = 0, until } }) {
+    if (until !== void 0) {
+      return tr("from {from} s to {until} s", { from: short(from), until: short(until) });
+    }
+    return from ? tr("from {from} s", { from: short(from) }) : "";
+  }
+
+  // ../effects/release/view.js
+  var HALF = 9;
+  var TURNS2 = 7;
+  var HIGH = 4;
+  var view_default6 = {
+    name: tr("a release between the carts"),
+    leftOut: tr("exploders"),
+    link: null,
+    // it acts at one instant: an impulse, no force to be drawn
+    acts: ({ numbers: { at: at2 = 0 } }, t3) => t3 < at2,
+    phrase: ({ numbers: { energy = 0, at: at2 = 0 } }, { both, seen }) => [
+      tr("an exploder between {bodies}", { bodies: both }),
+      seen(`${short(energy)} J`),
+      tr("at {time} s", { time: short(at2) })
+    ],
+    pieces({ between: between2 }, { key, layout, face }) {
+      const [a2, b2] = between2 ?? ["", ""];
+      const x2 = (face(a2, "right") + face(b2, "left")) / 2;
+      const low = layout.track - 28;
+      const latch = `M${px(x2 - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+      return [
+        { key, cls: "carts-coil", d: coil(x2 - HALF, x2 + HALF, low, TURNS2, HIGH) },
+        { key: `${key} latch`, cls: "carts-latch", d: latch }
+      ];
+    }
+  };
+
+  // ../effects/spring/view.js
+  var view_default7 = {
+    name: tr("springs between the carts"),
+    link: tr("spring"),
+    stored: tr("in the spring"),
+    warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen }) {
+      const natural = tr("natural length {length} m", { length: short(length) });
+      return [
+        tr("a spring between {bodies}", { bodies: both }),
+        damping ? tr("damped") : "",
+        seen(`${short(stiffness)} N/m, ${natural}`)
+      ];
+    },
+    pieces({ numbers, between: between2 }, { key, layout, face }) {
+      const [a2, b2] = between2 ?? ["", ""];
+      const [start, end] = [face(a2, "right"), face(b2, "left")];
+      const length = (numbers.length ?? 0) * layout.scale;
+      const middle = (start + end) / 2;
+      const low = a2 === "left" ? start : b2 === "right" ? end - length : middle - length / 2;
+      const y2 = layout.track - PUSH - COIL - 5;
+      const measure2 = `M${px(low)} ${px(y2 - 3)}v6M${px(low)} ${px(y2)}h${px(length)}m0 -3v6`;
+      return [
+        { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key: `${key} natural`, cls: "carts-natural", d: measure2 }
+      ];
+    }
+  };
+
+  // ../effects/views.js
+  var VIEWS = {
+    drag: view_default,
+    friction: view_default2,
+    incline: view_default3,
+    magnets: view_default4,
+    push: view_default5,
+    release: view_default6,
+    spring: view_default7
+  };
+
+  // ../view/effects.js
+  var LAST = 100;
+  function viewOf(kind) {
+    const view = VIEWS[kind];
+    if (!view) throw new Error(`there is no effect of the kind “${kind}”`);
+    return { name: kind, row: LAST, ...view };
+  }
+  function agent(effect) {
+    const view = viewOf(effect.kind);
+    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+  }
+  function actsAt(effect, t3) {
+    return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
+  }
+  function kindsOnOne({ effects }) {
+    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
+    return [...kinds].sort((a2, b2) => viewOf(a2).row - viewOf(b2).row || (a2 < b2 ? -1 : 1));
+  }
+  function isLink({ kind, between: between2 }) {
+    return between2 !== null && viewOf(kind).link !== null;
+  }
+  function linkOf({ effects }, pair) {
+    const link = effects.find(
+      (effect) => effect.active && isLink(effect) && effect.between?.join("-") === pair
+    );
+    return link ? viewOf(link.kind).link ?? viewOf(link.kind).name : "";
+  }
+  function effectOf(target, { effects }) {
+    const owner = target.slice(0, target.lastIndexOf("."));
+    return effects.find(
+      ({ kind, index }) => [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner)
+    );
   }
 
   // src/scene/switches.js
@@ -1102,12 +1585,6 @@
       return true;
     }
   };
-  function effectOf(target, { effects }) {
-    const owner = target.slice(0, target.lastIndexOf("."));
-    return effects.find(
-      ({ kind, index }) => [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner)
-    );
-  }
   function effectValue(header, target) {
     const key = target.slice(target.lastIndexOf(".") + 1);
     return effectOf(target, header)?.numbers[key] ?? null;
@@ -1115,9 +1592,9 @@
   function effectPath({ effects }, keys) {
     if (!Array.isArray(effects)) return null;
     const kind = keys[0] === "effects" ? "" : String(keys[0]);
-    const index = kind ? effects.findIndex((entry2) => kind in entry2) : Number(keys[1]);
-    const entry = effects[index];
-    return entry && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry)[0]), String(keys.at(-1))] : null;
+    const index = kind ? effects.findIndex((entry3) => kind in entry3) : Number(keys[1]);
+    const entry2 = effects[index];
+    return entry2 && keys.length > 1 ? ["effects", String(index), String(Object.keys(entry2)[0]), String(keys.at(-1))] : null;
   }
 
   // src/scene/controls.js
@@ -1150,8 +1627,8 @@
       }
     }
     /** A value from elsewhere than its slider. @param {string} target @param {number} value in the control's unit @param {number} at */
-    take(target, value, at) {
-      this.#views.get(target)?.take(value, at);
+    take(target, value, at2) {
+      this.#views.get(target)?.take(value, at2);
     }
     /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
     complain(target, message) {
@@ -1189,9 +1666,9 @@
       this.box.disabled = !on;
     }
     /** @param {number} value in the control's unit @param {number} at */
-    take(value, at) {
+    take(value, at2) {
       this.#accept(value);
-      this.change(this.control.set, this.#asked(value), at);
+      this.change(this.control.set, this.#asked(value), at2);
     }
     /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
     shown(value) {
@@ -1223,13 +1700,13 @@
       this.box.removeAttribute("aria-invalid");
     }
     /** @param {Change} change @param {number} at */
-    #typed(change2, at) {
+    #typed(change2, at2) {
       const read = readTyped(this.box.value);
       const { low, high, unit, label } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
-        return change2(this.control.set, read.text, at);
+        return change2(this.control.set, read.text, at2);
       }
       if (read.value < low || read.value > high) {
         const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
@@ -1238,7 +1715,7 @@
         );
       }
       this.#accept(read.value);
-      return change2(this.control.set, this.#asked(read.value), at);
+      return change2(this.control.set, this.#asked(read.value), at2);
     }
     /** @param {number} value */
     #accept(value) {
@@ -1316,8 +1793,8 @@
     /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
     nearest(value, per = 1) {
       let best = 0;
-      for (const [k, at] of this.values.entries()) {
-        if (Math.abs(at / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
+      for (const [k, at2] of this.values.entries()) {
+        if (Math.abs(at2 / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
       }
       return best;
     }
@@ -1350,7 +1827,7 @@
   // src/map/paint.js
   var STEP_SLACK2 = 1e-9;
   var FINE = 400;
-  var EDGE = 0.72;
+  var EDGE2 = 0.72;
   function band(value, { low, step, count: count2 }) {
     if (Number.isNaN(value)) return count2;
     const place3 = Math.floor((value - low) / step + STEP_SLACK2);
@@ -1366,9 +1843,9 @@
     for (let i2 = 0; i2 < lines2; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at = i2 * line + left * next;
+        const at2 = i2 * line + left * next;
         const part2 = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part2);
+        found2[i2 * fine + k] = mixed(Number(values[at2]), Number(values[at2 + next]), part2);
       }
     }
     return found2;
@@ -1391,18 +1868,18 @@
   function lines(bands, width, { count: count2, zero }) {
     const places = bands.slice();
     const line = 2 * count2 + 1;
-    const compare = (at, other) => {
-      const own = Number(bands[at]);
+    const compare = (at2, other) => {
+      const own = Number(bands[at2]);
       const next = Number(bands[other]);
       if (next === own || own === count2) return;
       if (next !== count2 && own >= zero !== next >= zero) {
-        places[at] = line;
+        places[at2] = line;
         places[other] = line;
-      } else if (places[at] !== line) places[at] = count2 + 1 + own;
+      } else if (places[at2] !== line) places[at2] = count2 + 1 + own;
     };
-    for (let at = 0; at < bands.length; at += 1) {
-      if ((at + 1) % width) compare(at, at + 1);
-      if (at + width < bands.length) compare(at, at + width);
+    for (let at2 = 0; at2 < bands.length; at2 += 1) {
+      if ((at2 + 1) % width) compare(at2, at2 + 1);
+      if (at2 + width < bands.length) compare(at2, at2 + width);
     }
     return places;
   }
@@ -1415,11 +1892,11 @@
     const image = context.createImageData(width, height);
     const words = new Uint32Array(image.data.buffer);
     const colours = palette(scale);
-    for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
+    for (let at2 = 0; at2 < places.length; at2 += 1) words[at2] = Number(colours[Number(places[at2])]);
     context.putImageData(image, 0, 0);
   }
   function palette({ colours, none, line }) {
-    const edges = colours.map((colour) => colour.map((part2) => Math.round(EDGE * part2)));
+    const edges = colours.map((colour) => colour.map((part2) => Math.round(EDGE2 * part2)));
     const all = [...colours, none, ...edges, line];
     return Uint32Array.from(all, ([r2 = 0, g2 = 0, b2 = 0]) => 255 << 24 | b2 << 16 | g2 << 8 | r2);
   }
@@ -1577,10 +2054,10 @@
       const line = html("tr");
       const head = html("th", "", axisText(flat ? 0 : 1, row));
       head.setAttribute("scope", "row");
-      const at = (column) => flat ? row : row * grid.columns + column;
+      const at2 = (column) => flat ? row : row * grid.columns + column;
       line.append(
         head,
-        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at(column)]))))
+        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at2(column)]))))
       );
       return line;
     });
@@ -1588,7 +2065,7 @@
   }
 
   // src/map/element.js
-  function mapElement(client) {
+  function mapElement(client2) {
     return class CartsMap extends HTMLElement {
       /** @type {MapFacts | null} */
       #facts = null;
@@ -1626,8 +2103,8 @@
           );
           return new AxisControl(root, axis2, (place3) => this.#chooseOn(k, place3));
         });
-        this.#controls = new Controls(this, facts.controls, (target, value, at) => {
-          this.set({ [target]: value }, at).catch((error) => {
+        this.#controls = new Controls(this, facts.controls, (target, value, at2) => {
+          this.set({ [target]: value }, at2).catch((error) => {
             this.#controls?.complain(target, error.message);
           });
         });
@@ -1667,9 +2144,9 @@
        * Changes what all points have in common and resolves when the new map is drawn.
        * @param {Record<string, number | string>} changes @param {number} at time of the input
        */
-      async set(changes2, at = performance.now()) {
+      async set(changes2, at2 = performance.now()) {
         const settings = { ...this.#settings, ...changes2 };
-        await this.#compute(settings, at);
+        await this.#compute(settings, at2);
       }
       async #open() {
         this.dataset.state = "starting";
@@ -1680,7 +2157,7 @@
         button.disabled = true;
         say(need(this, ".carts-map-wait"), "Python is being loaded for all points at once …");
         try {
-          await client.need(this.#facts?.packages ?? []);
+          await client2.need(this.#facts?.packages ?? []);
           await this.#compute({}, performance.now());
           this.dataset.state = "live";
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
@@ -1715,7 +2192,7 @@
        * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
        * @param {Record<string, number | string>} settings @param {number} at
        */
-      async #compute(settings, at) {
+      async #compute(settings, at2) {
         this.#generation += 1;
         const generation = this.#generation;
         const first = await this.#ask(settings, 0);
@@ -1726,7 +2203,7 @@
         const { axes, rows, columns, why, runs } = first.header;
         this.#draw({ axes, rows, columns, why, values: first.numbers });
         await frame();
-        waited("carts:map", at);
+        waited("carts:map", at2);
         this.#filling = this.#fill(settings, first.header.done, runs, generation);
       }
       /**
@@ -1761,7 +2238,7 @@
       /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
       #ask(settings, from) {
         const map = this.#facts?.map;
-        return client.ask(this, () => ({ kind: "map", map, set: settings, from }));
+        return client2.ask(this, () => ({ kind: "map", map, set: settings, from }));
       }
       /** @param {Grid} grid */
       #draw(grid) {
@@ -2024,6 +2501,10 @@
     "too-old": tr(
       "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
     ),
+    "no-memory": tr(
+      "This computer has too little memory free for Python. Close other programs and load the page again."
+    ),
+    "no-worker": tr("This browser has no workers, so Python can't start here. Try another browser."),
     "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
     "worker-lost": tr("Python stopped. It may have run out of memory."),
     "snapshot-refused": tr("Python could not start the quick way."),
@@ -2182,6 +2663,10 @@
       throw new RuntimeFailure("wasm-refused", String(error));
     }
   }
+  function compileFailure(error) {
+    const short2 = error instanceof RangeError || /memory|allocat/i.test(String(error));
+    return new RuntimeFailure(short2 ? "no-memory" : "too-old", String(error), "pyodide.asm.wasm");
+  }
   async function compile(parts2) {
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
@@ -2196,7 +2681,7 @@
   }
 
   // as-text:src/runtime/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        const short = error instanceof RangeError || /memory|allocat/i.test(String(error));\n        fail(short ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
   var SNAPSHOT = "memory.snapshot";
@@ -2295,7 +2780,7 @@
      */
     async boot(parts2, reject) {
       const compiling = this.module(parts2.get(WASM) ?? []);
-      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+      compiling.catch((error) => reject(compileFailure(error)));
       const loader = await gunzip(await Promise.all(parts2.get(LOADER) ?? []));
       if (this.over) return null;
       const { worker, address } = startWorker(loader);
@@ -2364,6 +2849,7 @@
   async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
   } }) {
     requireWasm();
+    if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
     const index = await loadIndex(folder);
@@ -2462,15 +2948,15 @@
     );
     const own = new URL(script?.src || document.baseURI);
     const base = new URL(`runtime/${own.search}`, own).href;
-    const client = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
-    client.addEventListener("state", () => tell(client.state));
-    return client;
+    const client2 = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
+    client2.addEventListener("state", () => tell(client2.state));
+    return client2;
   }
-  function startWhenIdle(client) {
+  function startWhenIdle(client2) {
     tell("starting");
     if (typeof requestIdleCallback === "function") {
-      requestIdleCallback(() => client.wake(), { timeout: 1e3 });
-    } else setTimeout(() => client.wake(), 200);
+      requestIdleCallback(() => client2.wake(), { timeout: 1e3 });
+    } else setTimeout(() => client2.wake(), 200);
   }
   function tell(state) {
     document.documentElement.dataset.python = state;
@@ -2507,36 +2993,36 @@
   function isTold({ trajectory }) {
     return trajectory.t.length > 1;
   }
-  function rowAt(times, t3) {
+  function rowAt(times2, t3) {
     let low = 0;
-    let high = times.length;
+    let high = times2.length;
     while (low < high) {
       const middle = low + high >> 1;
       if (
         /** @type {number} */
-        times[middle] <= t3
+        times2[middle] <= t3
       ) low = middle + 1;
       else high = middle;
     }
     return low - 1;
   }
-  function valueAt(times, values, slopes, t3) {
-    const k = rowAt(times, t3);
+  function valueAt(times2, values, slopes, t3) {
+    const k = rowAt(times2, t3);
     if (k < 0) return Number(values[0]);
-    if (k >= times.length - 1) return Number(values[values.length - 1]);
-    return hermite(times, values, slopes, k, t3);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t3);
   }
-  function hermite(times, values, slopes, k, t3) {
-    const at = (
+  function hermite(times2, values, slopes, k, t3) {
+    const at2 = (
       /** @type {(column: Column, k: number) => number} */
       ((c2, i2) => c2[i2])
     );
-    const h2 = at(times, k + 1) - at(times, k);
-    const s3 = (t3 - at(times, k)) / h2;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s3;
+    const h2 = at2(times2, k + 1) - at2(times2, k);
+    const s3 = (t3 - at2(times2, k)) / h2;
+    if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s3;
     const r2 = 1 - s3;
-    const found2 = at(values, k) * (1 + 2 * s3) * r2 * r2 + at(slopes, k) * h2 * s3 * r2 * r2 + at(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at(slopes, k + 1) * h2 * r2 * s3 * s3;
-    return Number.isFinite(found2) ? found2 : at(values, k);
+    const found2 = at2(values, k) * (1 + 2 * s3) * r2 * r2 + at2(slopes, k) * h2 * s3 * r2 * r2 + at2(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at2(slopes, k + 1) * h2 * r2 * s3 * s3;
+    return Number.isFinite(found2) ? found2 : at2(values, k);
   }
 
   // ../view/windows.js
@@ -2566,168 +3052,34 @@
     return windows.findLast((touch) => touch.start <= t3);
   }
 
-  // ../view/listed.js
-  function listed(names) {
-    const [first = "", second] = names;
-    if (second === void 0) return first;
-    const rest = names.slice(0, -1).join(", ");
-    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
-  }
-
-  // ../view/words.js
-  var QUANTITIES = {
-    x: [tr("Position"), "x", "m"],
-    v: [tr("Velocity"), "v", "m/s"],
-    a: [tr("Acceleration"), "a", "m/s²"],
-    F: [tr("Contact force"), "F", "N"],
-    p: [tr("Momentum"), "p", "kg m/s"],
-    energy: [tr("Kinetic energy"), "E", "J"]
-  };
-  var EFFECTS = {
-    friction: tr("friction"),
-    incline: tr("a slope"),
-    drag: tr("air resistance"),
-    push: tr("pushes from outside"),
-    spring: tr("springs between the carts"),
-    magnets: tr("magnets"),
-    release: tr("a release between the carts")
-  };
-  var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
-  );
-  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
-  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
-  function isWall(name2) {
-    return name2 === "left" || name2 === "right";
-  }
-  function body(name2) {
-    if (name2 === "left") return tr("the left wall");
-    return name2 === "right" ? tr("the right wall") : name2;
-  }
-  function brief(name2) {
-    if (name2 === "left") return tr("left wall");
-    return name2 === "right" ? tr("right wall") : name2;
-  }
-  function forceOn(on, by) {
-    return tr("force on {on} by {by}", { on, by });
-  }
-  function motion(velocity2, decimals, scale) {
-    if (isRest(velocity2, scale)) return tr("at rest");
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
-  }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
-  }
-  function isRest(velocity2, scale) {
-    return Math.abs(velocity2) < 1e-9 * scale;
-  }
-  function eventSentence(event, telling, laws) {
-    const { decimals, scale, camera, forces: forces2 } = telling;
-    const names = event.bodies;
-    const pair = capital(listed(names.map(body)));
-    const impulse = event.impulse ?? 0;
-    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after = speeds.length ? `${speeds.join(". ")}.` : "";
-    const size = `${short(impulse)} N s`;
-    const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
-    switch (event.kind) {
-      case "contact": {
-        if (impulse && laws[names.join("-")] === "velcro") {
-          return told3(tr("{pair} hit and stay together.", { pair }), shown2, after);
-        }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
-        if (impulse) {
-          return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after);
-        }
-        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
-      }
-      case "peak":
-        if (forces2 && event.force) {
-          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
-        }
-        return tr("{pair}: bumpers squeezed the most.", { pair });
-      case "separate": {
-        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after);
-        const ended2 = { pair: listed(names.map(body)) };
-        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
-        if (rest) {
-          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
-          return told3(stay2, shown2, after);
-        }
-        return told3(pushEnded(event, telling, ended2.pair), shown2);
-      }
-      case "stick":
-        return told3(tr("{pair} stay together.", { pair }), after);
-      case "stop":
-        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
-      case "start":
-        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
-      case "release":
-        return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after);
-      case "end":
-        return tr("End of the run.");
-      default:
-        return `${event.kind}: ${pair}.`;
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
     }
+    return found ?? null;
   }
-  function joined({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
-    return isRest(Number(left) - Number(right), scale);
+  function itemOf(entry2) {
+    const form = entry2?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry2?.id && item.form === form) ?? null;
   }
-  function hitAndGoOn(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
+  function isCurrent(entry2) {
+    const item = itemOf(entry2);
+    return !item || !entry2.hash || entry2.hash === item.hash;
   }
-  function pushEnded(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
-      pair,
-      velocity: how
-    });
-  }
-  function together({ bodies, after }, { decimals, scale, camera }) {
-    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
-    const seen = Number(after[cart]) - camera;
-    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
-  }
-  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
-  }
-  function graphNote(quantity, events, curves) {
-    const struck = events.some((event) => event.kind === "contact" && event.impulse);
-    if (struck && quantity === "F") return IMPULSE_ONLY;
-    if (struck && quantity === "a") return JUMP_ONLY;
-    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
-  }
-  function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
-    const open2 = header.plan.length > 0;
-    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((name2) => EFFECTS[name2] ?? name2);
-    if (leftOut.length) {
-      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
-    }
-    return sentences;
-  }
-  function told2(why) {
-    return why.split("; ").map(heard).join("; ");
-  }
-  function lower(name2) {
-    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
-  }
-  function capital(text) {
-    return text.slice(0, 1).toUpperCase() + text.slice(1);
-  }
-  function sentence(text) {
-    const capitalised = capital(text);
-    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
+  function stamped(entry2) {
+    const page2 = outline();
+    const item = itemOf(entry2);
+    if (!page2 || !item) return entry2;
+    return {
+      form: item.form,
+      lesson: page2.lesson,
+      lessonHash: page2.hash,
+      hash: item.hash,
+      ...entry2
+    };
   }
 
   // src/answers/entry.js
@@ -2744,89 +3096,52 @@
     const all = other ? union(earlier, [alone(old)]) : earlier;
     return all.length ? { ...value, earlier: all } : value;
   }
-  function alone({ earlier: _2, ...entry }) {
-    return entry;
+  function alone({ earlier: _2, ...entry2 }) {
+    return entry2;
   }
   function union(a2, b2) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const entry of [...a2 ?? [], ...b2 ?? []]) {
-      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    for (const entry2 of [...a2 ?? [], ...b2 ?? []]) {
+      found2.set(JSON.stringify([entry2.hash, entry2.value]), entry2);
     }
     const all = [...found2.values()];
     all.sort((x2, y2) => String(x2.last ?? "").localeCompare(String(y2.last ?? "")));
     return all.slice(-MOST_EARLIER);
   }
 
-  // src/answers/outline.js
-  var found;
-  function outline() {
-    if (found === void 0) {
-      const text = document.getElementById("carts-lesson")?.textContent;
-      found = text ? JSON.parse(text) : null;
+  // src/shared/newest-first.js
+  function newestFirst(put2) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone3) {
+      const now = put2(key, value, alone3);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
     }
-    return found ?? null;
-  }
-  function itemOf(entry) {
-    const form = entry?.form ?? "worksheet";
-    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
-  }
-  function isCurrent(entry) {
-    const item = itemOf(entry);
-    return !item || !entry.hash || entry.hash === item.hash;
-  }
-  function stamped(entry) {
-    const page2 = outline();
-    const item = itemOf(entry);
-    if (!page2 || !item) return entry;
-    return {
-      form: item.form,
-      lesson: page2.lesson,
-      lessonHash: page2.hash,
-      hash: item.hash,
-      ...entry
+    return (key, value, alone3 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone3);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone3;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone3, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
     };
   }
 
-  // src/shared/storage.js
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE2 = 2e4;
-  var STUDENT = "student";
-  var SETTLED = "settled";
   var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found2 = opened.get(site) ?? openOnce(site);
-    opened.set(site, found2);
-    return found2;
-  }
-  async function openStore(site) {
-    const all = await openAll(site);
-    return forStudent(all, await readStudent(all));
-  }
-  async function readStudent(all) {
-    const found2 = await all.get(STUDENT).catch(() => null);
-    return typeof found2?.code === "string" ? found2.code : "";
-  }
-  function forStudent(all, code) {
-    const before = code ? `@${code}/` : "";
-    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
-    return {
-      kind: all.kind,
-      how: all.how,
-      get: (key) => all.get(before + key),
-      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
-      remove: (key) => all.remove(before + key),
-      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
-    };
-  }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
   function open(name2) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name2, 1);
@@ -2851,7 +3166,8 @@
       }
     };
   }
-  function indexed(begin) {
+  async function indexed(name2) {
+    const begin = await reopening(name2);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -2864,15 +3180,17 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone3 = false) => write2(begin, (answers) => {
-        if (alone3) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
+      put: newestFirst(
+        (key, value, alone3) => write2(begin, (answers) => {
+          if (alone3) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
       remove: (key) => write2(begin, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
@@ -2902,24 +3220,8 @@
       work.onabort = () => reject(work.error);
     });
   }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
-    };
-  }
+
+  // src/shared/shelter.js
   function shelter() {
     const page2 = (
       /** @type {any} */
@@ -2958,6 +3260,63 @@
       remove: async (key) => void kept.delete(key),
       entries: async () => [...kept]
     };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone3) => all.put(before + key, stamped(value), alone3),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
   }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
@@ -3088,11 +3447,11 @@
     async #keep(typed, said) {
       const { site, page: page2 } = place();
       const now = (/* @__PURE__ */ new Date()).toISOString();
-      const entry = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
+      const entry2 = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
       try {
         const store = await openStore(site);
         await store.put(`${page2}#${this.id}`, {
-          ...entry,
+          ...entry2,
           tries: this.#tries,
           locked: null,
           asked: tr("Find a force of this scene")
@@ -3154,10 +3513,14 @@
 
   // src/scene/baked.js
   function readBaked(element) {
-    const { fence, view, numbers, ...header } = JSON.parse(
-      need(element, "script.carts-baked").textContent ?? ""
+    return bakedOf(JSON.parse(need(element, "script.carts-baked").textContent ?? ""));
+  }
+  function bakedOf({ fence, view, numbers, ...header }) {
+    const known2 = (
+      /** @type {import("../../../view/types.js").Header} */
+      header
     );
-    return { fence, view, run: { header, trajectory: fromBaked(numbers, header.events) } };
+    return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
   // src/scene/element-words.js
@@ -3169,24 +3532,10 @@
   var PREDICTION_KEPT = tr("Your prediction is kept.");
 
   // ../view/effects-forces.js
-  var ON_ONE = ["incline", "push", "friction", "drag"];
   var FEW = 3;
-  var AGENTS = {
-    friction: tr("the track"),
-    drag: tr("the air"),
-    incline: tr("the Earth")
-  };
-  function agent({ kind, by }) {
-    return AGENTS[kind] ?? heard(by ?? "");
-  }
-  function actsAt({ kind, active, numbers }, t3) {
-    if (!active) return false;
-    const { from = 0, until = Infinity } = numbers;
-    return kind !== "push" || t3 >= from && t3 < until;
-  }
   function forcesAt({ header, trajectory }, t3, always = false) {
     const found2 = [];
-    for (const kind of ON_ONE) {
+    for (const kind of kindsOnOne(header)) {
       const acting = header.effects.filter(
         (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
       );
@@ -3197,7 +3546,7 @@
         const peak = greatest(column);
         const on = own.some((effect) => actsAt(effect, t3));
         const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
-        const value = Math.abs(exact) <= 1e-9 * peak ? 0 : exact;
+        const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
         found2.push({ kind, on: name2, by: listed([...new Set(own.map(agent))]), value, size });
       }
@@ -3208,29 +3557,24 @@
     const told3 = { on, by, size };
     const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      kind === "incline" ? tr("on {on} by {by} (slope): {size} N", told3) : tr("on {on} by {by}: {size} N", told3),
+      viewOf(kind).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
     ];
   }
-  function outside({ effects, track }) {
+  function outside(header) {
+    const { effects, track } = header;
     const walls = track.left === "wall" || track.right === "wall";
-    const has = (kind) => effects.some((effect) => effect.kind === kind);
-    const parts2 = [
-      walls ? tr("wall") : "",
-      has("friction") ? tr("track") : "",
-      has("drag") ? tr("air") : "",
-      ...effects.filter(({ kind }) => kind === "push").map(agent),
-      walls || has("friction") || has("incline") ? tr("Earth") : ""
-    ];
+    const kinds = kindsOnOne(header).map(viewOf);
+    const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
+    const others = effects.map((effect) => {
+      const { around } = viewOf(effect.kind);
+      return typeof around === "function" ? around(effect, agent(effect)) : "";
+    });
+    const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
+    const parts2 = [walls ? tr("wall") : "", ...media, ...others, earth];
     return [...new Set(parts2.filter(Boolean))].join(" + ");
-  }
-  function linkKind({ effects }, pair) {
-    const link = effects.find(
-      ({ kind, active, between: between2 }) => active && (kind === "spring" || kind === "magnets") && between2?.join("-") === pair
-    );
-    return link?.kind ?? "";
   }
   var known = /* @__PURE__ */ new WeakMap();
   function greatest(column) {
@@ -3262,7 +3606,7 @@
   // ../view/series.js
   function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
-    const times = Float64Array.from(run.t);
+    const times2 = Float64Array.from(run.t);
     const curves = header.bodies.map((body2, i2) => {
       const { name: name2, mass } = body2;
       const [x2, v2, a2] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
@@ -3270,7 +3614,7 @@
       const curve = { label: name2, style: styleOf(i2), over: false };
       switch (quantity) {
         case "x": {
-          const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times[k]));
+          const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times2[k]));
           return { ...curve, values, slopes: seen };
         }
         case "v":
@@ -3356,13 +3700,7 @@
 
   // ../view/ledger-effects.js
   var WANTED = "carts-energy-wanted";
-  var BANDS = {
-    bumpers: [tr("in squeezed bumpers"), "squeezed"],
-    spring: [tr("in the spring"), "stored"],
-    magnets: [tr("between the magnets"), "stored"],
-    incline: [tr("as height, above the lowest point"), "stored"]
-  };
-  var WARM = { friction: tr("track"), drag: tr("air"), spring: tr("spring") };
+  var [BUMPERS, WARMED] = ["bumpers", "warmed"];
   var AROUND = tr("surroundings");
   function needsParts({ fence }) {
     return (
@@ -3378,35 +3716,35 @@
     });
   }
   function ledgerWithEffects({ header, trajectory }, parts2) {
-    const times = trajectory.t;
+    const times2 = trajectory.t;
     const moving = seriesOf("energy", header, trajectory, 0).filter((c2) => c2.style !== "total");
     const column = (name2) => {
-      const values = parts2.columns[parts2.names.indexOf(name2)] ?? new Float64Array(times.length);
-      if (values.length === times.length) return values;
-      return Float64Array.from(times, (t3) => valueAt(parts2.t, values, null, Number(t3)));
+      const values = parts2.columns[parts2.names.indexOf(name2)] ?? new Float64Array(times2.length);
+      if (values.length === times2.length) return values;
+      return Float64Array.from(times2, (t3) => valueAt(parts2.t, values, null, Number(t3)));
     };
     const bands = moving.map((curve) => ({
       ...curve,
       label: tr("motion of {cart}", { cart: curve.label })
     }));
-    for (const [name2, [label, style]] of Object.entries(BANDS)) {
-      if (!parts2.names.includes(name2)) continue;
+    for (const name2 of parts2.names.filter((one) => one !== WARMED)) {
+      const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name2).stored ?? "", "stored"];
+      if (!label) continue;
       const values = column(name2);
       const lowest = values.reduce((least, value) => Math.min(least, value), 0);
       const above = Float64Array.from(values, (value) => value - lowest);
       bands.push({ label, style, over: false, values: above, slopes: null });
     }
-    const warm = Float64Array.from(column("warmed"), (value) => Math.max(0, value));
-    bands.push({ label: warmed(header), style: "warmed", over: false, values: warm, slopes: null });
+    const warm = { values: column(WARMED), style: "warmed", over: false, slopes: null };
+    bands.push({ ...warm, label: warmed(header) });
     return bands;
   }
   function warmed({ contacts, effects }) {
     const what = contacts.length ? [tr("bumpers")] : [];
-    for (const { kind, active, numbers } of effects) {
-      const damped = kind !== "spring" || (numbers.damping ?? 0) > 0;
-      if (active && WARM[kind] && damped) what.push(String(WARM[kind]));
+    for (const effect of effects.filter(({ active }) => active)) {
+      what.push(viewOf(effect.kind).warms?.(effect) ?? "");
     }
-    const names = [...new Set(what)];
+    const names = [...new Set(what.filter(Boolean))];
     const things = listed(names) || AROUND;
     return tr("has warmed the {things}", { things });
   }
@@ -3439,107 +3777,6 @@
       this.button.hidden = on;
     }
   };
-
-  // ../view/shapes.js
-  var REFERENCE_HEIGHT = 38;
-  var TALLEST2 = 4;
-  var LANE = 20;
-  var ABOVE = 34;
-  var DOT = 2.5;
-  var RING = 1;
-  var SHORTEST = 0.5;
-  var LONGEST2 = 1.15;
-  var FASTEST = 2.2;
-  var EDGE2 = 5;
-  var TORN = 6;
-  var LINE = 12;
-  var NAMED = 34;
-  var SPRING = [2, 10];
-  var PUSH = 15.5;
-  var FACE = 22;
-  function box(body2, view, layout, lift) {
-    const width = bodyWidth(body2);
-    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
-    const cut = wanted > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
-    const height = Math.min(wanted, TALLEST2 * REFERENCE_HEIGHT);
-    const named = height >= NAMED;
-    const mass = `${short(body2.mass)} kg`;
-    return {
-      x: -width * layout.scale / 2,
-      width: width * layout.scale,
-      height,
-      cut,
-      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
-      label: named ? mass : `${body2.name}: ${mass}`,
-      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
-    };
-  }
-  function bodyWidth(body2) {
-    return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
-  }
-  function lane(i2, tallest, layout) {
-    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
-    return layout.track - above - LANE * (layout.lanes - 1 - i2 % layout.lanes);
-  }
-  function spring(start, end) {
-    const low = (
-      /** @type {number} */
-      SPRING[0]
-    );
-    const high = (
-      /** @type {number} */
-      SPRING[1]
-    );
-    const step = (end - start) / 4;
-    let d2 = `M${px(start)} ${px(-(low + high) / 2)}`;
-    for (let k = 0; k < 4; k += 1) {
-      d2 += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
-    }
-    return `${d2}L${px(end)} ${px(-(low + high) / 2)}`;
-  }
-  function blockArrow(x2, y2, length) {
-    if (Math.abs(length) < SHORTEST) return dot(x2, y2);
-    const tip = x2 + length;
-    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
-    return `M${px(x2)} ${px(y2 - 3)}L${px(neck)} ${px(y2 - 3)}L${px(neck)} ${px(y2 - 6.5)}L${px(tip)} ${px(y2)}L${px(neck)} ${px(y2 + 6.5)}L${px(neck)} ${px(y2 + 3)}L${px(x2)} ${px(y2 + 3)}Z`;
-  }
-  function cutArrow(x2, y2, length) {
-    const half = length / 2 - Math.sign(length) * TORN / 2;
-    const piece = `M${px(x2)} ${px(y2 - 3)}h${px(half)}v6h${px(-half)}Z`;
-    return piece + blockArrow(x2 + length - half, y2, half);
-  }
-  function lineArrow(x2, y2, length) {
-    if (Math.abs(length) < SHORTEST) return dot(x2, y2, RING);
-    const tip = x2 + length;
-    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
-    return `M${px(x2)} ${px(y2)}L${px(tip)} ${px(y2)}M${px(back)} ${px(y2 - 4.5)}L${px(tip)} ${px(y2)}L${px(back)} ${px(y2 + 4.5)}`;
-  }
-  function dot(x2, y2, radius = DOT) {
-    const [r2, d2] = [px(radius), px(2 * radius)];
-    return `M${px(x2 - radius)} ${px(y2)}a${r2} ${r2} 0 1 0 ${d2} 0a${r2} ${r2} 0 1 0 -${d2} 0Z`;
-  }
-  function arrowLength(value, full, length, longest = LONGEST2) {
-    const exact = full ? value / full * length : 0;
-    return Math.max(-longest * length, Math.min(longest * length, exact));
-  }
-  function isCut(value, full, longest = LONGEST2) {
-    return full > 0 && Math.abs(value) > longest * full;
-  }
-  function velocityText(x2, length, width) {
-    const room = 62;
-    if (length >= 0) return x2 > room ? [x2 - 8, "end"] : [x2 + length + 8, "start"];
-    return x2 < width - room ? [x2 + 8, "start"] : [x2 + length - 8, "end"];
-  }
-  function keptInside(x2, length, width) {
-    if (x2 > EDGE2 && x2 < width - EDGE2) {
-      if (x2 + length > width - EDGE2) return width - EDGE2 - x2;
-      if (x2 + length < EDGE2) return EDGE2 - x2;
-    }
-    return length;
-  }
-  function labelTop(box2) {
-    return box2.labelY - LINE;
-  }
 
   // src/predict/arrows.js
   var LONG = 120;
@@ -3620,16 +3857,16 @@
       }
     }
     problem() {
-      const missing2 = this.#rows.filter((row) => row.size === null);
-      if (!missing2.length) return null;
-      const refused = missing2.filter((row) => row.box.value.trim());
+      const missing = this.#rows.filter((row) => row.size === null);
+      if (!missing.length) return null;
+      const refused = missing.filter((row) => row.box.value.trim());
       if (refused.length) {
         const names = refused.map(name).join(", ");
         const problem = tr("This number does not work yet: {names}.", { names });
         return `${problem} ${this.#range()}`;
       }
       return tr("Set every arrow first: {names}. Zero counts too: type 0.", {
-        names: missing2.map(name).join(", ")
+        names: missing.map(name).join(", ")
       });
     }
     /** For each contact two lines of arrows, yours and the run's, on one scale. @param {import("../../../view/types.js").Run} run */
@@ -3833,8 +4070,8 @@
         return [html("p", "", tr("In this run nothing touches {cart}.", { cart: this.cart }))];
       const { t: t3, F: F2, dF } = run.trajectory;
       const forces2 = Array.from({ length: FINE2 + 1 }, (_2, k) => {
-        const at = touch.start + (touch.end - touch.start) * k / FINE2;
-        return valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
+        const at2 = touch.start + (touch.end - touch.start) * k / FINE2;
+        return valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at2);
       });
       const top = Math.max(...forces2) || 1;
       const points = forces2.map((force, k) => {
@@ -4182,6 +4419,139 @@
     }
   };
 
+  // ../view/words.js
+  var QUANTITIES = {
+    x: [tr("Position"), "x", "m"],
+    v: [tr("Velocity"), "v", "m/s"],
+    a: [tr("Acceleration"), "a", "m/s²"],
+    F: [tr("Contact force"), "F", "N"],
+    p: [tr("Momentum"), "p", "kg m/s"],
+    energy: [tr("Kinetic energy"), "E", "J"]
+  };
+  var BOTH_FORCES = tr(
+    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+  );
+  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
+  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
+  function motion(velocity2, decimals, scale) {
+    if (isRest(velocity2, scale)) return tr("at rest");
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
+  }
+  function lawsOf(contacts) {
+    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  }
+  function isRest(velocity2, scale) {
+    return Math.abs(velocity2) < NOISE * scale;
+  }
+  function eventSentence(event, telling, laws) {
+    const { decimals, scale, camera, forces: forces2 } = telling;
+    const names = event.bodies;
+    const pair = capital(listed(names.map(body)));
+    const impulse = event.impulse ?? 0;
+    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const after = speeds.length ? `${speeds.join(". ")}.` : "";
+    const size = `${short(impulse)} N s`;
+    const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
+    switch (event.kind) {
+      case "contact": {
+        if (impulse && laws[names.join("-")] === "velcro") {
+          return told3(tr("{pair} hit and stay together.", { pair }), shown2, after);
+        }
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
+        if (impulse) {
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after);
+        }
+        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
+        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
+      }
+      case "peak":
+        if (forces2 && event.force) {
+          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
+          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+        }
+        return tr("{pair}: bumpers squeezed the most.", { pair });
+      case "separate": {
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after);
+        const ended2 = { pair: listed(names.map(body)) };
+        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+        if (rest) {
+          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
+          return told3(stay2, shown2, after);
+        }
+        return told3(pushEnded(event, telling, ended2.pair), shown2);
+      }
+      case "stick":
+        return told3(tr("{pair} stay together.", { pair }), after);
+      case "stop":
+        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
+      case "start":
+        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
+      case "release":
+        return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after);
+      case "end":
+        return tr("End of the run.");
+      default:
+        return `${event.kind}: ${pair}.`;
+    }
+  }
+  function joined({ bodies, after }, scale) {
+    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
+    return isRest(Number(left) - Number(right), scale);
+  }
+  function hitAndGoOn(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
+  }
+  function pushEnded(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
+      pair,
+      velocity: how
+    });
+  }
+  function together({ bodies, after }, { decimals, scale, camera }) {
+    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
+    const seen = Number(after[cart]) - camera;
+    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
+  }
+  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
+  }
+  function graphNote(quantity, events, curves) {
+    const struck = events.some((event) => event.kind === "contact" && event.impulse);
+    if (struck && quantity === "F") return IMPULSE_ONLY;
+    if (struck && quantity === "a") return JUMP_ONLY;
+    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
+  }
+  function modelSentences(header) {
+    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
+    const open2 = header.plan.length > 0;
+    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
+    if (leftOut.length) {
+      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
+    }
+    return sentences;
+  }
+  function told2(why) {
+    return why.split("; ").map(heard).join("; ");
+  }
+  function lower(name2) {
+    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
+  }
+  function capital(text) {
+    return text.slice(0, 1).toUpperCase() + text.slice(1);
+  }
+  function sentence(text) {
+    const capitalised = capital(text);
+    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
+  }
+
   // src/scene/how/words.js
   var LOCKED = tr(
     "Make your prediction and lock it first. Then you can see how the run is computed."
@@ -4224,13 +4594,13 @@
     instant: tr("impacts")
   };
   function phaseWords({ from, until, solver, why }, decimals) {
-    const times = tr("{from} to {until} s", {
+    const times2 = tr("{from} to {until} s", {
       from: fixed(from, decimals),
       until: fixed(until, decimals)
     });
     const because = told2(why);
     const sentence2 = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
-    return [times, SOLVERS[solver] ?? solver, sentence2];
+    return [times2, SOLVERS[solver] ?? solver, sentence2];
   }
   function duration(seconds) {
     if (seconds >= 1) return `${short(seconds, 2)} s`;
@@ -4384,9 +4754,9 @@
       this.until = header.until;
       this.#size();
       const lines2 = header.plan.map((phase) => {
-        const [times, how, why] = phaseWords(phase, decimals);
+        const [times2, how, why] = phaseWords(phase, decimals);
         const line = html("li");
-        line.append(html("b", "", times), ` ${how}. `, html("span", "carts-quiet", why));
+        line.append(html("b", "", times2), ` ${how}. `, html("span", "carts-quiet", why));
         return line;
       });
       this.plan.replaceChildren(...lines2);
@@ -4448,10 +4818,10 @@
      * @param {import("../../runtime/client.js").Client} client
      * @param {(more: object) => Record<string, unknown>} message a request for the scene as it is now
      */
-    constructor(root, view, client, message) {
+    constructor(root, view, client2, message) {
       this.root = root;
       this.view = view;
-      this.client = client;
+      this.client = client2;
       this.message = message;
       this.details = /** @type {HTMLDetailsElement} */
       need(root, ".carts-how");
@@ -4729,10 +5099,10 @@
     const sheet = svg("rect", { width: WIDTH2, fill: paper });
     whole.append(sheet);
     let y2 = GAP;
-    const write4 = (text, x2, at, weight) => {
+    const write4 = (text, x2, at2, weight) => {
       const line = svg("text", {
         x: x2,
-        y: at,
+        y: at2,
         fill: ink,
         "font-family": "sans-serif",
         "font-size": 13,
@@ -4755,24 +5125,24 @@
     const half = WIDTH2 / 2;
     for (let k = 0; k < graphs.length; k += 2) {
       let tallest = 0;
-      graphs.slice(k, k + 2).forEach((graph, column) => {
-        const plot2 = graph.querySelector(".carts-plot");
+      graphs.slice(k, k + 2).forEach((graph2, column) => {
+        const plot2 = graph2.querySelector(".carts-plot");
         if (!plot2) return;
         const x2 = column * half;
-        write4(graph.querySelector(".carts-graph-name")?.textContent ?? "", x2 + GAP, y2 + 12, "700");
+        write4(graph2.querySelector(".carts-graph-name")?.textContent ?? "", x2 + GAP, y2 + 12, "700");
         const drawn2 = alone2(plot2);
         const height = place2(drawn2, x2, y2 + LINE2, half - GAP);
         whole.append(drawn2);
-        const entries = [...graph.querySelectorAll(".carts-key > span")];
-        entries.forEach((entry, i2) => {
-          const at = y2 + LINE2 + height + 14 + LINE2 * i2;
-          const sample = entry.querySelector("svg");
+        const entries = [...graph2.querySelectorAll(".carts-key > span")];
+        entries.forEach((entry2, i2) => {
+          const at2 = y2 + LINE2 + height + 14 + LINE2 * i2;
+          const sample = entry2.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
-            place2(swatch, x2 + GAP, at - 10, 26);
+            place2(swatch, x2 + GAP, at2 - 10, 26);
             whole.append(swatch);
           }
-          write4(entry.textContent ?? "", x2 + GAP + 34, at, "400");
+          write4(entry2.textContent ?? "", x2 + GAP + 34, at2, "400");
         });
         tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
       });
@@ -5315,7 +5685,7 @@ ${lines2.join("\n")}
   };
 
   // src/scene/inside.js
-  function wireInside(element, baked, view, client, acts) {
+  function wireInside(element, baked, view, client2, acts) {
     element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
     element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
     for (const button of element.querySelectorAll(".carts-preset")) {
@@ -5325,11 +5695,17 @@ ${lines2.join("\n")}
       );
       button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
     }
-    const scene = baked.fence.scene;
+    const { scene, controls, switches } = baked.fence;
+    const sliders = new Controls(element, controls, acts.change, switches);
+    view.draggable({
+      ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
+      value: (target) => valueIn(view.run.header, target),
+      change: (control, value, at2) => sliders.take(control.set, value, at2)
+    });
     const [writing, counting] = [{}, {}];
     const program = async () => {
       const set = { ...acts.settings() };
-      const { header } = await client.ask(writing, () => ({ kind: "model", scene, set }));
+      const { header } = await client2.ask(writing, () => ({ kind: "model", scene, set }));
       if (!header.ok) throw refusal2(header.problems ?? []);
       return String(
         /** @type {any} */
@@ -5345,16 +5721,16 @@ ${lines2.join("\n")}
       );
       detail.heard = true;
       const set = { ...acts.settings() };
-      client.ask(counting, () => ({ kind: "energy", scene, set })).then(
+      client2.ask(counting, () => ({ kind: "energy", scene, set })).then(
         ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
         () => detail.answer(null)
       );
     });
     const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
-    const how = new How(element, view, client, (more) => {
+    const how = new How(element, view, client2, (more) => {
       return { kind: "how", scene, set: { ...acts.settings() }, ...more };
     });
-    return { find, how };
+    return { controls: sliders, find, how };
   }
   function askFirst(element, baked, view, { locked, forgotten }) {
     const ask = element.querySelector(".carts-predict");
@@ -5373,120 +5749,190 @@ ${lines2.join("\n")}
     };
   }
 
+  // src/scene/live.js
+  var Live = class {
+    #waiting = deferred();
+    /** @param {HTMLElement} element @param {import("../runtime/client.js").Client} client @param {Acts} acts */
+    constructor(element, client2, acts) {
+      this.element = element;
+      this.client = client2;
+      this.acts = acts;
+      this.#waiting.promise.catch(() => {
+      });
+    }
+    /** Resolves when Python has answered for this scene; rejects when it cannot start. */
+    get ready() {
+      return this.#waiting.promise;
+    }
+    /** Follows the page's worker. */
+    follow() {
+      const { state } = this.client;
+      const { dataset } = this.element;
+      if (state === "starting" || state === "idle") {
+        dataset.state = state === "idle" ? "still" : "starting";
+      } else if (state === "failed") this.#fail();
+      else if (dataset.state !== "live") void this.#begin();
+      else this.#mark();
+    }
+    async #begin() {
+      try {
+        await this.acts.first();
+        await frame();
+        if (this.client.state !== "ready") return;
+        this.element.dataset.state = "live";
+        this.#mark();
+        performance.mark("carts:live");
+        this.#waiting.resolve(void 0);
+        this.acts.live();
+      } catch (error) {
+        if (this.client.state !== "failed") this.#fail(
+          /** @type {Error} */
+          error
+        );
+      }
+    }
+    #mark() {
+      need(this.element, ".carts-mark").setAttribute("aria-label", LIVE);
+    }
+    /** @param {Error & {reason?: string}} error */
+    #fail(error = this.client.error ?? new Error(NOT_STARTED)) {
+      const { dataset } = this.element;
+      dataset.state = "failed";
+      dataset.reason = error.reason ?? "failed";
+      this.acts.failed();
+      const note = need(this.element, ".carts-note");
+      note.hidden = false;
+      say(note, `${error.message} ${this.acts.told() ? STILL_PLAYS : NOT_SHOWN}`);
+      this.#waiting.reject(error);
+      this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+    }
+  };
+
+  // src/scene/values.js
+  var ONE_CHANGE = 1e3;
+  var MOST3 = 50;
+  var Values = class {
+    /** @type {Settings} accepted: those of the run that is shown */
+    good = {};
+    /** @type {Settings} asked for, newest */
+    wanted = {};
+    /** @type {Settings[]} */
+    #before = [];
+    #last = { target: "", at: 0 };
+    /** @param {Settings} changes */
+    ask(changes2) {
+      const target = Object.keys(changes2).join();
+      const now = performance.now();
+      if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
+        this.#before.push({ ...this.wanted });
+        if (this.#before.length > MOST3) this.#before.shift();
+      }
+      this.#last = { target, at: now };
+      Object.assign(this.wanted, changes2);
+    }
+    /** A refused value goes back to the last good one. @param {Settings} changes */
+    giveUp(changes2) {
+      for (const [key, value] of Object.entries(changes2)) {
+        if (this.wanted[key] !== value) continue;
+        const good = this.good[key];
+        if (good === void 0) delete this.wanted[key];
+        else this.wanted[key] = good;
+      }
+    }
+    /** Other values in the place of all, as one change. @param {Settings} changes */
+    replace(changes2) {
+      this.#before.push({ ...this.wanted });
+      this.wanted = { ...changes2 };
+      this.#last.target = "";
+    }
+    get canUndo() {
+      return this.#before.length > 0;
+    }
+    /** Goes back by one change; the caller then asks for a run. */
+    undo() {
+      this.wanted = this.#before.pop() ?? {};
+      this.#last.target = "";
+    }
+    reset() {
+      if (Object.keys(this.wanted).length) this.#before.push({ ...this.wanted });
+      this.wanted = {};
+      this.good = {};
+      this.#last.target = "";
+    }
+    forget() {
+      this.reset();
+      this.#before = [];
+    }
+  };
+
+  // src/scene/runs.js
+  var Runs = class {
+    values = new Values();
+    #generation = 0;
+    // of resets: what was asked for before one is not shown after it
+    /** @param {object} owner whose newest request counts @param {import("../runtime/client.js").Client} client @param {() => object | undefined} scene as its author wrote it */
+    constructor(owner, client2, scene) {
+      this.owner = owner;
+      this.client = client2;
+      this.scene = scene;
+    }
+    /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
+    async ask(changes2 = {}) {
+      const generation = this.#generation;
+      const { header, numbers, sent } = await this.client.ask(this.owner, () => {
+        return { kind: "run", scene: this.scene(), set: { ...this.values.wanted } };
+      });
+      if (!header.ok) {
+        this.values.giveUp(changes2);
+        throw refusal2(header.problems ?? []);
+      }
+      if (generation !== this.#generation) return null;
+      this.values.good = sent.set;
+      return { header, trajectory: fromWire(header, numbers) };
+    }
+    /** Back to the values that the scene came with. */
+    reset() {
+      this.#generation += 1;
+      this.values.reset();
+    }
+  };
+
   // ../view/effects-words.js
-  var LEFT_OUT = { ...EFFECTS, release: tr("exploders") };
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
     const inside = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
-    const leftOut = header.notSimulated.map((name2) => LEFT_OUT[name2] ?? name2).join(", ");
+    const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
     const model = tr("In this model: {effects}.", { effects: inside });
-    if (!leftOut) return model;
-    const outside2 = tr("Left out: {effects}.", { effects: leftOut });
+    if (!leftOut.length) return model;
+    const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
     return `${model} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
-    const { kind, numbers: n3, carts, between: between2 } = effect;
-    const names = between2 ?? carts;
-    const everyone = carts.length === header.bodies.length;
-    const on = listed(carts);
-    const both = listed(names.map(body));
-    const told3 = (...parts2) => parts2.filter(Boolean).join(", ");
-    const seen = (text) => numbers ? text : "";
-    const value = (key) => n3[key] ?? 0;
-    switch (kind) {
-      case "friction": {
-        const held = n3.static ?? value("coefficient");
-        const rest = tr("(at rest up to {coefficient})", { coefficient: short(held) });
-        const size = `μ = ${short(value("coefficient"))}`;
-        return told3(
-          everyone ? tr("friction by the track") : tr("friction on {carts} by the track", { carts: on }),
-          seen(held > value("coefficient") ? `${size} ${rest}` : size)
-        );
-      }
-      case "incline":
-        return told3(
-          everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
-          slopeText(value("angle"))
-        );
-      case "drag": {
-        const parts2 = [
-          ["linear", "m/s"],
-          ["quadratic", "(m/s)²"]
-        ].filter(([key]) => value(String(key))).map(
-          ([key, unit]) => tr("{size} N per {unit}", { size: short(value(String(key))), unit: String(unit) })
-        );
-        return told3(
-          everyone ? tr("drag by the air") : tr("drag on {carts} by the air", { carts: on }),
-          seen(parts2.length ? listed(parts2) : "0 N")
-        );
-      }
-      case "push":
-        return told3(
-          tr("a push on {cart} by {agent}", { cart: String(names[0]), agent: agent(effect) }),
-          seen(pushText(value("force"))),
-          pushTimes(effect)
-        );
-      case "spring": {
-        const length = tr("natural length {length} m", { length: short(value("length")) });
-        return told3(
-          tr("a spring between {bodies}", { bodies: both }),
-          n3.damping ? tr("damped") : "",
-          seen(`${short(value("stiffness"))} N/m, ${length}`)
-        );
-      }
-      case "magnets":
-        return tr("magnets on {bodies}, like poles facing", { bodies: both });
-      default:
-        return told3(
-          tr("an exploder between {bodies}", { bodies: both }),
-          seen(`${short(value("energy"))} J`),
-          tr("at {time} s", { time: short(value("at")) })
-        );
-    }
+    const { kind, carts, between: between2 } = effect;
+    const view = viewOf(kind);
+    const told3 = {
+      everyone: carts.length === header.bodies.length,
+      on: listed(carts),
+      both: listed((between2 ?? carts).map(body)),
+      agent: agent(effect),
+      seen: (text) => numbers ? text : ""
+    };
+    const parts2 = view.phrase?.(effect, told3) ?? [view.name];
+    return parts2.filter(Boolean).join(", ");
   }
-  function isLinked({ effects }) {
-    return effects.some(({ kind }) => kind === "spring" || kind === "magnets");
+  function forceName({ effects }) {
+    return effects.some(isLink) ? tr("Force between them") : tr("Contact force");
   }
-  function forceName(header) {
-    return isLinked(header) ? tr("Force between them") : tr("Contact force");
+  function sizeName({ effects }) {
+    return effects.some(isLink) ? tr("Size of the force between them") : tr("Size of the contact force");
   }
-  function sizeName(header) {
-    return isLinked(header) ? tr("Size of the force between them") : tr("Size of the contact force");
-  }
-  function pushText(force) {
-    const size = short(Math.abs(force));
-    return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
-  }
-  function pushTimes({ numbers }) {
-    const { from = 0, until } = numbers;
-    if (until !== void 0) {
-      return tr("from {from} s to {until} s", { from: short(from), until: short(until) });
-    }
-    return from ? tr("from {from} s", { from: short(from) }) : "";
-  }
-  function slopeText(angle) {
-    const size = short(Math.abs(angle) * 180 / Math.PI);
-    if (size === "0") return tr("0°: the track is level");
-    return angle > 0 ? tr("{angle}° down to the right", { angle: size }) : tr("{angle}° down to the left", { angle: size });
-  }
-  function pushMarks({ effects, until }, forces2) {
-    const marks2 = [];
-    for (const effect of effects) {
-      if (effect.kind !== "push" || !effect.active) continue;
-      const who = { cart: String(effect.carts[0]), agent: agent(effect) };
-      const { from = 0, until: end, force = 0 } = effect.numbers;
-      const begins = forces2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: pushText(force) }) : tr("The push on {cart} by {agent} begins.", who);
-      if (from <= until) marks2.push({ t: from, sentence: begins });
-      if (end !== void 0 && from < end && end <= until) {
-        marks2.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
-      }
-    }
-    return marks2;
+  function marks({ effects, until }, forces2) {
+    return effects.filter(({ active }) => active).flatMap((effect) => viewOf(effect.kind).marks?.(effect, agent(effect), until, forces2) ?? []);
   }
 
   // src/scene/announcer.js
-  var MOST3 = 3;
+  var MOST4 = 3;
   var Announcer = class {
     /** @param {HTMLElement} root */
     constructor(root) {
@@ -5500,12 +5946,76 @@ ${lines2.join("\n")}
     }
     /** @param {string[]} sentences */
     tell(sentences) {
-      if (sentences.length) this.region.textContent = sentences.slice(-MOST3).join(" ");
+      if (sentences.length) this.region.textContent = sentences.slice(-MOST4).join(" ");
     }
   };
 
+  // src/scene/drag.js
+  var Drag = class {
+    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
+    #held = null;
+    /**
+     * @param {SVGElement} stage @param {Layout} layout @param {import("../../../view/types.js").Baked} baked
+     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
+     *   value: of the run that is shown, in SI
+     */
+    constructor(stage, layout, baked, acts) {
+      const { controls } = baked.fence;
+      for (const { name: name2 } of baked.run.header.bodies) {
+        for (
+          const [key, part2, metres] of
+          /** @type {const} */
+          [
+            ["position", "carts-cart", 1 / layout.scale],
+            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
+          ]
+        ) {
+          const control = controls.find(({ set }) => set === `${name2}.${key}`);
+          const group2 = stage.querySelector(`.${part2}[data-body="${name2}"]`);
+          if (!control || !group2) continue;
+          group2.classList.add("carts-draggable");
+          group2.addEventListener("pointerdown", (event) => {
+            const value = acts.value(control.set);
+            if (!acts.ready() || value === null) return;
+            const down = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const unit = layout.width / stage.getBoundingClientRect().width;
+            const from = value / control.per;
+            const perUnit = metres * unit / control.per;
+            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
+            group2.setPointerCapture(down.pointerId);
+            event.preventDefault();
+          });
+          group2.addEventListener("pointermove", (event) => {
+            const held = this.#held;
+            if (held?.control !== control) return;
+            const move = (
+              /** @type {PointerEvent} */
+              event
+            );
+            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
+            if (value === held.sent) return;
+            held.sent = value;
+            acts.change(control, value, event.timeStamp);
+          });
+          for (const end of ["pointerup", "pointercancel"]) {
+            group2.addEventListener(end, () => {
+              this.#held = null;
+            });
+          }
+        }
+      }
+    }
+  };
+  function onStep(value, { low, high, step }) {
+    const near = low + Math.round((value - low) / step) * step;
+    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
+  }
+
   // src/scene/beside/bars.js
-  var HALF = 60;
+  var HALF2 = 60;
   var Bars = class {
     /** @type {Run | null} */
     #run = null;
@@ -5547,11 +6057,11 @@ ${lines2.join("\n")}
         const curve = this.#curves[k];
         row.hidden = !curve;
         if (!curve) return;
-        const at = (when) => {
+        const at2 = (when) => {
           const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
-          return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
+          return Math.abs(value) < NOISE * this.#full ? 0 : value;
         };
-        const [before, now] = [at(start), at(t3)];
+        const [before, now] = [at2(start), at2(t3)];
         say(need(row, "th"), curve.label);
         const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
         row.querySelectorAll("td[data-when]").forEach((cell, i2) => {
@@ -5563,8 +6073,8 @@ ${lines2.join("\n")}
     }
   };
   function bar(rect, part2) {
-    const length = HALF * Math.min(1, Math.abs(part2));
-    put(rect, "x", px(part2 < 0 ? HALF + 4 - length : HALF + 4));
+    const length = HALF2 * Math.min(1, Math.abs(part2));
+    put(rect, "x", px(part2 < 0 ? HALF2 + 4 - length : HALF2 + 4));
     put(rect, "width", px(length));
   }
 
@@ -5577,7 +6087,7 @@ ${lines2.join("\n")}
   }
   function contactForces(run, name2, t3, zero) {
     return run.header.contacts.filter(
-      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkKind(run.header, pair))
+      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkOf(run.header, pair))
     ).map(({ pair, bodies: [left, right] }) => {
       const size = contactForce(run, pair, t3, zero);
       const isLeft = left === name2;
@@ -5603,22 +6113,14 @@ ${lines2.join("\n")}
   }
   function effectForces(run, name2, t3) {
     return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
-      const face = value < 0 ? "right" : "left";
-      const side = kind === "friction" ? "below" : kind === "drag" ? "above" : "middle";
-      return {
-        name: kind === "incline" ? tr("force on {on} by {by}, along the slope", { on, by }) : forceOn(on, by),
-        on,
-        by,
-        way: "along",
-        side: kind === "push" ? face : side,
-        value,
-        size
-      };
+      const { forceName: forceName2 = forceOn, side } = viewOf(kind);
+      const at2 = side?.(value) ?? "middle";
+      return { name: forceName2(on, by), on, by, way: "along", side: at2, value, size };
     });
   }
   function verticalForces({ header }, name2) {
     const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
-    const slope = header.effects.filter(({ kind, active, carts }) => kind === "incline" && active && carts.includes(name2)).reduce((sum, { numbers }) => sum + (numbers.angle ?? 0), 0);
+    const slope = header.effects.filter(({ active, carts }) => active && carts.includes(name2)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
     const weight = mass * header.gravity * Math.cos(slope);
     return [
       {
@@ -5653,7 +6155,7 @@ ${lines2.join("\n")}
       this.root = root;
       this.view = baked.view;
       this.per = speedUnit(baked.view.velocity)[0];
-      this.zero = 1e-9 * (baked.view.force || 1);
+      this.zero = NOISE * (baked.view.force || 1);
       this.note = need(root, ".carts-touch-note");
       const vertical = (
         /** @type {HTMLInputElement} */
@@ -5682,11 +6184,11 @@ ${lines2.join("\n")}
         const along = [...contactForces(run, name2, t3, this.zero), ...effectForces(run, name2, t3)];
         this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
-        const { t: times, v: v2, a: a2 } = run.trajectory;
-        const speed = (at) => valueAt(times, v2[name2] ?? [], a2[name2] ?? [], at);
+        const { t: times2, v: v2, a: a2 } = run.trajectory;
+        const speed = (at2) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at2);
         const change2 = speed(t3) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
-        const seen = Math.abs(change2) < 1e-9 * velocity2 ? 0 : change2 / this.per;
+        const seen = Math.abs(change2) < NOISE * velocity2 ? 0 : change2 / this.per;
         this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
         this.#say(name2, "mass", short(mass));
         this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
@@ -5778,10 +6280,10 @@ ${lines2.join("\n")}
       root.closest("carts-scene");
       this.plot = need(root, "svg");
       this.note = need(root, ".carts-lens-note");
-      new ResizeObserver(() => {
+      onResize(root, () => {
         this.#measure();
         redraw();
-      }).observe(root);
+      });
     }
     /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
     #measure() {
@@ -5822,7 +6324,7 @@ ${lines2.join("\n")}
       const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
       const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
       const faces = [left.face - share, Math.max(right.face, left.face - share)];
-      const force = contactForce(run, touch.pair, t3, 1e-9 * (this.view.force || 1));
+      const force = contactForce(run, touch.pair, t3, NOISE * (this.view.force || 1));
       [left, right].forEach((side, k) => {
         this.#draw(k, side, Number(faces[k]), middle, force);
       });
@@ -5849,12 +6351,12 @@ ${lines2.join("\n")}
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
-      const at = (x2) => WIDTH4 / 2 + (x2 - middle) * this.#perMetre;
+      const at2 = (x2) => WIDTH4 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge, end] = [at(side.edge), at(face)];
+      const [edge, end] = [at2(side.edge), at2(face)];
       const rect = need(group2, '[data-part="body"]');
       put(rect, "x", px(k === 0 ? edge - 2 * WIDTH4 : edge));
       const bent = need(group2, '[data-part="spring"]');
@@ -5930,70 +6432,6 @@ ${lines2.join("\n")}
     }
   };
 
-  // src/scene/drag.js
-  var Drag = class {
-    /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
-    #held = null;
-    /**
-     * @param {SVGElement} stage @param {Layout} layout @param {import("../../../view/types.js").Baked} baked
-     * @param {{ready: () => boolean, value: (target: string) => number | null, change: (control: Control, value: number, at: number) => void}} acts
-     *   value: of the run that is shown, in SI
-     */
-    constructor(stage, layout, baked, acts) {
-      const { controls } = baked.fence;
-      for (const { name: name2 } of baked.run.header.bodies) {
-        for (
-          const [key, part2, metres] of
-          /** @type {const} */
-          [
-            ["position", "carts-cart", 1 / layout.scale],
-            ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
-          ]
-        ) {
-          const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part2}[data-body="${name2}"]`);
-          if (!control || !group2) continue;
-          group2.classList.add("carts-draggable");
-          group2.addEventListener("pointerdown", (event) => {
-            const value = acts.value(control.set);
-            if (!acts.ready() || value === null) return;
-            const down = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const unit = layout.width / stage.getBoundingClientRect().width;
-            const from = value / control.per;
-            const perUnit = metres * unit / control.per;
-            this.#held = { control, from, x: down.clientX, perUnit, sent: from };
-            group2.setPointerCapture(down.pointerId);
-            event.preventDefault();
-          });
-          group2.addEventListener("pointermove", (event) => {
-            const held = this.#held;
-            if (held?.control !== control) return;
-            const move = (
-              /** @type {PointerEvent} */
-              event
-            );
-            const value = onStep(held.from + (move.clientX - held.x) * held.perUnit, control);
-            if (value === held.sent) return;
-            held.sent = value;
-            acts.change(control, value, event.timeStamp);
-          });
-          for (const end of ["pointerup", "pointercancel"]) {
-            group2.addEventListener(end, () => {
-              this.#held = null;
-            });
-          }
-        }
-      }
-    }
-  };
-  function onStep(value, { low, high, step }) {
-    const near = low + Math.round((value - low) / step) * step;
-    return Number(Math.min(high, Math.max(low, near)).toPrecision(12));
-  }
-
   // ../view/graph.js
   var LEFT3 = 46;
   var RIGHT2 = 350;
@@ -6034,20 +6472,20 @@ ${lines2.join("\n")}
   function planeFor(values, window) {
     return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
   }
-  function path(curve, times, plane) {
+  function path(curve, times2, plane) {
     const { values, slopes } = curve;
     const kx = (RIGHT2 - LEFT3) / (plane.time.high - plane.time.low);
     const ky = (BOTTOM3 - TOP2) / (plane.value.high - plane.value.low);
-    const last = times.length - 1;
+    const last = times2.length - 1;
     let drawn2 = 0;
-    let x0 = timeX(plane, Number(times[0]));
+    let x0 = timeX(plane, Number(times2[0]));
     let y0 = valueY(plane, Number(values[0]));
     let d2 = `M${px(x0)} ${px(y0)}`;
     for (let k = 1; k <= last; k += 1) {
-      const x2 = timeX(plane, Number(times[k]));
+      const x2 = timeX(plane, Number(times2[k]));
       const y2 = valueY(plane, Number(values[k]));
       if (k < last && Math.abs(x2 - x0) < NEAR2 && Math.abs(y2 - y0) < NEAR2) continue;
-      const third = (Number(times[k]) - Number(times[k - 1])) / 3;
+      const third = (Number(times2[k]) - Number(times2[k - 1])) / 3;
       let bent = false;
       if (slopes && drawn2 === k - 1 && third > 0) {
         const [x1, x22] = [x0 + third * kx, x2 - third * kx];
@@ -6075,125 +6513,6 @@ ${lines2.join("\n")}
       label: fixed(v2, decimals),
       zero: v2 === 0
     }));
-  }
-
-  // src/scene/graphs/choose.js
-  var AREAS = tr("boxes as large as the masses");
-  var STILLS = tr("in stills, without motion");
-  var STOPS = tr("stops at touch, greatest force and parting");
-  var TOGGLES = {
-    F: [tr("with sign"), ""],
-    energy: [tr("as a ledger"), " carts-stack"]
-  };
-  var FORCES = ["F", "a"];
-  var Choose = class {
-    /**
-     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
-     * @param {Choice[]} views
-     * @param {boolean} stills whether playing shows stills in place of motion
-     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
-     */
-    constructor(root, baked, views, stills, acts) {
-      const place3 = need(root, ".carts-choices");
-      const { show, forces: forces2, slow } = baked.fence;
-      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
-        key: quantity,
-        label: `${lower(QUANTITIES[quantity]?.[0] ?? "")} ${QUANTITIES[quantity]?.[1]}`,
-        seen: show.includes(quantity)
-      }));
-      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
-      const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
-      const still = { key: "stills", label: STILLS, seen: stills };
-      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
-      place3.replaceChildren(
-        group(tr("Graphs"), graphs, acts.graph),
-        group(tr("Views"), views, acts.view),
-        group(tr("Picture"), [areas], (_2, on) => acts.areas(on)),
-        group(tr("Playing"), lasting && slow !== "never" ? [stops, still] : [still], acts.playing)
-      );
-    }
-  };
-  function group(title, choices, act) {
-    const set = document.createElement("fieldset");
-    set.append(html("legend", "", title));
-    for (const { key, label, seen } of choices) {
-      const line = html("label");
-      const box2 = document.createElement("input");
-      box2.type = "checkbox";
-      box2.checked = seen;
-      box2.dataset.choice = key;
-      box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label}`);
-      set.append(line);
-    }
-    set.hidden = choices.length === 0;
-    return set;
-  }
-  function emptyGraph(baked, quantity) {
-    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
-    const isForce = quantity === "F";
-    const name2 = isForce ? sizeName(baked.run.header) : title;
-    const graph = html("div", "carts-graph");
-    graph.dataset.quantity = quantity;
-    graph.setAttribute("role", "group");
-    graph.setAttribute("aria-label", tr("{quantity} against time", { quantity: name2 }));
-    const head = html("p", "carts-graph-title");
-    const named = html("span", "carts-graph-name");
-    const camera = baked.fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
-    named.append(
-      `${name2} ${camera}`,
-      html("i", "", isForce ? "|F|" : symbol),
-      tr(" in {unit}", { unit: quantity === "v" ? speedUnit(baked.view.velocity)[1] : unit })
-    );
-    head.append(named);
-    const [text, style] = TOGGLES[quantity] ?? [];
-    if (text) {
-      const button = html("button", `carts-sign${style}`, text);
-      button.setAttribute("type", "button");
-      button.setAttribute("aria-pressed", "false");
-      head.append(" ", button);
-    }
-    const table = document.createElement("table");
-    table.className = "carts-table";
-    table.append(document.createElement("thead"), document.createElement("tbody"));
-    const scroll = html("div", "carts-scroll");
-    scroll.append(table);
-    const details = html("details", "carts-more");
-    details.append(html("summary", "", tr("Table: {quantity}", { quantity: lower(name2) })), scroll);
-    graph.append(head, plot(`${baked.fence.id}-${quantity}-clip`, isForce), html("p", "carts-key"));
-    if (isForce) graph.append(html("p", "carts-area-note carts-quiet"));
-    graph.append(details);
-    return graph;
-  }
-  function plot(clip, isForce) {
-    const frame2 = svg("svg", {
-      class: "carts-plot",
-      viewBox: `0 0 ${WIDTH5} ${HEIGHT2}`,
-      "aria-hidden": "true"
-    });
-    const inside = svg("clipPath", { id: clip });
-    const width = RIGHT2 - LEFT3 + 1;
-    inside.append(svg("rect", { x: LEFT3, y: TOP2 - 4, width, height: BOTTOM3 - TOP2 + 8 }));
-    const defs = svg("defs");
-    defs.append(inside);
-    const unit = svg("text", { class: "carts-unit", x: RIGHT2, y: HEIGHT2 - 3, "text-anchor": "end" });
-    unit.textContent = tr("time t in s");
-    const cut = { "clip-path": `url(#${clip})` };
-    const areas = svg("g", { "data-part": "areas", ...cut });
-    if (isForce)
-      areas.append(svg("path", { class: "carts-impulse" }), svg("path", { class: "carts-impulse" }));
-    const cursor = svg("g", { "data-part": "cursor", ...cut });
-    cursor.append(svg("path", { class: "carts-cursor", d: `M0 ${TOP2}V${BOTTOM3}` }));
-    frame2.append(
-      defs,
-      svg("g", { "data-part": "times" }),
-      svg("g", { "data-part": "values" }),
-      unit,
-      areas,
-      svg("g", { "data-part": "curves", ...cut }),
-      cursor
-    );
-    return frame2;
   }
 
   // src/scene/how/ghost.js
@@ -6238,12 +6557,12 @@ ${lines2.join("\n")}
       header.bodies.forEach(({ name: name2 }, i2) => {
         const [x2, v2] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
         const place3 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
-        const at = `translate(${px(place3)} ${px(layout.track)})`;
-        this.#group?.children[i2]?.setAttribute("transform", at);
+        const at2 = `translate(${px(place3)} ${px(layout.track)})`;
+        this.#group?.children[i2]?.setAttribute("transform", at2);
       });
     }
   };
-  function ghostCurves(plot2, curves, times, plane) {
+  function ghostCurves(plot2, curves, times2, plane) {
     const found2 = plot2.querySelector('[data-part="ghost"]');
     if (!curves.length) return found2?.remove();
     const front = plot2.querySelector('[data-part="curves"]');
@@ -6251,8 +6570,51 @@ ${lines2.join("\n")}
     const group2 = found2 ?? svg("g", { "data-part": "ghost", "clip-path": clip });
     if (!found2) front?.before(group2);
     group2.replaceChildren(
-      ...curves.filter(({ over }) => !over).map((curve) => svg("path", { class: "carts-pale", d: path(curve, times, plane) }))
+      ...curves.filter(({ over }) => !over).map((curve) => svg("path", { class: "carts-pale", d: path(curve, times2, plane) }))
     );
+  }
+
+  // src/scene/graphs/axes.js
+  function drawAxes(root, plane) {
+    const times2 = timeMarks(plane);
+    const rows = valueMarks(plane);
+    marks2(need(root, '[data-part="times"]'), times2.length, (line, text, i2) => {
+      const { at: at2, label } = (
+        /** @type {{at: string, label: string}} */
+        times2[i2]
+      );
+      put(line, "class", "carts-grid");
+      put(line, "d", `M${at2} ${TOP2}V${BOTTOM3}`);
+      put(text, "class", "carts-tick-x");
+      put(text, "x", at2);
+      put(text, "y", String(BOTTOM3 + 14));
+      say(text, label);
+    });
+    marks2(need(root, '[data-part="values"]'), rows.length, (line, text, i2) => {
+      const { at: at2, textY, label, zero } = (
+        /** @type {(typeof rows)[number]} */
+        rows[i2]
+      );
+      put(line, "class", zero ? "carts-zero" : "carts-grid");
+      put(line, "d", `M${LEFT3} ${at2}H${RIGHT2}`);
+      put(text, "class", "carts-tick-y");
+      put(text, "x", String(LEFT3 - 5));
+      put(text, "y", textY);
+      say(text, label);
+    });
+  }
+  function marks2(group2, count2, draw) {
+    while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();
+    while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
+    for (let i2 = 0; i2 < count2; i2 += 1) {
+      draw(
+        /** @type {Element} */
+        group2.children[2 * i2],
+        /** @type {Element} */
+        group2.children[2 * i2 + 1],
+        i2
+      );
+    }
   }
 
   // ../view/impulse.js
@@ -6263,8 +6625,8 @@ ${lines2.join("\n")}
     for (let k = Math.max(0, rowAt(t3, from)); k < t3.length - 1 && Number(t3[k]) < to; k += 1) {
       const [low, high] = [Math.max(from, Number(t3[k])), Math.min(to, Number(t3[k + 1]))];
       if (high <= low) continue;
-      const at = (when) => hermite(t3, values, slopes, k, when);
-      sum += (high - low) / 6 * (at(low) + 4 * at((low + high) / 2) + at(high));
+      const at2 = (when) => hermite(t3, values, slopes, k, when);
+      sum += (high - low) / 6 * (at2(low) + 4 * at2((low + high) / 2) + at2(high));
     }
     return sum;
   }
@@ -6275,11 +6637,11 @@ ${lines2.join("\n")}
         (one) => one !== touch && one.bodies.includes(name2) && one.start < t3 && one.end > touch.start
       );
       const acting = header.effects.some(
-        ({ active, carts, between: between2, kind }) => active && carts.includes(name2) && (kind === "release" || between2?.join("-") !== touch.pair)
+        (effect) => effect.active && effect.carts.includes(name2) && !(isLink(effect) && effect.between?.join("-") === touch.pair)
         // what a pair's own spring does is in its F
       );
       if (mass === void 0 || others || acting) return { name: name2, change: null };
-      const v2 = (at) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at);
+      const v2 = (at2) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at2);
       return { name: name2, change: mass * (v2(t3) - v2(touch.start)) };
     });
   }
@@ -6310,9 +6672,9 @@ ${lines2.join("\n")}
       const end = Math.min(t3, touch.end);
       const outline2 = (sign) => {
         const points = Array.from({ length: POINTS + 1 }, (_2, k) => {
-          const at = touch.start + (end - touch.start) * k / POINTS;
-          const force = sign * contactForce(run, touch.pair, at, 0);
-          return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
+          const at2 = touch.start + (end - touch.start) * k / POINTS;
+          const force = sign * contactForce(run, touch.pair, at2, 0);
+          return `${px(timeX(plane, at2))} ${px(valueY(plane, force))}`;
         });
         const zero = px(valueY(plane, 0));
         return `M${px(timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
@@ -6339,18 +6701,48 @@ ${lines2.join("\n")}
     }
   };
 
+  // src/scene/graphs/key.js
+  var Key = class {
+    #told = "";
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.root = root;
+    }
+    /** @param {Series[]} curves @param {string} note */
+    show(curves, note) {
+      const wanted = [...curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note].join("|");
+      if (this.#told === wanted && this.root.firstChild) return;
+      this.#told = wanted;
+      this.root.replaceChildren(...curves.map(entry), ...note ? [html("span", "", note)] : []);
+    }
+    /** Something else was written in its place. */
+    forget() {
+      this.#told = "";
+    }
+  };
+  function entry({ style, over, label }) {
+    const made3 = html("span", `carts-${style}`);
+    const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
+    const sample = svg("svg", size);
+    const line = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
+    const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
+    sample.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
+    made3.append(sample, label);
+    return made3;
+  }
+
   // ../view/ledger.js
   function ledger({ header, trajectory }, windows, camera) {
     const moving = seriesOf("energy", header, trajectory, camera).filter((c2) => c2.style !== "total");
-    const times = trajectory.t;
+    const times2 = trajectory.t;
     const sum = (k) => moving.reduce((s3, c2) => s3 + Number(c2.values[k]), 0);
     const start = sum(0);
-    const squeezed = new Float64Array(times.length);
-    const warmed2 = new Float64Array(times.length);
+    const squeezed = new Float64Array(times2.length);
+    const warmed2 = new Float64Array(times2.length);
     const groups = together2(windows);
     let kept = 0;
-    for (let k = 0; k < times.length; k += 1) {
-      const t3 = Number(times[k]);
+    for (let k = 0; k < times2.length; k += 1) {
+      const t3 = Number(times2[k]);
       const away = Math.max(0, start - sum(k));
       const on = groups.some((group2) => t3 >= group2.start && t3 < group2.end);
       if (!on) kept = away;
@@ -6386,9 +6778,9 @@ ${lines2.join("\n")}
   }
   function stacked(entries) {
     let below = new Float64Array(entries[0]?.values.length ?? 0);
-    return entries.map((entry) => {
-      below = Float64Array.from(below, (value, k) => value + Number(entry.values[k]));
-      return { ...entry, values: below };
+    return entries.map((entry2) => {
+      below = Float64Array.from(below, (value, k) => value + Number(entry2.values[k]));
+      return { ...entry2, values: below };
     });
   }
 
@@ -6454,16 +6846,15 @@ ${lines2.join("\n")}
         put(path2, "class", `carts-band carts-${top.style}`);
         put(path2, "d", band2(this.times, plane, top.values, this.tops[i2 - 1]?.values));
       });
-      delete this.key.dataset.curves;
       this.key.replaceChildren(
         ...this.entries.map(({ style }) => {
-          const entry = document.createElement("span");
+          const entry2 = document.createElement("span");
           const swatch = svg("svg", { viewBox: "0 0 14 12", width: 14, height: 12 });
           swatch.setAttribute("aria-hidden", "true");
           swatch.append(svg("path", { class: `carts-band carts-${style}`, d: "M1 1H13V11H1Z" }));
-          entry.className = `carts-${style}`;
-          entry.append(swatch, document.createElement("b"));
-          return entry;
+          entry2.className = `carts-${style}`;
+          entry2.append(swatch, document.createElement("b"));
+          return entry2;
         })
       );
     }
@@ -6476,15 +6867,15 @@ ${lines2.join("\n")}
       });
     }
   };
-  function band2(times, plane, top, bottom) {
+  function band2(times2, plane, top, bottom) {
     const above = [];
     const below = [];
     let [x0, y0, z0] = [-9, -9, -9];
-    for (let k = 0; k < times.length; k += 1) {
-      const x2 = timeX(plane, Number(times[k]));
+    for (let k = 0; k < times2.length; k += 1) {
+      const x2 = timeX(plane, Number(times2[k]));
       const [y2, z2] = [Number(top[k]), Number(bottom?.[k] ?? 0)].map((v2) => valueY(plane, v2));
       const moved = Math.max(Math.abs(x2 - x0), Math.abs(Number(y2) - y0), Math.abs(Number(z2) - z0));
-      if (moved < NEAR3 && k < times.length - 1) continue;
+      if (moved < NEAR3 && k < times2.length - 1) continue;
       [x0, y0, z0] = [x2, Number(y2), Number(z2)];
       above.push(`${px(x2)} ${px(y0)}`);
       below.unshift(`${px(x2)} ${px(z0)}`);
@@ -6533,7 +6924,7 @@ ${lines2.join("\n")}
         row.append(html("td", "", fixed(t3, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
           const value = valueAt(run.trajectory.t, values, slopes, t3);
-          row.append(html("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
+          row.append(html("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
         }
         return row;
       });
@@ -6541,10 +6932,10 @@ ${lines2.join("\n")}
     }
   };
   function tableTimes({ header, trajectory }) {
-    const times = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
-    for (const event of header.events.slice(0, MOST_EVENTS)) times.add(event.t);
+    const times2 = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
+    for (const event of header.events.slice(0, MOST_EVENTS)) times2.add(event.t);
     const last = Number(trajectory.t[trajectory.t.length - 1]);
-    return [...times].filter((t3) => t3 <= last).sort((a2, b2) => a2 - b2);
+    return [...times2].filter((t3) => t3 <= last).sort((a2, b2) => a2 - b2);
   }
   function heading(text) {
     const cell = html("th", "", text);
@@ -6594,6 +6985,7 @@ ${lines2.join("\n")}
       this.plot = /** @type {SVGSVGElement} */
       /** @type {unknown} */
       need(root, ".carts-plot");
+      this.key = new Key(need(root, ".carts-key"));
       this.table = new Table(need(root, "details"), this.quantity, baked.view);
       this.button = /** @type {HTMLButtonElement | null} */
       root.querySelector(".carts-sign");
@@ -6683,7 +7075,7 @@ ${lines2.join("\n")}
         ]
       );
       this.#plane = planeFor(both, this.#window ?? [0, header.until]);
-      this.#axes();
+      drawAxes(this.root, this.#plane);
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve, i2) => {
@@ -6696,10 +7088,13 @@ ${lines2.join("\n")}
       });
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
       this.#cursor();
-      if (this.#stacked) this.ledger?.draw(this.#plane);
-      else {
+      if (this.#stacked) {
+        this.ledger?.draw(this.#plane);
+        this.key.forget();
+      } else {
         this.ledger?.clear();
-        this.#key();
+        const note = graphNote(this.quantity, header.events, this.#curves.length);
+        this.key.show(this.#curves, note);
       }
       this.at(t3);
     }
@@ -6707,34 +7102,6 @@ ${lines2.join("\n")}
     #curvesOf({ header, trajectory }) {
       if (this.#stacked) return this.ledger?.tops ?? [];
       return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
-    }
-    #axes() {
-      const times = timeMarks(this.#plane);
-      const rows = valueMarks(this.#plane);
-      marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i2) => {
-        const { at, label } = (
-          /** @type {{at: string, label: string}} */
-          times[i2]
-        );
-        put(line, "class", "carts-grid");
-        put(line, "d", `M${at} ${TOP2}V${BOTTOM3}`);
-        put(text, "class", "carts-tick-x");
-        put(text, "x", at);
-        put(text, "y", String(BOTTOM3 + 14));
-        say(text, label);
-      });
-      marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i2) => {
-        const { at, textY, label, zero } = (
-          /** @type {(typeof rows)[number]} */
-          rows[i2]
-        );
-        put(line, "class", zero ? "carts-zero" : "carts-grid");
-        put(line, "d", `M${LEFT3} ${at}H${RIGHT2}`);
-        put(text, "class", "carts-tick-y");
-        put(text, "x", String(LEFT3 - 5));
-        put(text, "y", textY);
-        say(text, label);
-      });
     }
     #cursor() {
       const group2 = need(this.root, '[data-part="cursor"]');
@@ -6746,58 +7113,10 @@ ${lines2.join("\n")}
         put(dot2, "d", MARKERS[style] ?? "");
       });
     }
-    #key() {
-      const key = need(this.root, ".carts-key");
-      const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
-      const wanted = [...this.#curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note].join("|");
-      if (key.dataset.curves === wanted) return;
-      const first = key.dataset.curves === void 0;
-      key.dataset.curves = wanted;
-      const entries = this.#curves.length + (note ? 1 : 0);
-      if (first && key.children.length === entries) return;
-      key.replaceChildren(...this.#curves.map(keyEntry), ...note ? [span2(note)] : []);
-    }
   };
-  function span2(text) {
-    return Object.assign(document.createElement("span"), { textContent: text });
-  }
-  function keyEntry(curve) {
-    const entry = span2("");
-    entry.className = `carts-${curve.style}`;
-    const sample = svg("svg", {
-      viewBox: "0 0 26 10",
-      width: 26,
-      height: 10,
-      "aria-hidden": "true"
-    });
-    const over = curve.over ? " carts-over" : "";
-    sample.append(
-      svg("path", { class: `carts-curve carts-${curve.style}${over}`, d: "M0 5H26" }),
-      svg("path", {
-        class: `carts-dot carts-${curve.style}`,
-        d: MARKERS[curve.style] ?? "",
-        transform: "translate(13 5)"
-      })
-    );
-    entry.append(sample, curve.label);
-    return entry;
-  }
   function fit(group2, count2, make) {
     while (group2.children.length > count2) group2.lastElementChild?.remove();
     while (group2.children.length < count2) group2.append(make());
-  }
-  function marks(group2, count2, draw) {
-    while (group2.children.length > 2 * count2) group2.lastElementChild?.remove();
-    while (group2.children.length < 2 * count2) group2.append(svg("path"), svg("text"));
-    for (let i2 = 0; i2 < count2; i2 += 1) {
-      draw(
-        /** @type {Element} */
-        group2.children[2 * i2],
-        /** @type {Element} */
-        group2.children[2 * i2 + 1],
-        i2
-      );
-    }
   }
 
   // src/scene/readouts.js
@@ -6826,14 +7145,14 @@ ${lines2.join("\n")}
     at(t3) {
       const run = this.#run;
       if (!run) return;
-      const { t: times, x: x2, v: v2, a: a2 } = run.trajectory;
+      const { t: times2, x: x2, v: v2, a: a2 } = run.trajectory;
       const told3 = isTold(run);
       for (const { name: name2, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
-        const acceleration = told3 ? valueAt(times, a2[name2] ?? [], null, t3) : null;
+        const acceleration = told3 ? valueAt(times2, a2[name2] ?? [], null, t3) : null;
         const values = /* @__PURE__ */ new Map([
-          ["x", valueAt(times, x2[name2] ?? [], v2[name2] ?? [], t3) - this.camera * t3],
-          ["v", (valueAt(times, v2[name2] ?? [], a2[name2] ?? [], t3) - this.camera) / this.per],
+          ["x", valueAt(times2, x2[name2] ?? [], v2[name2] ?? [], t3) - this.camera * t3],
+          ["v", (valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], t3) - this.camera) / this.per],
           ["F", acceleration === null ? null : mass * acceleration],
           ["a", acceleration]
         ]);
@@ -6851,157 +7170,17 @@ ${lines2.join("\n")}
   };
 
   // ../view/effects-props.js
-  var TURNS = 9;
-  var LEAD = 5;
-  var COIL = 7;
-  var TOOTH = 4;
-  var POLE = 12;
-  var POLES = [
-    ["N", "carts-north"],
-    ["S", "carts-south"]
-    // only where there is room
-  ];
-  var STEEPEST = 22;
-  var WEDGE = { wide: 120, narrow: 90 };
   function props(header, layout, t3, face, centre) {
-    return header.effects.filter(({ active }) => active).flatMap((effect) => {
+    return header.effects.filter((effect) => actsAt(effect, t3)).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      const y2 = layout.track;
-      const [a2, b2] = effect.between ?? ["", ""];
-      switch (effect.kind) {
-        case "friction":
-          return rough(effect, header, layout, key, face, centre);
-        case "incline":
-          return tilt(effect, layout, key);
-        case "push":
-          return actsAt(effect, t3) ? [hand(effect, header, layout, key, centre)] : [];
-        case "spring":
-          return springCoil(effect, layout, key, face(a2, "right"), face(b2, "left"));
-        case "magnets":
-          return [
-            ...magnet(`${key} ${a2}`, face(a2, "right"), y2, -1, layout),
-            ...magnet(`${key} ${b2}`, face(b2, "left"), y2, 1, layout)
-          ];
-        case "release":
-          if (t3 >= (effect.numbers.at ?? 0)) return [];
-          return exploder(key, (face(a2, "right") + face(b2, "left")) / 2, y2);
-        default:
-          return [];
-      }
+      return viewOf(effect.kind).pieces?.(effect, { key, header, layout, face, centre }) ?? [];
     });
-  }
-  function coil(start, end, y2, turns = TURNS, high = COIL) {
-    const span3 = Math.max(0, end - start);
-    const lead = Math.min(LEAD, span3 / 4);
-    const step = (span3 - 2 * lead) / turns;
-    let d2 = `M${px(start)} ${px(y2)}L${px(start + lead)} ${px(y2)}`;
-    for (let k = 0; k < turns; k += 1) {
-      d2 += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y2 - high : y2 + high)}`;
-    }
-    return `${d2}L${px(start + span3 - lead)} ${px(y2)}L${px(start + span3)} ${px(y2)}`;
-  }
-  function springCoil(effect, layout, key, start, end) {
-    const length = (effect.numbers.length ?? 0) * layout.scale;
-    const [a2, b2] = effect.between ?? ["", ""];
-    const middle = (start + end) / 2;
-    const low = a2 === "left" ? start : b2 === "right" ? end - length : middle - length / 2;
-    const y2 = layout.track - PUSH - COIL - 5;
-    return [
-      { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
-      {
-        key: `${key} natural`,
-        cls: "carts-natural",
-        d: `M${px(low)} ${px(y2 - 3)}v6M${px(low)} ${px(y2)}h${px(length)}m0 -3v6`
-      }
-    ];
-  }
-  function magnet(key, x2, y2, way, { kind }) {
-    const top = y2 - 40;
-    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole, cls], k) => {
-      const start = x2 + way * k * POLE;
-      const d2 = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      return [
-        { key: `${key} ${pole}`, cls: String(cls), d: d2 },
-        {
-          key: `${key} ${pole} letter`,
-          cls: "carts-pole",
-          text: String(pole),
-          x: px(start + way * POLE / 2),
-          y: px(top + 12),
-          anchor: "middle"
-        }
-      ];
-    });
-  }
-  function hand({ carts: [name2 = ""], numbers }, { bodies }, layout, key, centre) {
-    const y2 = layout.track;
-    const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
-    const body2 = bodies.find((one) => one.name === name2);
-    const x2 = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
-    const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
-    return { key, cls: "carts-hand", d: d2 };
-  }
-  function exploder(key, x2, y2) {
-    const low = y2 - 28;
-    return [
-      { key, cls: "carts-coil", d: coil(x2 - 9, x2 + 9, low, 7, 4) },
-      {
-        key: `${key} latch`,
-        cls: "carts-latch",
-        d: `M${px(x2 - 10)} ${px(low + 7)}v-15h20v15`
-      }
-    ];
-  }
-  function rough({ carts }, { bodies, track }, layout, key, face, centre) {
-    const cls = "carts-rough";
-    if (carts.length < bodies.length) {
-      return carts.map((name2) => {
-        const length = (bodies.find((body2) => body2.name === name2)?.length ?? 0) * layout.scale;
-        const d2 = teeth(centre(name2) - length / 2, length, layout.track);
-        return { key: `${key} ${name2}`, cls, d: d2 };
-      });
-    }
-    const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
-    const tooth = 2 * TOOTH;
-    const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
-    return [{ key, cls, d: teeth(first, Math.min(end, layout.width) - first, layout.track) }];
-  }
-  function teeth(x2, length, y2) {
-    const count2 = Math.max(0, Math.floor(length / (2 * TOOTH)));
-    return `M${px(x2)} ${px(y2)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count2)}`;
-  }
-  function tilt({ numbers }, layout, key) {
-    const angle = numbers.angle ?? 0;
-    const slope = Math.abs(Math.tan(angle));
-    const longest = WEDGE[layout.kind] ?? 0;
-    const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
-    const [x2, y2, rise] = [12, layout.tilt, length * slope];
-    const [tall, flat] = angle > 0 ? [x2, x2 + length] : [x2 + length, x2];
-    const words = angle ? tr("track tilted {slope}", { slope: slopeText(angle) }) : tr("the track is level: 0°");
-    const text = angle > 0 ? `${words} →` : angle < 0 ? `← ${words}` : words;
-    return [
-      {
-        key,
-        cls: "carts-wedge",
-        d: `M${px(tall)} ${px(y2)}V${px(y2 - rise)}L${px(flat)} ${px(y2)}Z`
-      },
-      {
-        key: `${key} words`,
-        cls: "carts-tilt",
-        text,
-        x: px(x2 + length + 10),
-        y: px(y2),
-        anchor: "start"
-      }
-    ];
   }
 
   // src/scene/effects.js
   var PER_CHARACTER = 7.2;
   var SLIVER = 1.5;
   var GAP2 = 8;
-  var BEHIND = ["carts-rough", "carts-wedge", "carts-tilt", "carts-hand"];
   var Effects = class {
     /** @type {Run | null} */
     #run = null;
@@ -7028,7 +7207,7 @@ ${lines2.join("\n")}
     show(run) {
       this.#run = run;
     }
-    /** @param {number} t in s @param {import("../../../view/effects-props.js").Face} face @param {Centre} centre */
+    /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
     at(t3, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
@@ -7044,11 +7223,11 @@ ${lines2.join("\n")}
       for (const piece of pieces) this.#draw(piece);
     }
     /** @param {Piece} piece */
-    #draw({ key, cls, d: d2, text, x: x2, y: y2, anchor }) {
+    #draw({ key, cls, behind, d: d2, text, x: x2, y: y2, anchor }) {
       let element = this.#drawn.get(key);
       if (!element) {
         element = svg(d2 === void 0 ? "text" : "path", { "data-key": key, class: cls });
-        const group2 = BEHIND.includes(cls) ? this.behind : this.front;
+        const group2 = behind ? this.behind : this.front;
         if (cls.startsWith("carts-leader")) group2.prepend(element);
         else group2.append(element);
         this.#drawn.set(key, element);
@@ -7080,9 +7259,9 @@ ${lines2.join("\n")}
       if (named) {
         const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
         const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
-        const [at, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
+        const [at2, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y2 + 4), anchor });
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at2), y: px(y2 + 4), anchor });
       } else if (!pieces.some((piece) => piece.key === row)) {
         const text = tr("by {by}", { by: force.by });
         pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 4), anchor: "start" });
@@ -7113,7 +7292,6 @@ ${lines2.join("\n")}
   var PER_CHARACTER2 = 7.8;
   var ROW = 19;
   var GAP3 = 8;
-  var LINKS = { spring: tr("spring"), magnets: tr("magnets") };
   var EDGE3 = 6;
   var Pushes = class {
     /** @type {Push[]} */
@@ -7155,10 +7333,10 @@ ${lines2.join("\n")}
       const { layout, view } = this;
       const told3 = [];
       for (const push of this.#pushes) {
-        const { t: times, F: F2, dF } = run.trajectory;
+        const { t: times2, F: F2, dF } = run.trajectory;
         const [column, slopes] = [F2[push.pair], dF[push.pair]];
-        const force = column && slopes ? valueAt(times, column, slopes, t3) : 0;
-        const signed = Math.abs(force) < 1e-9 * view.force ? 0 : force;
+        const force = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
+        const signed = Math.abs(force) < NOISE * view.force ? 0 : force;
         const size = Math.abs(signed);
         const length = arrowLength(signed, view.force, layout.force);
         const y2 = layout.track - PUSH;
@@ -7172,7 +7350,7 @@ ${lines2.join("\n")}
         const touching = this.#windows.some(
           (w2) => w2.pair === push.pair && t3 >= w2.start && t3 <= w2.end
         );
-        const link = touching ? "" : linkKind(run.header, push.pair);
+        const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
           told3.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
@@ -7196,21 +7374,21 @@ ${lines2.join("\n")}
         if (!text || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
         const half = label.length * PER_CHARACTER2 / 2;
-        const at = Math.min(Math.max(x2, low + half), high - half);
+        const at2 = Math.min(Math.max(x2, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
-          (y2) => taken.every(([row, from, to]) => row !== y2 || at + half < from || at - half > to)
+          (y2) => taken.every(([row, from, to]) => row !== y2 || at2 + half < from || at2 - half > to)
         );
         put(other, "visibility", "hidden");
         if (free === void 0) put(text, "visibility", "hidden");
         else {
-          taken.push([free, at - half, at + half]);
-          write3(text, label, at, free, "middle");
+          taken.push([free, at2 - half, at2 + half]);
+          write3(text, label, at2, free, "middle");
         }
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
     #inFull(told3) {
-      return this.#named(told3, told3.link && ` (${LINKS[told3.link]})`) || this.#named(told3, "");
+      return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
     /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push, size, x: x2 }, through) {
@@ -7406,15 +7584,15 @@ ${lines2.join("\n")}
       const { bodies, track } = this.#run.header;
       const left = bodies.map(() => 0);
       const right = bodies.map(() => 0);
-      const at = (
+      const at2 = (
         /** @param {number} x */
         (x2) => this.layout.origin + (x2 - shift) * this.layout.scale
       );
       for (let gap = 0; gap <= bodies.length; gap += 1) {
         const [a2, b2] = [this.#carts[gap - 1], this.#carts[gap]];
         if (!a2 && track.left !== "wall" || !b2 && track.right !== "wall") continue;
-        const end = a2 ? Number(centres[gap - 1]) + a2.half : at(0);
-        const start = b2 ? Number(centres[gap]) - b2.half : at(track.length ?? 0);
+        const end = a2 ? Number(centres[gap - 1]) + a2.half : at2(0);
+        const start = b2 ? Number(centres[gap]) - b2.half : at2(track.length ?? 0);
         const overlap = Math.max(0, end - start);
         const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
         const rest = Math.min(b2?.bumper ?? 0, overlap - share);
@@ -7428,10 +7606,10 @@ ${lines2.join("\n")}
       const { trajectory } = this.#run;
       const { layout, view } = this;
       const v2 = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3) - this.camera;
-      const seen = Math.abs(v2) < 1e-9 * view.velocity ? 0 : v2;
+      const seen = Math.abs(v2) < NOISE * view.velocity ? 0 : v2;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x2, exact, layout.width);
-      const [at, anchor] = velocityText(x2, length, layout.width);
+      const [at2, anchor] = velocityText(x2, length, layout.width);
       put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x2, cart.lane, length));
       put(
         need(cart.velocity, '[data-part="leader"]'),
@@ -7444,7 +7622,7 @@ ${lines2.join("\n")}
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
       const outside2 = x2 < 0 || x2 > layout.width;
-      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at));
+      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at2));
       put(text, "y", px(cart.lane + 4));
       put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
       say(text, outside2 ? tr("{name} is outside: {speed}", { name: name2, speed }) : speed);
@@ -7470,22 +7648,22 @@ ${lines2.join("\n")}
   // ../view/exits.js
   var HALVINGS = 40;
   function exits({ header, trajectory }, { low, high }, camera) {
-    const { t: times, x: places, v: v2, a: a2 } = trajectory;
+    const { t: times2, x: places, v: v2, a: a2 } = trajectory;
     const found2 = [];
     for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
-      const place3 = (t3) => valueAt(times, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
+      const place3 = (t3) => valueAt(times2, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
       const isOut = (t3) => Math.max(place3(t3) - half - high, low - place3(t3) - half) > 0;
-      const row = Array.prototype.findIndex.call(times, isOut);
+      const row = Array.prototype.findIndex.call(times2, isOut);
       if (row < 1) continue;
-      let before = Number(times[row - 1]);
-      let after = Number(times[row]);
+      let before = Number(times2[row - 1]);
+      let after = Number(times2[row]);
       for (let k = 0; k < HALVINGS; k += 1) {
         const middle = (before + after) / 2;
         if (isOut(middle)) after = middle;
         else before = middle;
       }
-      const velocity2 = valueAt(times, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
+      const velocity2 = valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
       found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity: velocity2 });
     }
     return found2;
@@ -7525,7 +7703,7 @@ ${lines2.join("\n")}
       const decimals = this.view.decimals.v ?? 2;
       const laws = lawsOf(header.contacts);
       this.told = [
-        ...isTold(run) ? pushMarks(header, this.telling.forces) : [],
+        ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
           t: event.t,
           sentence: eventSentence(event, this.telling, laws)
@@ -7551,8 +7729,8 @@ ${lines2.join("\n")}
         );
       this.list.replaceChildren(...items);
       const scrolled = items.length > IN_FULL;
-      this.list.classList.toggle("carts-events-scrolled", scrolled);
-      if (scrolled) this.list.setAttribute("tabindex", "0");
+      put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
+      if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
       this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
     }
@@ -7565,6 +7743,8 @@ ${lines2.join("\n")}
   // src/scene/timeline.js
   var MOST_EVENTS3 = 60;
   var Timeline = class {
+    #until = 0;
+    // s, as far as the axis goes
     /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
     constructor(root, seek) {
       this.scrub = /** @type {HTMLInputElement} */
@@ -7577,15 +7757,15 @@ ${lines2.join("\n")}
     /** @param {import("../../../view/types.js").Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
-      const pushes = isTold(run) ? pushMarks(header, false) : [];
-      const at = (t3) => `${px(100 * t3 / header.until, 3)}%`;
+      const pushes = isTold(run) ? marks(header, false) : [];
+      const at2 = (t3) => `${px(100 * t3 / header.until, 3)}%`;
       this.bands.replaceChildren(
         ...windows.map(
           (w2) => svg("rect", {
             class: "carts-contact-band",
-            x: at(w2.start),
+            x: at2(w2.start),
             y: 0,
-            width: at(w2.end - w2.start),
+            width: at2(w2.end - w2.start),
             height: 18
           })
         )
@@ -7595,14 +7775,14 @@ ${lines2.join("\n")}
         header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes.map(({ t: t3 }) => ({ t: t3, kind: "push" }))).map(
           (event) => svg("line", {
             class: `carts-event carts-event-${event.kind}`,
-            x1: at(event.t),
-            x2: at(event.t),
+            x1: at2(event.t),
+            x2: at2(event.t),
             y1: 1,
             y2: 17
           })
         )
       );
-      if (Number(this.scrub.max) !== header.until) this.#renumber(header.until);
+      if (this.#until !== header.until) this.#renumber(header.until);
     }
     /** @param {number} t in s @param {string} spoken */
     at(t3, spoken) {
@@ -7611,19 +7791,227 @@ ${lines2.join("\n")}
     }
     /** @param {number} until */
     #renumber(until) {
-      this.scrub.max = String(until);
+      this.#until = until;
+      put(this.scrub, "max", String(until));
       const axis2 = span(0, until, 6);
-      const times = ticks(axis2);
+      const times2 = ticks(axis2);
       this.numbers.replaceChildren(
-        ...times.flatMap((t3, i2) => {
+        ...times2.flatMap((t3, i2) => {
           const x2 = `${px(100 * t3 / until, 3)}%`;
           const text = svg("text", { class: "carts-number", x: x2, y: 32 });
-          text.textContent = fixed(t3, axisDecimals(axis2)) + (i2 === times.length - 1 ? " s" : "");
+          text.textContent = fixed(t3, axisDecimals(axis2)) + (i2 === times2.length - 1 ? " s" : "");
           return [svg("line", { class: "carts-fine", x1: x2, x2, y1: 14, y2: 20 }), text];
         })
       );
     }
   };
+
+  // src/scene/drawing.js
+  var Drawing = class {
+    /** @type {Run} */
+    run;
+    /** @type {Touch[]} bodies that touch in the run shown */
+    windows = [];
+    /**
+     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
+     * @param {(t: number) => void} seek when the reader points at a time
+     */
+    constructor(root, baked, seek = () => {
+    }) {
+      this.root = root;
+      this.baked = baked;
+      this.run = baked.run;
+      const stages = (
+        /** @type {NodeListOf<SVGElement>} */
+        root.querySelectorAll(".carts-stage")
+      );
+      this.stages = [...stages].map((stage) => new Stage(stage, baked));
+      const graphs = (
+        /** @type {NodeListOf<HTMLElement>} */
+        root.querySelectorAll(".carts-graph")
+      );
+      this.graphs = [...graphs].map((graph2) => new GraphView(graph2, baked, seek));
+      this.views = new Views(root, baked);
+      this.readouts = new Readouts(root, baked);
+      this.timeline = new Timeline(root, seek);
+      this.story = new Story(root, baked, seek);
+      this.torn = root.querySelectorAll(".carts-torn");
+      this.acting = root.querySelector(".carts-acting");
+      this.warnings = need(root, ".carts-warnings");
+      this.zoom = /** @type {HTMLSelectElement} */
+      need(root, ".carts-window");
+    }
+    /** Puts a run on the page. @param {Run} run @param {number} t the instant shown, in s */
+    show(run, t3) {
+      const { header } = run;
+      this.run = run;
+      this.windows = touches(header.events, header.until);
+      this.#words();
+      this.#offerWindows();
+      this.stand();
+      for (const graph2 of this.graphs) graph2.show(run, t3);
+      this.views.show(run, this.windows, t3);
+      this.readouts.show(run);
+      this.timeline.show(run, this.windows);
+      this.story.show(run);
+    }
+    /** Draws the instant t. @param {number} t in s */
+    at(t3) {
+      for (const stage of this.stages) stage.at(t3);
+      for (const graph2 of this.graphs) graph2.at(t3);
+      this.views.at(t3);
+      this.readouts.at(t3);
+      this.timeline.at(t3, tr("{time} seconds", { time: fixed(t3, 2) }));
+    }
+    /** The carts with boxes for their masses. */
+    stand() {
+      for (const stage of this.stages) stage.show(this.run, this.windows);
+      const torn = this.stages.some((stage) => stage.torn);
+      for (const sign of this.torn) {
+        if (torn) sign.removeAttribute("hidden");
+        put(sign, "data-now", torn ? "yes" : "no");
+      }
+    }
+    /** What acts, and what a reader must know before anything moves. */
+    #words() {
+      const { header } = this.run;
+      const numbers = isTold(this.run) && this.baked.fence.forces === "shown";
+      if (this.acting) say(this.acting, actingSentences(header, numbers));
+      this.warnings.hidden = header.warnings.length === 0;
+      this.warnings.replaceChildren(
+        ...header.warnings.map(({ message }) => html("p", "", heard(message)))
+      );
+    }
+    /** Parts of the time that the graphs can show alone: those in which bodies touch. */
+    #offerWindows() {
+      const options = this.windows.map(({ bodies, start }, i2) => {
+        const names = bodies.map(brief).join("–");
+        const option2 = html(
+          "option",
+          "",
+          tr("{names} at {time} s", { names, time: fixed(start, 2) })
+        );
+        option2.setAttribute("value", String(i2));
+        return option2;
+      });
+      const chosen = this.zoom.selectedIndex;
+      this.zoom.replaceChildren(need(this.zoom, "option"), ...options);
+      this.zoom.selectedIndex = chosen <= options.length ? chosen : 0;
+    }
+  };
+
+  // ../view/markup.js
+  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+  var Markup = class {
+    /** @param {string} text */
+    constructor(text) {
+      this.text = text;
+    }
+    toString() {
+      return this.text;
+    }
+  };
+  function html2(strings, ...values) {
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
+  }
+  function asText(value) {
+    if (Array.isArray(value)) return value.map(asText).join("");
+    if (value instanceof Markup) return value.text;
+    if (value === false || value === null || value === void 0) return "";
+    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
+  }
+
+  // ../view/skeleton/graph.js
+  var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
+  var LEDGER = html2` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title=${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}>${tr("as a ledger")}</button>`;
+  var TOGGLES = { F: WITH_SIGN, energy: LEDGER };
+  function graph({ fence, view, run }, quantity) {
+    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
+    const isForce = quantity === "F";
+    const name2 = isForce ? sizeName(run.header) : title;
+    const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
+    const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
+    const label = tr("{quantity} against time", { quantity: name2 });
+    const table = tr("Table: {quantity}", { quantity: lower(name2) });
+    return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
+<p class="carts-graph-title"><span class="carts-graph-name">${name2} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
+${plot(`${fence.id}-${quantity}-clip`, isForce)}
+<p class="carts-key"></p>
+${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
+<details class="carts-more"><summary>${table}</summary>
+<div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
+</div>`;
+  }
+  function plot(clip, isForce) {
+    const inside = html2`clip-path="url(#${clip})"`;
+    const shade = html2`<path class="carts-impulse" d=""/>`;
+    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH5} ${HEIGHT2}" width=${WIDTH5} height=${HEIGHT2} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP2 - 4} width=${RIGHT2 - LEFT3 + 1} height=${BOTTOM3 - TOP2 + 8}/></clipPath></defs>
+<g data-part="times"></g>
+<g data-part="values"></g>
+<text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
+<g data-part="areas" ${inside}>${isForce && [shade, shade]}</g>
+<g data-part="curves" ${inside}></g>
+<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
+</svg>`;
+  }
+
+  // src/scene/graphs/choose.js
+  var AREAS = tr("boxes as large as the masses");
+  var STILLS = tr("in stills, without motion");
+  var STOPS = tr("stops at touch, greatest force and parting");
+  var FORCES = ["F", "a"];
+  var Choose = class {
+    /**
+     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
+     * @param {Choice[]} views
+     * @param {boolean} stills whether playing shows stills in place of motion
+     * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
+     */
+    constructor(root, baked, views, stills, acts) {
+      const place3 = need(root, ".carts-choices");
+      const { show, forces: forces2, slow } = baked.fence;
+      const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
+        key: quantity,
+        label: `${lower(QUANTITIES[quantity]?.[0] ?? "")} ${QUANTITIES[quantity]?.[1]}`,
+        seen: show.includes(quantity)
+      }));
+      const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
+      const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
+      const still = { key: "stills", label: STILLS, seen: stills };
+      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
+      place3.replaceChildren(
+        group(tr("Graphs"), graphs, acts.graph),
+        group(tr("Views"), views, acts.view),
+        group(tr("Picture"), [areas], (_2, on) => acts.areas(on)),
+        group(tr("Playing"), lasting && slow !== "never" ? [stops, still] : [still], acts.playing)
+      );
+    }
+  };
+  function group(title, choices, act) {
+    const set = document.createElement("fieldset");
+    set.append(html("legend", "", title));
+    for (const { key, label, seen } of choices) {
+      const line = html("label");
+      const box2 = document.createElement("input");
+      box2.type = "checkbox";
+      box2.checked = seen;
+      box2.dataset.choice = key;
+      box2.addEventListener("change", () => act(key, box2.checked));
+      line.append(box2, ` ${label}`);
+      set.append(line);
+    }
+    set.hidden = choices.length === 0;
+    return set;
+  }
+  function emptyGraph(baked, quantity) {
+    return parsed(graph(baked, quantity).text);
+  }
 
   // src/scene/transport.js
   var Transport = class {
@@ -7710,66 +8098,37 @@ ${lines2.join("\n")}
   // src/scene/scene-view.js
   var HALTS = /* @__PURE__ */ new Set(["contact", "peak", "separate", "stick", "release"]);
   var SceneView = class {
-    /** @type {Run} */
-    run;
-    /** @type {Touch[]} */
-    #windows = [];
-    /** @type {Run | null} */
+    /** @type {Run | null} another run, seen pale behind the one that is shown */
     behind = null;
     /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
     constructor(root, baked) {
       this.root = root;
       this.baked = baked;
-      this.run = baked.run;
       this.player = new Player((before, forward) => this.#moved(before, forward));
-      const seek = (t3) => {
+      this.player.halting = baked.fence.slow === "stops";
+      this.seek = (t3) => {
         this.player.pause();
         this.player.seek(t3);
       };
-      const stages = (
-        /** @type {NodeListOf<SVGElement>} */
-        root.querySelectorAll(".carts-stage")
-      );
-      this.stages = [...stages].map((stage) => new Stage(stage, baked));
-      this.ghosts = this.stages.map((stage) => new Ghost(stage));
-      this.player.halting = baked.fence.slow === "stops";
-      this.seek = seek;
-      const graphs = (
-        /** @type {NodeListOf<HTMLElement>} */
-        root.querySelectorAll(".carts-graph")
-      );
-      this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
-      this.views = new Views(root, baked);
-      new Choose(root, baked, this.views.choices, this.player.stills, {
-        graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
-        view: (key, seen) => this.views.choose(key, seen),
-        areas: (on) => {
-          baked.view.alike = !on;
-          for (const stage of this.stages) stage.show(this.run, this.#windows);
-          this.#tellTorn();
-          this.player.seek(this.player.time);
-        },
-        playing: (key, on) => {
-          this.player[key === "stills" ? "stills" : "halting"] = on;
-        }
-      });
-      this.readouts = new Readouts(root, baked);
-      this.timeline = new Timeline(root, seek);
-      this.story = new Story(root, baked, seek);
+      this.drawing = new Drawing(root, baked, this.seek);
+      this.ghosts = this.drawing.stages.map((stage) => new Ghost(stage));
+      this.#offerChoices();
       this.transport = new Transport(root, this.player, baked.view.decimals);
       this.announcer = new Announcer(root);
-      this.torn = root.querySelectorAll(".carts-torn");
-      this.warnings = need(root, ".carts-warnings");
-      this.zoom = /** @type {HTMLSelectElement | null} */
-      root.querySelector(".carts-window");
-      this.zoom?.addEventListener("change", () => this.#zoom());
-      root.addEventListener("carts-redraw", () => {
-        for (const graph of this.graphs) graph.show(this.run, this.player.time);
+      this.drawing.zoom.addEventListener("change", () => this.#zoom());
+      need(root, ".carts-frame").addEventListener("carts-redraw", () => {
+        for (const graph2 of this.drawing.graphs) graph2.show(this.run, this.player.time);
       });
+    }
+    get run() {
+      return this.drawing.run;
+    }
+    get stages() {
+      return this.drawing.stages;
     }
     /** @returns {{run: Run, t: number, quantities: string[]}} what is seen */
     get now() {
-      const quantities = this.graphs.map((graph) => graph.quantity);
+      const quantities = this.drawing.graphs.map((graph2) => graph2.quantity);
       return { run: this.run, t: this.player.time, quantities };
     }
     /**
@@ -7777,29 +8136,17 @@ ${lines2.join("\n")}
      * @param {Run} run @param {Run | null} behind another run, seen pale behind it
      */
     show(run, behind = null) {
-      this.run = run;
+      const { header } = run;
       this.behind = behind;
       for (const ghost of this.ghosts) ghost.show(behind);
-      for (const graph of this.graphs) graph.behind = behind;
-      const { header } = run;
-      this.#windows = touches(header.events, header.until);
+      for (const graph2 of this.drawing.graphs) graph2.behind = behind;
+      this.drawing.show(run, this.player.time);
       this.player.until = header.until;
-      this.player.parts = slowParts(this.#windows);
-      const pushes = isTold(run) ? pushMarks(header, false) : [];
+      this.player.parts = slowParts(this.drawing.windows);
+      const pushes = isTold(run) ? marks(header, false) : [];
       this.player.stops = [...header.events, ...pushes].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
-      const acting = this.root.querySelector(".carts-acting");
-      const numbers = isTold(run) && this.baked.fence.forces === "shown";
-      if (acting) say(acting, actingSentences(header, numbers));
       this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t: t3 }) => t3);
-      this.#offerWindows();
-      for (const stage of this.stages) stage.show(run, this.#windows);
-      this.#tellTorn();
-      for (const graph of this.graphs) graph.show(run, this.player.time);
-      this.views.show(run, this.#windows, this.player.time);
-      this.readouts.show(run);
-      this.timeline.show(run, this.#windows);
-      this.story.show(run);
-      this.#warn();
+      this.#zoom();
       this.player.seek(this.player.time);
     }
     /** Lets the reader pull carts and velocity arrows. @param {ConstructorParameters<typeof Drag>[3]} acts */
@@ -7812,11 +8159,11 @@ ${lines2.join("\n")}
       for (const part2 of this.root.querySelectorAll(parts2)) {
         part2.disabled = !on;
       }
-      if (on) for (const graph of this.graphs) graph.enable();
+      if (on) for (const graph2 of this.drawing.graphs) graph2.enable();
     }
     /** Fills and opens the tables for paper. @param {boolean} open */
     print(open2) {
-      for (const { table } of this.graphs) {
+      for (const { table } of this.drawing.graphs) {
         table.fill();
         table.details.open = open2;
       }
@@ -7824,162 +8171,99 @@ ${lines2.join("\n")}
     /** @param {number} before @param {boolean} forward */
     #moved(before, forward) {
       const t3 = this.player.time;
-      for (const stage of this.stages) stage.at(t3);
+      this.drawing.at(t3);
       for (const ghost of this.ghosts) ghost.at(t3);
-      for (const graph of this.graphs) graph.at(t3);
-      this.views.at(t3);
-      this.readouts.at(t3);
-      this.timeline.at(t3, tr("{time} seconds", { time: fixed(t3, 2) }));
       this.transport.show();
-      if (forward && t3 !== before) this.announcer.tell(this.story.between(before, t3));
+      if (forward && t3 !== before) this.announcer.tell(this.drawing.story.between(before, t3));
+    }
+    #offerChoices() {
+      const { views } = this.drawing;
+      new Choose(this.root, this.baked, views.choices, this.player.stills, {
+        graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
+        view: (key, seen) => views.choose(key, seen),
+        areas: (on) => {
+          this.baked.view.alike = !on;
+          this.drawing.stand();
+          this.player.seek(this.player.time);
+        },
+        playing: (key, on) => {
+          this.player[key === "stills" ? "stills" : "halting"] = on;
+        }
+      });
     }
     /** @param {string} quantity @param {boolean} seen */
     #chooseGraph(quantity, seen) {
       const place3 = need(this.root, ".carts-graphs");
-      const there = this.graphs.find((graph2) => graph2.quantity === quantity);
+      const { graphs } = this.drawing;
+      const there = graphs.find((graph3) => graph3.quantity === quantity);
       if (!seen && there) {
-        this.graphs = this.graphs.filter((graph2) => graph2 !== there);
+        this.drawing.graphs = graphs.filter((graph3) => graph3 !== there);
         there.root.remove();
       }
       if (!seen || there) return;
-      const graph = new GraphView(emptyGraph(this.baked, quantity), this.baked, this.seek);
-      place3.insertBefore(graph.root, need(place3, ".carts-story"));
-      this.graphs.push(graph);
-      graph.enable();
-      graph.behind = this.behind;
-      graph.show(this.run, this.player.time);
+      const graph2 = new GraphView(emptyGraph(this.baked, quantity), this.baked, this.seek);
+      place3.insertBefore(graph2.root, need(place3, ".carts-story"));
+      graphs.push(graph2);
+      graph2.enable();
+      graph2.behind = this.behind;
+      graph2.show(this.run, this.player.time);
       this.#zoom();
     }
-    #tellTorn() {
-      const torn = this.stages.some((stage) => stage.torn);
-      for (const sign of this.torn) {
-        if (torn) sign.removeAttribute("hidden");
-        put(sign, "data-now", torn ? "yes" : "no");
-      }
-    }
-    #warn() {
-      const { warnings } = this.run.header;
-      this.warnings.hidden = warnings.length === 0;
-      this.warnings.replaceChildren(...warnings.map(({ message }) => html("p", "", heard(message))));
-    }
-    #offerWindows() {
-      if (!this.zoom) return;
-      const chosen = this.zoom.selectedIndex;
-      const options = this.#windows.map(({ bodies, start }, i2) => {
-        const names = bodies.map(brief).join("–");
-        const option2 = html(
-          "option",
-          "",
-          tr("{names} at {time} s", { names, time: fixed(start, 2) })
-        );
-        option2.setAttribute("value", String(i2));
-        return option2;
-      });
-      while (this.zoom.options.length > 1) this.zoom.remove(1);
-      this.zoom.append(...options);
-      this.zoom.selectedIndex = chosen <= this.#windows.length ? chosen : 0;
-      this.#zoom();
-    }
+    /** The time axis of the graphs: all of the run, or the touch that the reader chose. */
     #zoom() {
-      const touch = this.zoom?.value ? this.#windows[Number(this.zoom.value)] : void 0;
+      const { zoom, windows, graphs } = this.drawing;
+      const touch = zoom.value ? windows[Number(zoom.value)] : void 0;
       const room = touch ? 0.3 * (touch.end - touch.start) : 0;
       const window = touch ? [Math.max(0, touch.start - room), Math.min(this.run.header.until, touch.end + room)] : null;
-      for (const graph of this.graphs) graph.zoom(window, this.player.time);
-    }
-  };
-
-  // src/scene/values.js
-  var ONE_CHANGE = 1e3;
-  var MOST4 = 50;
-  var Values = class {
-    /** @type {Settings} accepted: those of the run that is shown */
-    good = {};
-    /** @type {Settings} asked for, newest */
-    wanted = {};
-    /** @type {Settings[]} */
-    #before = [];
-    #last = { target: "", at: 0 };
-    /** @param {Settings} changes */
-    ask(changes2) {
-      const target = Object.keys(changes2).join();
-      const now = performance.now();
-      if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
-        this.#before.push({ ...this.wanted });
-        if (this.#before.length > MOST4) this.#before.shift();
-      }
-      this.#last = { target, at: now };
-      Object.assign(this.wanted, changes2);
-    }
-    /** A refused value goes back to the last good one. @param {Settings} changes */
-    giveUp(changes2) {
-      for (const [key, value] of Object.entries(changes2)) {
-        if (this.wanted[key] !== value) continue;
-        const good = this.good[key];
-        if (good === void 0) delete this.wanted[key];
-        else this.wanted[key] = good;
-      }
-    }
-    /** Other values in the place of all, as one change. @param {Settings} changes */
-    replace(changes2) {
-      this.#before.push({ ...this.wanted });
-      this.wanted = { ...changes2 };
-      this.#last.target = "";
-    }
-    get canUndo() {
-      return this.#before.length > 0;
-    }
-    /** Goes back by one change; the caller then asks for a run. */
-    undo() {
-      this.wanted = this.#before.pop() ?? {};
-      this.#last.target = "";
-    }
-    reset() {
-      if (Object.keys(this.wanted).length) this.#before.push({ ...this.wanted });
-      this.wanted = {};
-      this.good = {};
-      this.#last.target = "";
-    }
-    forget() {
-      this.reset();
-      this.#before = [];
+      for (const graph2 of graphs) graph2.zoom(window, this.player.time);
     }
   };
 
   // src/scene/element.js
-  function sceneElement(client) {
+  function sceneElement(client2) {
     return class CartsScene extends HTMLElement {
       /** @type {SceneView | null} */
       #view = null;
       /** @type {import("../../../view/types.js").Baked | null} */
       #baked = null;
-      /** @type {Controls | null} */
-      #controls = null;
       /** @type {import("../predict/predict.js").Predict | null} */
       #predict = null;
       /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
-      #values = new Values();
+      #runs = new Runs(this, client2, () => this.#baked?.fence.scene);
       /** @type {ReturnType<typeof wireInside> | null} */
       #inside = null;
-      #generation = 0;
       #asBaked = "";
       // the inside of the element as the generator wrote it, for “Start again”
-      #waiting = deferred();
+      #live = new Live(this, client2, {
+        first: () => this.#first(),
+        told: () => this.#told,
+        live: () => this.#told && void followLink(this, this.id, (text) => this.#say(text)),
+        failed: () => this.#inside?.controls.enable(false)
+      });
+      #leaving = new AbortController();
+      // ends what the element hears of page and worker
       /** @type {Promise<void>} when the reader's earlier prediction is back */
       #restored = Promise.resolve();
       connectedCallback() {
+        this.#listen();
         if (this.#view) return;
         if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
-        this.#waiting.promise.catch(() => {
-        });
         this.#adopt();
-        client.addEventListener("state", () => this.#follow());
         for (const kind of ["pointerdown", "keydown", "focusin"]) {
-          this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
+          this.addEventListener(kind, () => client2.wake(), { once: true, passive: true });
         }
-        addEventListener("beforeprint", () => this.#view?.print(true));
-        addEventListener("afterprint", () => this.#view?.print(false));
         requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+      }
+      disconnectedCallback() {
+        this.#leaving.abort();
+      }
+      #listen() {
+        this.#leaving = new AbortController();
+        const { signal } = this.#leaving;
+        client2.addEventListener("state", () => this.#live.follow(), { signal });
+        addEventListener("beforeprint", () => this.#view?.print(true), { signal });
+        addEventListener("afterprint", () => this.#view?.print(false), { signal });
       }
       /** Takes over the picture and the controls that the generator wrote. */
       #adopt() {
@@ -7987,22 +8271,16 @@ ${lines2.join("\n")}
         const view = new SceneView(this, baked);
         this.#baked = baked;
         this.#view = view;
-        const { controls, switches } = baked.fence;
-        const change2 = (target, value, at) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
-        this.#controls = new Controls(this, controls, change2, switches);
-        const inside = wireInside(this, baked, view, client, {
+        const inside = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
           undo: () => this.#undo(),
           preset: (changes2) => this.#preset(changes2),
           found: () => void this.#showForces(),
-          settings: () => this.#values.good
+          settings: () => this.#values.good,
+          told: () => this.#told,
+          change: (target, value, at2) => void this.set({ [target]: value }, at2).catch((error) => this.#complain(target, error))
         });
         this.#inside = inside;
-        view.draggable({
-          ready: () => this.#told && view.player.time === 0 && !view.player.playing,
-          value: (target) => valueIn(view.run.header, target),
-          change: (control, value, at) => this.#controls?.take(control.set, value, at)
-        });
         this.#predict = askFirst(this, baked, view, {
           locked: (now) => void this.#reveal(now),
           forgotten: () => void this.#startAgain()
@@ -8012,9 +8290,9 @@ ${lines2.join("\n")}
         void inside.find?.restore();
         void inside.how.follow(baked.run);
         view.enable(!this.#predict);
-        this.#controls.enable(!this.#predict);
+        inside.controls.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
-        this.#follow();
+        this.#live.follow();
       }
       /** The start state and an empty prediction, as on the first visit. */
       async #startAgain() {
@@ -8025,7 +8303,7 @@ ${lines2.join("\n")}
         this.classList.add("carts-asks");
         this.#adopt();
         await this.#restored;
-        this.querySelector(".carts-predict :is(input, textarea):enabled")?.focus();
+        need(this, ".carts-predict :is(input, textarea):enabled").focus();
       }
       /** A force was found: now they are all shown, at the same values and the same instant. */
       async #showForces() {
@@ -8042,7 +8320,7 @@ ${lines2.join("\n")}
       }
       /** Resolves when Python has answered for this scene; rejects when it cannot start. */
       get ready() {
-        return this.#waiting.promise;
+        return this.#live.ready;
       }
       get trajectory() {
         return this.#told ? this.#view?.run.trajectory ?? null : null;
@@ -8063,30 +8341,23 @@ ${lines2.join("\n")}
        * and leaves the run as it is when a value makes no sense.
        * @param {Settings} changes @param {number} at time of the input, for the measure
        */
-      async set(changes2, at = performance.now()) {
+      async set(changes2, at2 = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
         this.#values.ask(changes2);
-        await this.#compute(changes2, at);
+        await this.#compute(changes2, at2);
       }
       /** @param {Settings} changes to be given up if they are refused @param {number} at */
-      async #compute(changes2, at) {
-        const generation = this.#generation;
-        const reply = await this.#ask();
-        if (!reply.header.ok) {
-          this.#values.giveUp(changes2);
-          throw refusal2(reply.header.problems ?? []);
-        }
-        if (generation !== this.#generation) return;
-        this.#values.good = reply.sent.set;
-        await this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
-        await drawn(this, at, { ...this.#values.good });
+      async #compute(changes2, at2) {
+        const run = await this.#runs.ask(changes2);
+        if (!run) return;
+        await this.#draw(run);
+        await drawn(this, at2, { ...this.#values.good });
+      }
+      get #values() {
+        return this.#runs.values;
       }
       get #told() {
         return !this.#predict || this.#lesson !== null;
-      }
-      #ask() {
-        const scene = this.#baked?.fence.scene;
-        return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#values.wanted } }));
       }
       #undo() {
         this.#values.undo();
@@ -8108,63 +8379,23 @@ ${lines2.join("\n")}
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
         const shown2 = this.#inside?.how.follow(run);
-        this.#controls?.show(this.#values.good, run.header);
+        this.#inside?.controls.show(this.#values.good, run.header);
         this.#inside?.find?.show(run);
         const undo = this.querySelector(".carts-undo");
         if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
         return shown2;
       }
       #reset() {
-        this.#generation += 1;
-        this.#values.reset();
+        this.#runs.reset();
         this.#inside?.how.reset();
         this.#view?.player.pause();
         if (this.#lesson) this.#draw(this.#lesson);
         this.#view?.player.seek(0);
       }
-      /** Follows the page's worker: starting, live, failed. */
-      #follow() {
-        if (client.state === "starting" || client.state === "idle") {
-          this.dataset.state = client.state === "idle" ? "still" : "starting";
-        } else if (client.state === "failed") this.#fail();
-        else if (this.dataset.state !== "live") void this.#goLive();
-        else this.#mark();
-      }
-      #mark() {
-        need(this, ".carts-mark").setAttribute("aria-label", LIVE);
-      }
-      async #goLive() {
-        try {
-          const { header, numbers } = await this.#ask();
-          if (!header.ok) throw refusal2(header.problems ?? []);
-          if (this.#told && !this.#view?.player.playing) {
-            this.#draw({ header, trajectory: fromWire(header, numbers) });
-          }
-          await frame();
-          if (client.state !== "ready") return;
-          this.dataset.state = "live";
-          this.#mark();
-          performance.mark("carts:live");
-          this.#waiting.resolve(void 0);
-          if (this.#told)
-            void followLink(this, this.#baked?.fence.id ?? "", (text) => this.#say(text));
-        } catch (error) {
-          if (client.state !== "failed") this.#fail(
-            /** @type {Error} */
-            error
-          );
-        }
-      }
-      /** @param {Error & {reason?: string}} error */
-      #fail(error = client.error ?? new Error(NOT_STARTED)) {
-        this.dataset.state = "failed";
-        this.dataset.reason = error.reason ?? "failed";
-        this.#controls?.enable(false);
-        const note = need(this, ".carts-note");
-        note.hidden = false;
-        say(note, `${error.message} ${this.#told ? STILL_PLAYS : NOT_SHOWN}`);
-        this.#waiting.reject(error);
-        this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+      /** Python's own answer takes the place of the baked run. */
+      async #first() {
+        const run = await this.#runs.ask();
+        if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
       }
       /** The run without a prediction, for a whole class: nothing is kept. */
       async reveal() {
@@ -8173,18 +8404,15 @@ ${lines2.join("\n")}
       /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
       async #reveal(now, own = true) {
         this.#predict?.complain("");
-        const generation = this.#generation;
         try {
-          const { header, numbers } = await this.#ask();
-          if (generation !== this.#generation) return;
-          if (!header.ok) throw refusal2(header.problems ?? []);
-          const run = { header, trajectory: fromWire(header, numbers) };
+          const run = await this.#runs.ask();
+          if (!run) return;
           this.#lesson = run;
           this.classList.remove("carts-asks");
           need(this, ".carts-results").hidden = false;
           this.#draw(run);
           this.#view?.enable(true);
-          this.#controls?.enable(true);
+          this.#inside?.controls.enable(true);
           if (own) this.#predict?.compare(run);
           if (now)
             this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
@@ -8198,35 +8426,10 @@ ${lines2.join("\n")}
       }
       /** @param {string} target @param {Error} error */
       #complain(target, error) {
-        this.#controls?.complain(target, error.message);
+        this.#inside?.controls.complain(target, error.message);
         this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
       }
     };
-  }
-
-  // src/shared/features.js
-  function missingFeatures() {
-    const needed = [
-      [tr("custom elements"), typeof customElements === "object"],
-      ["WebAssembly", typeof WebAssembly === "object"],
-      [tr("workers"), typeof Worker === "function"],
-      [tr("decompression"), typeof DecompressionStream === "function"],
-      [tr("array methods"), typeof Array.prototype.findLast === "function"],
-      [
-        tr("container queries"),
-        typeof CSS === "object" && CSS.supports("container-type: inline-size")
-      ]
-    ];
-    return needed.filter(([, there]) => !there).map(([name2]) => name2);
-  }
-  function excuse(scene, missing2) {
-    const note = scene.querySelector(".carts-note");
-    if (!(note instanceof HTMLElement)) return;
-    note.hidden = false;
-    note.textContent = tr(
-      "This browser is too old to play the run (missing: {features}); Chrome or Edge 111, Firefox 113, Safari 16.4 or newer can.",
-      { features: missing2.join(", ") }
-    );
   }
 
   // src/main.js
@@ -8235,15 +8438,11 @@ ${lines2.join("\n")}
     const names = scenes.flatMap((scene) => (scene.getAttribute("data-packages") ?? "").split(" "));
     return [...new Set(names.filter(Boolean))];
   }
-  var missing = missingFeatures();
-  if (missing.length) {
-    for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
-  } else {
-    const client = pagePython(packages);
-    customElements.define("carts-scene", sceneElement(client));
-    customElements.define("carts-map", mapElement(client));
-    customElements.define("carts-cost", costElement(client));
-    customElements.define("carts-hard", hardElement(client));
-    if (document.querySelector("carts-scene")) startWhenIdle(client);
-  }
+  var client = pagePython(packages);
+  customElements.define("carts-scene", sceneElement(client));
+  customElements.define("carts-map", mapElement(client));
+  customElements.define("carts-cost", costElement(client));
+  customElements.define("carts-hard", hardElement(client));
+  if (document.querySelector("carts-scene")) startWhenIdle(client);
+  document.documentElement.dataset.cartsScenes = "";
 })();

@@ -171,6 +171,40 @@
     const said = catalogue[sentence] ?? sentence;
     return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
+  var forms = null;
+  var ENOUGH = 2;
+  function heard(english) {
+    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
+    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  }
+  function part(english) {
+    const said = catalogue[english] ?? filled(english, large(forms ?? []));
+    if (said) return said;
+    const listed2 = english.split(", ");
+    if (listed2.length > 1) return listed2.map(part).join(", ");
+    return filled(english, forms ?? []) || english;
+  }
+  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
+  function filled(english, some) {
+    for (const { key, pattern: form } of some) {
+      const found = form.exec(english);
+      if (!found) continue;
+      const parts = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
+      return tr(key, Object.fromEntries(parts));
+    }
+    return "";
+  }
+  var PLACE = /\{\w+\}/;
+  function pattern(key) {
+    const named = /* @__PURE__ */ new Set();
+    const parts = key.split(/\{(\w+)\}/).map((piece, k) => {
+      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+      if (named.has(piece)) return `\\k<${piece}>`;
+      named.add(piece);
+      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
+    });
+    return new RegExp(`^${parts.join("")}$`, "su");
+  }
 
   // src/runtime/failure.js
   var MESSAGES = {
@@ -190,6 +224,10 @@
     "too-old": tr(
       "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
     ),
+    "no-memory": tr(
+      "This computer has too little memory free for Python. Close other programs and load the page again."
+    ),
+    "no-worker": tr("This browser has no workers, so Python can't start here. Try another browser."),
     "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
     "worker-lost": tr("Python stopped. It may have run out of memory."),
     "snapshot-refused": tr("Python could not start the quick way."),
@@ -291,11 +329,11 @@
   function loadIndex(base) {
     const known = indexes.get(base);
     if (known) return known;
-    const inside = Boolean(page.__cartsInside);
-    const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
+    const inside2 = Boolean(page.__cartsInside);
+    const read = inside2 ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
     const loading = read.then(() => {
       const index = page.__cartsRuntime;
-      if (!inside) delete page.__cartsRuntime;
+      if (!inside2) delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
       if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
       return index;
@@ -304,23 +342,23 @@
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name, number, part) {
-    const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(new URL(part.src, base).href, name);
+  async function loadPart(base, name, number, part2) {
+    const inside2 = Boolean(page.__cartsInside);
+    if (!inside2) await runScript(new URL(part2.src, base).href, name);
     const key = `${name}.${number}`;
-    const text = page.__cartsParts?.[key];
-    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
-    if (!inside) delete page.__cartsParts[key];
-    const bytes = decode(text, part.src, name);
-    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part.src, name);
+    const text2 = page.__cartsParts?.[key];
+    if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name);
+    if (!inside2) delete page.__cartsParts[key];
+    const bytes = decode(text2, part2.src, name);
+    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part2.src, name);
     }
     return bytes;
   }
-  function decode(text, src, name) {
+  function decode(text2, src, name) {
     try {
       const fast = Uint8Array;
-      return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+      return fast.fromBase64 ? fast.fromBase64(text2) : Uint8Array.from(atob(text2), (letter) => letter.charCodeAt(0));
     } catch {
       throw new RuntimeFailure("payload-damaged", src, name);
     }
@@ -333,7 +371,7 @@
   async function gunzip(parts) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const written = Promise.all([...parts.map((part2) => writer.write(part2)), writer.close()]);
     const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
     return bytes;
   }
@@ -348,6 +386,10 @@
       throw new RuntimeFailure("wasm-refused", String(error));
     }
   }
+  function compileFailure(error) {
+    const short2 = error instanceof RangeError || /memory|allocat/i.test(String(error));
+    return new RuntimeFailure(short2 ? "no-memory" : "too-old", String(error), "pyodide.asm.wasm");
+  }
   async function compile(parts) {
     const zip = new DecompressionStream("gzip");
     const headers = { "Content-Type": "application/wasm" };
@@ -357,12 +399,12 @@
     return module;
   }
   async function write(writer, parts) {
-    for (const part of parts) await writer.write(await part);
+    for (const part2 of parts) await writer.write(await part2);
     await writer.close();
   }
 
   // as-text:src/runtime/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    return new Response(new Blob([first.subarray(0, tableAt), more]));\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail("too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        const short = error instanceof RangeError || /memory|allocat/i.test(String(error));\n        fail(short ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
   var SNAPSHOT = "memory.snapshot";
@@ -387,7 +429,7 @@
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
+      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part2) => sum + part2.size, 0);
     }
     /** The files to load, the most urgent first. */
     files() {
@@ -432,10 +474,10 @@
      * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
      */
     load(name, reject) {
-      return this.index.files[name].parts.map(async (part, number) => {
+      return this.index.files[name].parts.map(async (part2, number) => {
         try {
-          const bytes = await loadPart(this.folder, name, number, part);
-          this.done += part.size;
+          const bytes = await loadPart(this.folder, name, number, part2);
+          this.done += part2.size;
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -449,10 +491,10 @@
       });
     }
     /** @param {string} stage */
-    progress(stage) {
+    progress(stage2) {
       if (this.over) return;
       this.watch?.progress();
-      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
+      this.onProgress({ fraction: 0.9 * this.done / this.total, stage: stage2 });
     }
     /**
      * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
@@ -461,7 +503,7 @@
      */
     async boot(parts, reject) {
       const compiling = this.module(parts.get(WASM) ?? []);
-      compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+      compiling.catch((error) => reject(compileFailure(error)));
       const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
       if (this.over) return null;
       const { worker, address } = startWorker(loader);
@@ -508,8 +550,8 @@
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
     async send(name, parts) {
-      for (const [number, part] of parts.entries()) {
-        const bytes = await part;
+      for (const [number, part2] of parts.entries()) {
+        const bytes = await part2;
         if (this.over) return;
         const last = number === parts.length - 1;
         this.worker?.postMessage({ do: "part", name, bytes, last }, [bytes.buffer]);
@@ -530,6 +572,7 @@
   async function startRuntime({ base, packages = [], onProgress = () => {
   } }) {
     requireWasm();
+    if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
     const index = await loadIndex(folder);
@@ -623,15 +666,9 @@
   // src/shared/features.js
   function missingFeatures() {
     const needed = [
-      [tr("custom elements"), typeof customElements === "object"],
       ["WebAssembly", typeof WebAssembly === "object"],
       [tr("workers"), typeof Worker === "function"],
-      [tr("decompression"), typeof DecompressionStream === "function"],
-      [tr("array methods"), typeof Array.prototype.findLast === "function"],
-      [
-        tr("container queries"),
-        typeof CSS === "object" && CSS.supports("container-type: inline-size")
-      ]
+      [tr("decompression"), typeof DecompressionStream === "function"]
     ];
     return needed.filter(([, there]) => !there).map(([name]) => name);
   }
@@ -666,25 +703,39 @@
     return all.slice(-MOST_EARLIER);
   }
 
-  // src/shared/storage.js
+  // src/shared/newest-first.js
+  function newestFirst(put) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone2) {
+      const now = put(key, value, alone2);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone2 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone2);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone2;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone2, written: Promise.resolve() };
+      const begin2 = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin2, begin2);
+      flight.next = next;
+      return next.written;
+    };
+  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
   var STORE = "answers";
   var PATIENCE2 = 2e4;
-  var SETTLED = "settled";
   var SETTLE_AFTER = 400;
-  var opened = /* @__PURE__ */ new Map();
-  function openAll(site) {
-    const found = opened.get(site) ?? openOnce(site);
-    opened.set(site, found);
-    return found;
-  }
-  async function openOnce(site) {
-    try {
-      return sheltered(indexed(await reopening(`carts:${site}`)));
-    } catch {
-      const texts = textStore(site);
-      return texts ? sheltered(texts) : memory();
-    }
-  }
   function open(name) {
     return new Promise((resolve, reject) => {
       const request = indexedDB.open(name, 1);
@@ -709,7 +760,8 @@
       }
     };
   }
-  function indexed(begin2) {
+  async function indexed(name) {
+    const begin2 = await reopening(name);
     const read = async (ask) => {
       const work = await begin2("readonly");
       return new Promise((resolve, reject) => {
@@ -722,15 +774,17 @@
       kind: "kept",
       how: "indexed",
       get: (key) => read((answers) => answers.get(key)),
-      put: (key, value, alone2 = false) => write2(begin2, (answers) => {
-        if (alone2) {
-          answers.put(value, key);
-          answers.transaction.commit();
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
+      put: newestFirst(
+        (key, value, alone2) => write2(begin2, (answers) => {
+          if (alone2) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
       remove: (key) => write2(begin2, (answers) => answers.delete(key)),
       entries: async () => {
         const [keys, values] = await Promise.all([
@@ -760,24 +814,8 @@
       work.onabort = () => reject(work.error);
     });
   }
-  function textStore(site) {
-    const before = `carts:${site}:`;
-    try {
-      localStorage.setItem(`${before}probe`, "1");
-      localStorage.removeItem(`${before}probe`);
-    } catch {
-      return null;
-    }
-    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
-    return {
-      kind: "kept",
-      how: "text",
-      get: async (key) => get(key),
-      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-      remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
-    };
-  }
+
+  // src/shared/shelter.js
   function shelter() {
     const page2 = (
       /** @type {any} */
@@ -817,6 +855,42 @@
       entries: async () => [...kept]
     };
   }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found = opened.get(site) ?? openOnce(site);
+    opened.set(site, found);
+    return found;
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
+  }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
     const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
@@ -850,9 +924,9 @@
       )).filter((draft) => draft.hash !== this.hash).sort((a, b) => a.last < b.last ? 1 : -1);
     }
     /** Resolves with whether the browser keeps it beyond this visit. @param {string} text @param {string} base */
-    async keep(text, base) {
+    async keep(text2, base) {
       const store = await this.store;
-      const draft = { text, base, last: (/* @__PURE__ */ new Date()).toISOString(), hash: this.hash };
+      const draft = { text: text2, base, last: (/* @__PURE__ */ new Date()).toISOString(), hash: this.hash };
       await store.put(this.before + this.hash, draft, true);
       return store.kind === "kept";
     }
@@ -875,8 +949,8 @@
     #where = "";
     #when = 0;
     /** @param {string} text */
-    constructor(text) {
-      this.text = text;
+    constructor(text2) {
+      this.text = text2;
     }
     get canUndo() {
       return this.#past.length > 0;
@@ -885,14 +959,14 @@
       return this.#future.length > 0;
     }
     /** @param {string} text @param {string} where it was changed: further changes there are the same step */
-    change(text, where) {
-      if (text === this.text) return false;
+    change(text2, where) {
+      if (text2 === this.text) return false;
       const now = Date.now();
       if (!where || where !== this.#where || now - this.#when > ONE_GO) this.#past.push(this.text);
       this.#where = where;
       this.#when = now;
       this.#future = [];
-      this.text = text;
+      this.text = text2;
       return true;
     }
     undo() {
@@ -903,23 +977,1031 @@
     }
     /** @param {string[]} from @param {string[]} to */
     #step(from, to) {
-      const text = from.pop();
-      if (text === void 0) return;
+      const text2 = from.pop();
+      if (text2 === void 0) return;
       to.push(this.text);
-      this.text = text;
+      this.text = text2;
       this.#where = "";
     }
   };
 
   // src/shared/dom.js
-  function html(tag, className = "", text = "") {
+  function html(tag, className = "", text2 = "") {
     const made2 = document.createElement(tag);
     if (className) made2.className = className;
-    if (text) made2.textContent = text;
+    if (text2) made2.textContent = text2;
     return made2;
   }
-  function say(element, text) {
-    if (element.textContent !== text) element.textContent = text;
+  function say(element, text2) {
+    if (element.textContent !== text2) element.textContent = text2;
+  }
+  function need(root, selector) {
+    const found = root.querySelector(selector);
+    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found
+    );
+  }
+
+  // ../view/markup.js
+  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+  var Markup = class {
+    /** @param {string} text */
+    constructor(text2) {
+      this.text = text2;
+    }
+    toString() {
+      return this.text;
+    }
+  };
+  function html2(strings, ...values) {
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
+  }
+  function asText(value) {
+    if (Array.isArray(value)) return value.map(asText).join("");
+    if (value instanceof Markup) return value.text;
+    if (value === false || value === null || value === void 0) return "";
+    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
+  }
+
+  // ../view/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var NOISE = 1e-9;
+  var MAX_DECIMALS = 12;
+  var SLOW = 0.01;
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text2 = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text2) ? `−${text2}` : text2;
+  }
+  function decimalsFor(scale, figures = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  }
+  function short(value, figures = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+    }
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function decimalsOf(value, figures = 6) {
+    const text2 = Math.abs(value).toFixed(decimalsFor(value, figures));
+    return trim(text2).split(".")[1]?.length ?? 0;
+  }
+  function speedUnit(scale) {
+    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
+  }
+  function trim(text2) {
+    return text2.includes(".") ? text2.replace(/\.?0+$/, "") : text2;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // ../view/bodies.js
+  function body(name) {
+    if (name === "left") return tr("the left wall");
+    return name === "right" ? tr("the right wall") : name;
+  }
+  function forceOn(on, by) {
+    return tr("force on {on} by {by}", { on, by });
+  }
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = names.slice(0, -1).join(", ");
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
+  // ../effects/drag/view.js
+  var view_default = {
+    name: tr("air resistance"),
+    row: 4,
+    side: () => "above",
+    agent: () => tr("the air"),
+    around: tr("air"),
+    warms: () => tr("air"),
+    phrase({ numbers: { linear, quadratic } }, { everyone, on, seen }) {
+      const sizes = [
+        linear ? tr("{size} N per {unit}", { size: short(linear), unit: "m/s" }) : "",
+        quadratic ? tr("{size} N per {unit}", { size: short(quadratic), unit: "(m/s)²" }) : ""
+      ].filter(Boolean);
+      return [
+        everyone ? tr("drag by the air") : tr("drag on {carts} by the air", { carts: on }),
+        seen(listed(sizes) || "0 N")
+      ];
+    }
+  };
+
+  // ../effects/friction/view.js
+  var TOOTH = 4;
+  var view_default2 = {
+    name: tr("friction"),
+    row: 3,
+    side: () => "below",
+    agent: () => tr("the track"),
+    around: tr("track"),
+    earth: true,
+    warms: () => tr("track"),
+    phrase({ numbers: { coefficient = 0, static: held = coefficient } }, { everyone, on, seen }) {
+      const size = `μ = ${short(coefficient)}`;
+      const rest = tr("(at rest up to {coefficient})", { coefficient: short(held) });
+      return [
+        everyone ? tr("friction by the track") : tr("friction on {carts} by the track", { carts: on }),
+        seen(held > coefficient ? `${size} ${rest}` : size)
+      ];
+    },
+    pieces: rough
+  };
+  function rough({ carts }, { key, header: { bodies, track }, layout, face, centre }) {
+    const piece = { cls: "carts-rough", behind: true };
+    if (carts.length < bodies.length) {
+      return carts.map((name) => {
+        const length = (bodies.find((body2) => body2.name === name)?.length ?? 0) * layout.scale;
+        const d2 = teeth(centre(name) - length / 2, length, layout.track);
+        return { ...piece, key: `${key} ${name}`, d: d2 };
+      });
+    }
+    const start = track.left === "wall" ? face("left", "right") : -layout.width;
+    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const tooth = 2 * TOOTH;
+    const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
+    const d = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    return [{ ...piece, key, d }];
+  }
+  function teeth(x, length, y) {
+    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+  }
+
+  // ../effects/incline/view.js
+  var STEEPEST = 22;
+  var LENGTH = { wide: 120, narrow: 90 };
+  var view_default3 = {
+    name: tr("a slope"),
+    row: 1,
+    agent: () => tr("the Earth"),
+    earth: true,
+    stored: tr("as height, above the lowest point"),
+    slope: ({ numbers }) => numbers.angle ?? 0,
+    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    label: (told) => tr("on {on} by {by} (slope): {size} N", told),
+    phrase: ({ numbers }, { everyone, on }) => [
+      everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
+      slopeText(numbers.angle ?? 0)
+    ],
+    pieces({ numbers: { angle = 0 } }, { key, layout }) {
+      const slope = Math.abs(Math.tan(angle));
+      const longest = LENGTH[layout.kind] ?? 0;
+      const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
+      const [x, y, rise] = [12, layout.tilt, length * slope];
+      const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
+      const d = `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`;
+      const words = {
+        text: tiltText(angle),
+        x: px(x + length + 10),
+        y: px(y),
+        anchor: (
+          /** @type {const} */
+          "start"
+        )
+      };
+      return [
+        { key, cls: "carts-wedge", behind: true, d },
+        { key: `${key} words`, cls: "carts-tilt", behind: true, ...words }
+      ];
+    }
+  };
+  function tiltText(angle) {
+    if (!angle) return tr("the track is level: 0°");
+    const words = tr("track tilted {slope}", { slope: slopeText(angle) });
+    return angle > 0 ? `${words} →` : `← ${words}`;
+  }
+  function slopeText(angle) {
+    const size = short(Math.abs(angle) * 180 / Math.PI);
+    if (size === "0") return tr("0°: the track is level");
+    return angle > 0 ? tr("{angle}° down to the right", { angle: size }) : tr("{angle}° down to the left", { angle: size });
+  }
+
+  // ../effects/magnets/view.js
+  var POLE = 12;
+  var POLES = [
+    ["N", "carts-north"],
+    ["S", "carts-south"]
+    // only where there is room
+  ];
+  var view_default4 = {
+    name: tr("magnets"),
+    link: tr("magnets"),
+    stored: tr("between the magnets"),
+    phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
+    pieces({ between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      return [
+        ...poles(`${key} ${a}`, face(a, "right"), -1, layout),
+        ...poles(`${key} ${b}`, face(b, "left"), 1, layout)
+      ];
+    }
+  };
+  function poles(key, x, way, { kind, track }) {
+    const top = track - 40;
+    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+      const start = x + way * k * POLE;
+      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      return [
+        { key: `${key} ${pole}`, cls, d },
+        { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
+      ];
+    });
+  }
+
+  // ../view/shapes.js
+  var DOT = 2.5;
+  var RING = 1;
+  var SHORTEST = 0.5;
+  var PUSH = 15.5;
+  var TURNS = 9;
+  var LEAD = 5;
+  var COIL = 7;
+  function bodyWidth(body2) {
+    return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
+  }
+  function coil(start, end, y, turns = TURNS, high = COIL) {
+    const span2 = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span2 / 4);
+    const step = (span2 - 2 * lead) / turns;
+    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+    for (let k = 0; k < turns; k += 1) {
+      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+    }
+    return `${d}L${px(start + span2 - lead)} ${px(y)}L${px(start + span2)} ${px(y)}`;
+  }
+  function blockArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y);
+    const tip = x + length;
+    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
+    return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
+  }
+  function lineArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
+    const tip = x + length;
+    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
+    return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
+  }
+  function dot(x, y, radius = DOT) {
+    const [r, d] = [px(radius), px(2 * radius)];
+    return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+  }
+
+  // ../effects/push/view.js
+  var view_default5 = {
+    name: tr("pushes from outside"),
+    row: 2,
+    side: (force) => force < 0 ? "right" : "left",
+    around: (_, agent2) => agent2,
+    acts: ({ numbers: { from = 0, until = Infinity } }, t) => t >= from && t < until,
+    phrase: (effect, { agent: agent2, seen }) => [
+      tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
+      seen(forceText(effect.numbers.force ?? 0)),
+      times(effect)
+    ],
+    pieces({ carts: [name = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+      const y = layout.track;
+      const way = force >= 0 ? 1 : -1;
+      const body2 = header.bodies.find((one) => one.name === name);
+      const x = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+      return [{ key, cls: "carts-hand", behind: true, d }];
+    },
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told) {
+      const who = { cart: String(carts[0]), agent: agent2 };
+      const begins = told ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const marks = from <= until ? [{ t: from, sentence: begins }] : [];
+      if (end !== void 0 && from < end && end <= until) {
+        marks.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      }
+      return marks;
+    }
+  };
+  function forceText(force) {
+    const size = short(Math.abs(force));
+    return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
+  }
+  function times({ numbers: { from = 0, until } }) {
+    if (until !== void 0) {
+      return tr("from {from} s to {until} s", { from: short(from), until: short(until) });
+    }
+    return from ? tr("from {from} s", { from: short(from) }) : "";
+  }
+
+  // ../effects/release/view.js
+  var HALF = 9;
+  var TURNS2 = 7;
+  var HIGH = 4;
+  var view_default6 = {
+    name: tr("a release between the carts"),
+    leftOut: tr("exploders"),
+    link: null,
+    // it acts at one instant: an impulse, no force to be drawn
+    acts: ({ numbers: { at = 0 } }, t) => t < at,
+    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
+      tr("an exploder between {bodies}", { bodies: both }),
+      seen(`${short(energy)} J`),
+      tr("at {time} s", { time: short(at) })
+    ],
+    pieces({ between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      const x = (face(a, "right") + face(b, "left")) / 2;
+      const low = layout.track - 28;
+      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+      return [
+        { key, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
+        { key: `${key} latch`, cls: "carts-latch", d: latch }
+      ];
+    }
+  };
+
+  // ../effects/spring/view.js
+  var view_default7 = {
+    name: tr("springs between the carts"),
+    link: tr("spring"),
+    stored: tr("in the spring"),
+    warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen }) {
+      const natural = tr("natural length {length} m", { length: short(length) });
+      return [
+        tr("a spring between {bodies}", { bodies: both }),
+        damping ? tr("damped") : "",
+        seen(`${short(stiffness)} N/m, ${natural}`)
+      ];
+    },
+    pieces({ numbers, between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      const [start, end] = [face(a, "right"), face(b, "left")];
+      const length = (numbers.length ?? 0) * layout.scale;
+      const middle = (start + end) / 2;
+      const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+      const y = layout.track - PUSH - COIL - 5;
+      const measure = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
+      return [
+        { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key: `${key} natural`, cls: "carts-natural", d: measure }
+      ];
+    }
+  };
+
+  // ../effects/views.js
+  var VIEWS = {
+    drag: view_default,
+    friction: view_default2,
+    incline: view_default3,
+    magnets: view_default4,
+    push: view_default5,
+    release: view_default6,
+    spring: view_default7
+  };
+
+  // ../view/effects.js
+  var LAST = 100;
+  function viewOf(kind) {
+    const view = VIEWS[kind];
+    if (!view) throw new Error(`there is no effect of the kind “${kind}”`);
+    return { name: kind, row: LAST, ...view };
+  }
+  function agent(effect) {
+    const view = viewOf(effect.kind);
+    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+  }
+  function kindsOnOne({ effects }) {
+    const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
+    return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
+  }
+  function isLink({ kind, between }) {
+    return between !== null && viewOf(kind).link !== null;
+  }
+  function linkedPairs({ effects }) {
+    return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
+  }
+  function effectOf(target, { effects }) {
+    const owner = target.slice(0, target.lastIndexOf("."));
+    return effects.find(
+      ({ kind, index }) => [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner)
+    );
+  }
+
+  // ../view/words.js
+  var QUANTITIES = {
+    x: [tr("Position"), "x", "m"],
+    v: [tr("Velocity"), "v", "m/s"],
+    a: [tr("Acceleration"), "a", "m/s²"],
+    F: [tr("Contact force"), "F", "N"],
+    p: [tr("Momentum"), "p", "kg m/s"],
+    energy: [tr("Kinetic energy"), "E", "J"]
+  };
+  var BOTH_FORCES = tr(
+    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+  );
+  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
+  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
+  function motion(velocity2, decimals, scale) {
+    if (isRest(velocity2, scale)) return tr("at rest");
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
+  }
+  function isRest(velocity2, scale) {
+    return Math.abs(velocity2) < NOISE * scale;
+  }
+  function lower(name) {
+    return name.slice(0, 1).toLowerCase() + name.slice(1);
+  }
+
+  // ../view/trajectory.js
+  function fromBaked(numbers, events) {
+    const parts = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts;
+  }
+
+  // ../view/effects-forces.js
+  function outside(header) {
+    const { effects, track } = header;
+    const walls = track.left === "wall" || track.right === "wall";
+    const kinds = kindsOnOne(header).map(viewOf);
+    const media = kinds.map(({ around }) => typeof around === "string" ? around : "");
+    const others = effects.map((effect) => {
+      const { around } = viewOf(effect.kind);
+      return typeof around === "function" ? around(effect, agent(effect)) : "";
+    });
+    const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
+    const parts = [walls ? tr("wall") : "", ...media, ...others, earth];
+    return [...new Set(parts.filter(Boolean))].join(" + ");
+  }
+
+  // ../view/markers.js
+  var MARKERS = {
+    b0: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z",
+    b1: "M-3.5 -3.5H3.5V3.5H-3.5Z",
+    b2: "M0 -5L5 0L0 5L-5 0Z",
+    b3: "M-4.5 3.5L0 -4.5L4.5 3.5Z",
+    b4: "M-4.5 -3.5L0 4.5L4.5 -3.5Z",
+    b5: "M-4 -1.5H-1.5V-4H1.5V-1.5H4V1.5H1.5V4H-1.5V1.5H-4Z",
+    b6: "M-4.5 -2.5H4.5V2.5H-4.5Z",
+    b7: "M-2.5 -4.5H2.5V4.5H-2.5Z",
+    wall: "M-3 -3L3 3M-3 3L3 -3",
+    total: "M-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0Z"
+  };
+  function styleOf(index) {
+    return `b${index % 8}`;
+  }
+
+  // ../view/skeleton/beside.js
+  function views(baked) {
+    const { fence, run } = baked;
+    const linked = linkedPairs(run.header);
+    const touches = run.header.contacts.some(({ stiffness, pair }) => stiffness || linked.has(pair));
+    return html2`<div class="carts-views"${fence.predict && html2` hidden`}>
+${fence.forces === "shown" && touches && html2`${freeBody(baked)}
+${lens(baked)}`}
+${bars(baked)}
+</div>`;
+  }
+  var closed = ({ fence }, view) => !fence.opened.includes(view) && html2` hidden`;
+  function freeBody(baked) {
+    const { bodies } = baked.run.header;
+    const rows = [
+      [tr("resultant force"), "F", "N", "F"],
+      [tr("mass"), "m", "kg", "mass"],
+      [tr("acceleration"), "a = F/m", "m/s²", "a"],
+      [tr("change of velocity"), "Δv", speedUnit(baked.view.velocity)[1], "dv"]
+    ];
+    const alone2 = bodies.map(
+      ({ name }, i) => html2`<div class="carts-alone carts-${styleOf(i)}" data-body=${name}><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
+`
+    );
+    const lines = rows.map(
+      ([name, symbol, unit, quantity]) => html2`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html2` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body2) => html2`<td data-body=${body2.name} data-quantity=${quantity}>–</td>`)}</tr>
+`
+    );
+    return html2`<section class="carts-view carts-free-body" data-view="free-body"${closed(baked, "free-body")}>
+<p class="carts-view-title"><span class="carts-heading">${tr("Forces on each cart")}</span> <label><input type="checkbox" class="carts-vertical"> ${tr("weight and support")}</label></p>
+<div class="carts-bodies">
+${alone2}</div>
+<p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
+<div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html2`<th scope="col">${name}</th>`)}</tr></thead><tbody>
+${lines}</tbody></table></div>
+<p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>
+</section>`;
+  }
+  function lens(baked) {
+    const sides = [0, 1].map(
+      (k) => html2`<g data-side=${k}><rect data-part="body" class="carts-box" y="22" width="720" height="66"/><path data-part="spring" class="carts-spring"/><rect data-part="face" class="carts-face" x="-3" y="34" width="6" height="61" rx="2"/><text data-part="name" class="carts-name" y="42"></text><path data-part="arrow" class="carts-block-arrow"/></g>`
+    );
+    return html2`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
+<p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/>${sides}<path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+</section>`;
+  }
+  function bars(baked) {
+    const rows = momenta(baked.run.header).map(
+      ([label, style]) => html2`<tr class="carts-${style}"><th scope="row">${label}</th><td data-when="before">–</td><td class="carts-bars" aria-hidden="true"><svg viewBox="0 0 128 20" width="128" height="20"><path class="carts-zero" d="M64 0V20"/><rect data-part="before"/><rect data-part="now"/></svg></td><td data-when="now">–</td><td data-when="change">–</td></tr>
+`
+    );
+    return html2`<section class="carts-view" data-view="bars"${closed(baked, "bars")}>
+<p class="carts-heading">${tr("Momentum before and now")}</p>
+<div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col"><i>p</i>${tr(" in {unit}", { unit: "kg m/s" })}</th><th scope="col">${tr("before,")} <span class="carts-touch-note"></span></th><th scope="col" aria-hidden="true"></th><th scope="col">${tr("now")}</th><th scope="col">${tr("change")}</th></tr></thead><tbody>
+${rows}</tbody></table></div>
+<p class="carts-quiet">${tr("Hollow: before. Filled: now. + is to the right.")}</p>
+</section>`;
+  }
+  function momenta(header) {
+    const around = outside(header);
+    const rows = header.bodies.map(({ name }, i) => [name, styleOf(i)]);
+    if (around) rows.push([around, "wall"]);
+    if (rows.length > 1) rows.push([around ? tr("all together") : tr("all carts"), "total"]);
+    return rows;
+  }
+
+  // ../view/effects-words.js
+  function sizeName({ effects }) {
+    return effects.some(isLink) ? tr("Size of the force between them") : tr("Size of the contact force");
+  }
+
+  // ../view/scales.js
+  var STEP_SLACK = 1e-9;
+  function axisDecimals(axis2) {
+    return Math.max(0, -exponent(axis2.step));
+  }
+  function ticks(axis2) {
+    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
+    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
+    const found = [];
+    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
+    return found;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+
+  // ../view/graph.js
+  var LEFT = 46;
+  var RIGHT = 350;
+  var TOP = 8;
+  var BOTTOM = 142;
+  var WIDTH = 360;
+  var HEIGHT = 172;
+
+  // ../view/skeleton/graph.js
+  var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
+  var LEDGER = html2` <button type="button" class="carts-sign carts-stack" aria-pressed="false" disabled title=${tr("Kinetic energy, squeezed bumpers and warmth on top of each other")}>${tr("as a ledger")}</button>`;
+  var TOGGLES = { F: WITH_SIGN, energy: LEDGER };
+  function graph({ fence, view, run }, quantity) {
+    const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
+    const isForce = quantity === "F";
+    const name = isForce ? sizeName(run.header) : title;
+    const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
+    const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
+    const label = tr("{quantity} against time", { quantity: name });
+    const table = tr("Table: {quantity}", { quantity: lower(name) });
+    return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
+<p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
+${plot(`${fence.id}-${quantity}-clip`, isForce)}
+<p class="carts-key"></p>
+${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
+<details class="carts-more"><summary>${table}</summary>
+<div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
+</div>`;
+  }
+  function plot(clip, isForce) {
+    const inside2 = html2`clip-path="url(#${clip})"`;
+    const shade = html2`<path class="carts-impulse" d=""/>`;
+    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
+<g data-part="times"></g>
+<g data-part="values"></g>
+<text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
+<g data-part="areas" ${inside2}>${isForce && [shade, shade]}</g>
+<g data-part="curves" ${inside2}></g>
+<g data-part="cursor" ${inside2}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>
+</svg>`;
+  }
+
+  // ../view/skeleton/panel.js
+  function panel(baked) {
+    const { controls, switches, presets } = baked.fence;
+    const names = Object.keys(presets);
+    const buttons = names.map(
+      (name) => html2`<button type="button" class="carts-button carts-preset" data-preset=${name} disabled>${name}</button>`
+    );
+    const back = controls.length || switches.length || names.length;
+    return html2`<div class="carts-side">
+${names.length > 0 && html2`<p class="carts-presets" role="group" aria-label=${tr("Ready-made settings")}>${buttons}</p>`}
+<div class="carts-panel">
+${cartCards(baked)}
+${otherCards(baked)}
+${effectCard(baked)}
+</div>
+<div class="carts-warnings" hidden></div>
+<details class="carts-more carts-take"><summary>${tr("Take it along")}</summary></details>
+${back > 0 && html2`<p class="carts-reset-row"><button type="button" class="carts-button carts-undo" disabled>${tr("Undo")}</button> <button type="button" class="carts-button carts-reset" disabled>${tr("Reset all values")}</button></p>`}
+</div>`;
+  }
+  function cartCards(baked) {
+    const { fence, run } = baked;
+    return run.header.bodies.map(({ name }, i) => {
+      const style = `carts-${styleOf(i)}`;
+      const title = tr("Cart {name}", { name });
+      const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
+      return html2`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
+<p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
+<dl class="carts-readouts">${readouts(baked)}</dl>
+${own.map((one) => control(one, fence.id))}</div>
+`;
+    });
+  }
+  function readouts({ fence, view }) {
+    const { camera, forces } = fence;
+    const speed = speedUnit(view.velocity)[1];
+    const rows = [
+      [tr("mass"), "m", "mass", "kg"],
+      [camera ? tr("position seen from the camera") : tr("position"), "x", "x", "m"],
+      [camera ? tr("velocity seen from the camera") : tr("velocity"), "v", "v", speed]
+    ];
+    if (forces === "shown") {
+      rows.push([tr("resultant force"), "F", "F", "N"], [tr("acceleration"), "a", "a", "m/s²"]);
+    }
+    return rows.map(
+      ([name, symbol, quantity, unit]) => html2`<div><dt><span class="carts-word">${name} </span><i>${symbol}</i></dt><dd><span class="carts-value" data-quantity=${quantity}></span> ${unit}</dd></div>`
+    );
+  }
+  function otherCards({ fence, run: { header } }) {
+    const owners = header.bodies.map(({ name }) => name);
+    const contact = fence.controls.filter(({ set }) => ownerOf(set) === "contact");
+    const rest = fence.controls.filter(
+      ({ set }) => ![...owners, "contact", "effects"].includes(ownerOf(set)) && !effectOf(set, header)
+    );
+    const cards = (
+      /** @type {[string, Control[]][]} */
+      [
+        [tr("Contact"), contact],
+        [tr("Scene"), rest]
+      ]
+    );
+    return cards.filter(([, own]) => own.length).map(
+      ([title, own]) => html2`<div class="carts-card" role="group" aria-label=${title}>
+<p class="carts-heading">${title}</p>
+${own.map((one) => control(one, fence.id))}</div>
+`
+    );
+  }
+  function effectCard({ fence, run: { header } }) {
+    const own = fence.controls.filter(({ set }) => effectOf(set, header));
+    if (!own.length && !fence.switches.length) return null;
+    const title = tr("What acts");
+    const boxes = fence.switches.map(
+      ({ set, label, value }) => html2`<div class="carts-switch"><label><input type="checkbox" data-switch=${set} autocomplete="off"${value && html2` checked`} disabled> <span>${label}</span></label><p class="carts-error" hidden></p></div>`
+    );
+    return html2`<div class="carts-card carts-effect-card" role="group" aria-label=${title}>
+<p class="carts-heading">${title}</p>
+${boxes}
+${own.map((one) => control(one, fence.id))}</div>`;
+  }
+  function control({ set, label, short: short2, unit, low, high, step, value }, id) {
+    const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
+    const text2 = fixed(value, decimals).replace("−", "-");
+    const box = `${id}-${set.replaceAll(".", "-")}`;
+    const slider = tr("{label}, slider", { label });
+    const measured = unit ? tr(" in {unit}", { unit }) : "";
+    return html2`<div class="carts-control" data-set=${set}>
+<label for=${box}>${short2}</label>
+<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider} aria-valuetext="${text2} ${unit}" disabled>
+<span class="carts-typed"><input type="text" class="carts-number-box" id=${box} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2} aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
+<p class="carts-error" hidden></p>
+</div>
+`;
+  }
+  var ownerOf = (set) => set.split(".")[0] ?? "";
+
+  // ../view/skeleton/predict.js
+  var FULL = 10;
+  var KNOBS = [0, 1, 2, 3, 4];
+  var FORMS = { arrows, curve, choice, text };
+  function predict(baked, spec) {
+    const { id } = baked.fence;
+    const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
+    return html2`<div class="carts-predict" data-kind=${spec.kind} role="group" aria-labelledby="${id}-ask">
+<p class="carts-heading">${tr("Predict first")}</p>
+<p class="carts-ask" id="${id}-ask">${spec.ask}</p>
+${FORMS[spec.kind](baked, spec)}
+<p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
+<p class="carts-error carts-predict-error" role="alert" hidden></p>
+<div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
+<div class="carts-compared" hidden></div>
+<label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off"></textarea></label>
+<div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
+<p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
+</div>`;
+  }
+  function arrows({ fence, view, run: { header } }, { pairs }) {
+    const full = view.force || FULL;
+    const step = niceAbove(full / 100);
+    const asked = pairs.flatMap(([left, right]) => [
+      { pair: `${left}-${right}`, on: left, by: right },
+      { pair: `${left}-${right}`, on: right, by: left }
+    ]);
+    const rows = asked.map(({ pair, on, by }, k) => {
+      const i = header.bodies.findIndex(({ name }) => name === on);
+      const force = forceOn(body(on), body(by));
+      const label = tr("{force}, length of the arrow", { force });
+      const id = `${fence.id}-guess-${k + 1}`;
+      return html2`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label} disabled><span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
+`;
+    });
+    return html2`<div class="carts-guesses">
+${rows}</div>`;
+  }
+  function curve({ run: { header } }, { cart: cart2 }) {
+    const i = header.bodies.findIndex(({ name }) => name === cart2);
+    const knobs = KNOBS.map(
+      (k) => html2`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`
+    );
+    const heights = [
+      tr("at first touch"),
+      tr("after a quarter"),
+      tr("in the middle"),
+      tr("after three quarters"),
+      tr("at the end")
+    ].map(
+      (name) => html2`<label>${name} <input type="number" class="carts-height" autocomplete="off" min="0" max="10" step="0.5" disabled></label>`
+    );
+    return html2`<div class="carts-sketch">
+<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/><text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text><path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d="M40 130L117.5 130L195 130L272.5 130L350 130"/>${knobs}</svg>
+<div class="carts-heights"><p>${tr("Move the five points, or type heights from 0 to 10.")}</p>${heights}</div>
+</div>`;
+  }
+  function choice({ fence: { id } }, { options }) {
+    const rows = options.map(
+      (option, k) => html2`<label><input type="radio" autocomplete="off" name="${id}-predict" value=${k} disabled> <span>${option}</span></label>`
+    );
+    return html2`<div class="carts-options" role="radiogroup" aria-labelledby="${id}-ask">${rows}</div>`;
+  }
+  function text({ fence: { id } }) {
+    return html2`<textarea class="carts-words" rows="3" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
+  }
+
+  // ../view/skeleton/stage.js
+  var LABEL_ROOM = { wide: 46, narrow: 40 };
+  var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
+  var MOST_NUMBERS = 150;
+  var LEAST_WALL = 64;
+  var BEYOND = 60;
+  var WALL = 2e3;
+  function stage(baked, layout) {
+    const { fence, run } = baked;
+    const { kind, width, height } = layout;
+    const forces = fence.forces === "shown";
+    const hatch = `${fence.id}-${kind}-hatch`;
+    const size = html2`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
+    return html2`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
+<defs>
+<pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
+</defs>
+${ground(baked, layout, hatch)}
+<g data-part="effects-behind"></g>
+${run.header.bodies.map(velocity)}
+${run.header.bodies.map(cart)}
+<g data-part="effects-front"></g>
+${forces && pushes(baked)}
+<g data-part="guess"></g>
+${legend(baked, layout)}
+</svg>`;
+  }
+  function velocity({ name }, i) {
+    return html2`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
+`;
+  }
+  function cart({ name }, i) {
+    const face = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+`;
+  }
+  function pushes({ run: { header } }) {
+    const linked = linkedPairs(header);
+    const style = (name) => {
+      const i = header.bodies.findIndex((body2) => body2.name === name);
+      return i < 0 ? "wall" : styleOf(i);
+    };
+    return header.contacts.filter(({ stiffness, pair }) => stiffness || linked.has(pair)).flatMap(
+      ({ pair, bodies }) => bodies.map(
+        (on) => html2`<g class="carts-push carts-${style(on)}" data-pair=${pair} data-on=${on}><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
+`
+      )
+    );
+  }
+  function ground({ fence, view, run: { header } }, layout, hatch) {
+    const travel = fence.camera * header.until;
+    const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
+    const { left, right, length } = header.track;
+    const at = (x) => layout.origin + x * layout.scale;
+    const first = left === "wall" ? 0 : low;
+    const last = right === "wall" ? Number(length) : high;
+    const start = left === "wall" ? at(0) : at(low) - BEYOND;
+    const end = right === "wall" ? at(last) : at(high) + BEYOND;
+    const under = layout.track + layout.beam;
+    let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
+    while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
+    const numbers = { low: first, high: last, step };
+    const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
+    const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
+    const tall = Math.max(view.tallest, LEAST_WALL);
+    const wall = (edge, from) => {
+      const box = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
+      return html2`<rect class="carts-wall" ${box}/>
+<rect ${box} fill="url(#${hatch})"/>
+<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+`;
+    };
+    return html2`<g data-part="ground">
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
+<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
+<path class="carts-fine" d=${fine.join("")}/>
+${ticks(numbers).map(
+      (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+`
+    )}</g>`;
+  }
+  function legend({ fence, view }, layout) {
+    const y = layout.height - 10;
+    const wide = layout.kind === "wide";
+    const [per, unit] = speedUnit(view.velocity);
+    const text2 = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
+    const force = fence.forces === "shown" && view.force > 0;
+    const x = force ? 12 + layout.force + 50 : 12;
+    const next = x + layout.velocity + 6;
+    const axis2 = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+    return html2`<g class="carts-legend">
+${force && html2`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text2(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
+${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis2}</text>
+</g>`;
+  }
+
+  // ../view/skeleton/time.js
+  var LONG = 60;
+  var SPEEDS = [1, 10, 100];
+  var START = "M3 3v10M13 3L6 8l7 5z";
+  var BACK = "M12.5 3v10M10 3L3 8l7 5z";
+  var FORWARD = "M3.5 3v10M6 3l7 5-7 5z";
+  function timeline({ run: { header } }) {
+    return html2`<div class="carts-timeline">
+<svg class="carts-ticks" width="100%" height="34" aria-hidden="true"><g data-part="contacts"></g><g data-part="events"></g><g data-part="numbers"></g></svg>
+<input type="range" class="carts-scrub" min="0" max=${header.until} step="any" value="0" aria-label=${tr("Time")} disabled>
+</div>`;
+  }
+  function transport({ fence, run: { header } }) {
+    const slow = fence.slow !== "never" && header.contacts.some(({ stiffness }) => stiffness);
+    const speed = openingSpeed(header.until);
+    const speeds = SPEEDS.map(
+      (n) => html2`<option value=${n}${n === speed && html2` selected`}>${n}×</option>`
+    );
+    return html2`<div class="carts-transport">
+${button("start", START, tr("Back to the start"), tr("Back to the start (Home)"))}
+${button("back", BACK, tr("Step back"), tr("Step back (left arrow key)"))}
+<button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
+${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
+<label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
+${slow && html2`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
+<p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html2`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
+</div>`;
+  }
+  function button(name, icon, label, title) {
+    return html2`<button type="button" class="carts-button carts-${name}" aria-label=${label} title=${title} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${icon}/></svg></button>`;
+  }
+  function openingSpeed(until) {
+    if (until <= LONG) return 1;
+    return until >= 10 * LONG ? 100 : 10;
+  }
+
+  // ../view/skeleton/scene.js
+  var FORCE_QUANTITIES = ["F", "a"];
+  function inside(baked, found = false) {
+    const { fence, view, run } = baked;
+    const { id, predict: asked } = fence;
+    const quantities = fence.show.filter(
+      (quantity) => fence.forces === "shown" || !FORCE_QUANTITIES.includes(quantity)
+    );
+    const paper = asked ? tr("Make your prediction on paper. The run needs JavaScript.") : tr("The picture shows the start. Playing the run needs JavaScript.");
+    return html2`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+<div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described">
+${view.layouts.map((layout) => stage(baked, layout))}
+<p class="carts-torn" data-now="no"${!view.mayTear && html2` hidden`}>${tr("A torn box is not to scale: its cart is heavier.")}</p>
+${run.header.effects.length > 0 && html2`<p class="carts-acting"></p>`}
+${fence.camera !== 0 && html2`<p class="carts-camera">${cameraText(fence.camera)}</p>`}
+</div>
+<p class="carts-hidden" id="${id}-described">${description(baked)} ${tr("The space bar plays and pauses, the arrow keys step.")}</p>
+${timeline(baked)}
+${transport(baked)}
+<noscript><p class="carts-noscript">${paper}</p></noscript>
+${views(baked)}
+<div class="carts-results"${asked && html2` hidden`}>
+<div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
+<div class="carts-graphs">
+${quantities.map((quantity) => graph(baked, quantity))}
+<div class="carts-story"><p class="carts-heading">${tr("What happens")}</p>
+<ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
+</div>
+</div>
+${asked && predict(baked, asked)}
+${panel(baked)}
+${asksForForces(baked) && find()}
+${found && html2`<p class="carts-found" hidden></p>`}
+<details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
+<details class="carts-more carts-how"><summary>${tr("How is this computed?")}</summary><div class="carts-how-body"></div><noscript><p>${tr("Every run is computed exactly, formula by formula. How this one was needs JavaScript.")}</p></noscript></details>
+<div class="carts-hidden carts-announcer" aria-live="polite"></div>
+</div>`;
+  }
+  function asksForForces({ fence, run }) {
+    return fence.forces === "hidden" && run.header.contacts.some(({ stiffness }) => stiffness);
+  }
+  function find() {
+    const [before, after] = tr(
+      "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”."
+    ).split("{formula}");
+    return html2`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find one, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+  }
+  function description({ fence: { camera }, view, run: { header } }) {
+    const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
+      const told = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told);
+      const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
+      return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
+        ...told,
+        velocity: seen
+      });
+    });
+    return tr("At the start: {carts}", { carts: carts.join(" ") });
+  }
+  function cameraText(camera) {
+    return tr(
+      "Seen from a camera that moves at {velocity} along the track. Positions and velocities are measured from the camera.",
+      { velocity: motion(camera, 2, Math.abs(camera)) }
+    );
+  }
+
+  // src/scene/baked.js
+  function bakedOf({ fence, view, numbers, ...header }) {
+    const known = (
+      /** @type {import("../../../view/types.js").Header} */
+      header
+    );
+    return { fence, view, run: { header: known, trajectory: fromBaked(numbers, known.events) } };
+  }
+
+  // src/teach/draw.js
+  function drawBlock(element) {
+    if (element.localName === "carts-scene" && !element.querySelector(".carts-frame")) {
+      drawScene(element);
+    }
+  }
+  function drawScene(element) {
+    const raw = JSON.parse(need(element, "script.carts-baked").textContent ?? "");
+    const shown = (
+      /** @type {HTMLTemplateElement | null} */
+      element.querySelector("template.carts-shown")
+    );
+    if (shown) {
+      const open2 = { ...raw, ...JSON.parse(shown.dataset.baked ?? "{}") };
+      shown.innerHTML = inside(bakedOf(open2), true).text;
+    }
+    element.insertAdjacentHTML("afterbegin", inside(bakedOf(raw)).text);
   }
 
   // src/teach/formulas.js
@@ -1037,6 +2119,7 @@
           /** @type {HTMLElement} */
           made2.content.firstElementChild
         );
+        drawBlock(element);
         this.#made.set(block.key, element);
         return element;
       }
@@ -1068,11 +2151,11 @@
           /** @type {Record<string, string>} */
           NAMES[element.localName] ?? "block"
         );
-        const button2 = html("button", "carts-button", `Change this ${name}`);
-        button2.setAttribute("type", "button");
-        button2.addEventListener("click", () => this.change(k));
+        const button3 = html("button", "carts-button", `Change this ${name}`);
+        button3.setAttribute("type", "button");
+        button3.addEventListener("click", () => this.change(k));
         const row = html("p", "carts carts-teach-change");
-        row.append(button2);
+        row.append(button3);
         element.before(row);
       });
     }
@@ -1091,21 +2174,21 @@
   };
 
   // src/answers/parts.js
-  function button(text, act, name = "") {
+  function button2(text2, act, name = "") {
     const made2 = (
       /** @type {HTMLButtonElement} */
-      html("button", `carts-button ${name}`.trim(), text)
+      html("button", `carts-button ${name}`.trim(), text2)
     );
     made2.type = "button";
     made2.addEventListener("click", act);
     return made2;
   }
-  function askingButton(text, question, yes, act, name) {
+  function askingButton(text2, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
-    const first = button(text, () => ask(true));
+    const first = button2(text2, () => ask(true));
     const asked = html("span", "", `${question} `);
-    const no = button(tr("No"), () => ask(false), "carts-answers-no");
-    asked.append(button(yes, act, "carts-answers-yes"), " ", no);
+    const no = button2(tr("No"), () => ask(false), "carts-answers-no");
+    asked.append(button2(yes, act, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row.append(first, asked);
     function ask(on) {
@@ -1118,8 +2201,8 @@
 
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
-  function download(name, text, type) {
-    downloadBlob(name, new Blob([text], { type }));
+  function download(name, text2, type) {
+    downloadBlob(name, new Blob([text2], { type }));
   }
   function downloadBlob(name, blob) {
     const link = document.createElement("a");
@@ -1164,7 +2247,7 @@
     }
     /** @param {Field[]} fields */
     #build(fields) {
-      const focused = [...this.#rows].find(([, { control }]) => control === document.activeElement);
+      const focused = [...this.#rows].find(([, { control: control2 }]) => control2 === document.activeElement);
       this.#rows.clear();
       this.root.replaceChildren();
       let group = "";
@@ -1186,25 +2269,25 @@
     /** @param {Field} field */
     #row(field) {
       const line = html("label", field.kind === "area" ? "carts-teach-wide" : "");
-      const control = controlFor(field);
-      control.value = field.value;
+      const control2 = controlFor(field);
+      control2.value = field.value;
       const note = html("span", "carts-teach-note");
       made += 1;
       note.id = `carts-teach-note-${made}`;
       note.setAttribute("role", "status");
-      control.setAttribute("aria-describedby", note.id);
-      line.append(html("span", "carts-teach-label", field.label), control);
-      const row = { control, note, field, timer: 0 };
+      control2.setAttribute("aria-describedby", note.id);
+      line.append(html("span", "carts-teach-label", field.label), control2);
+      const row = { control: control2, note, field, timer: 0 };
       const take = () => {
         clearTimeout(row.timer);
         row.timer = 0;
-        if (control.value !== row.field.value) void this.#take(row);
+        if (control2.value !== row.field.value) void this.#take(row);
       };
-      control.addEventListener("input", () => {
+      control2.addEventListener("input", () => {
         clearTimeout(row.timer);
         row.timer = setTimeout(take, PAUSE);
       });
-      control.addEventListener("change", take);
+      control2.addEventListener("change", take);
       this.#rows.set(JSON.stringify(field.path), row);
       const whole = html("div", "carts-teach-field");
       whole.append(line, note);
@@ -1223,9 +2306,9 @@
       }
     }
     /** @param {{control: HTMLElement, note: HTMLElement}} row @param {string} text */
-    #say({ control, note }, text) {
-      note.textContent = text;
-      control.setAttribute("aria-invalid", String(text !== ""));
+    #say({ control: control2, note }, text2) {
+      note.textContent = text2;
+      control2.setAttribute("aria-invalid", String(text2 !== ""));
     }
   };
   function controlFor(field) {
@@ -1264,8 +2347,8 @@
       this.wrong = /* @__PURE__ */ new Set();
     }
     /** @param {string} text @param {number} first number of its first line @param {Set<number>} wrong lines */
-    show(text, first, wrong) {
-      const plain2 = text.replace(/\r\n?/g, "\n");
+    show(text2, first, wrong) {
+      const plain2 = text2.replace(/\r\n?/g, "\n");
       if (this.area.value !== plain2) {
         const { selectionStart, selectionEnd } = this.area;
         this.area.value = plain2;
@@ -1362,12 +2445,12 @@
       const { piece, findings } = this;
       if (!this.#filled) {
         this.#filled = true;
-        const inside = html("div", "carts-teach-inside");
-        if (piece.kind === "block") inside.append(this.#fields.root, this.mistakes, this.asText);
-        else if (piece.kind === "text") inside.append(this.prose, this.mistakes);
-        else inside.append(this.text.root, this.mistakes);
+        const inside2 = html("div", "carts-teach-inside");
+        if (piece.kind === "block") inside2.append(this.#fields.root, this.mistakes, this.asText);
+        else if (piece.kind === "text") inside2.append(this.prose, this.mistakes);
+        else inside2.append(this.text.root, this.mistakes);
         if (!piece.fields?.length) this.asText.open = true;
-        this.root.append(inside);
+        this.root.append(inside2);
       }
       this.#fields.show(piece.fields ?? [], findings);
       if (piece.kind === "text") {
@@ -1406,19 +2489,19 @@
     const words = piece.title || piece.id || piece.text.split("\n")[0] || "";
     return words.length > 70 ? `${words.slice(0, 70)}…` : words;
   }
-  function firstWords(text) {
-    const heading = /^#+ +([^{\n]+)/m.exec(text)?.[1];
-    const words = (heading ?? text).replace(/[*_`#>]|^!!! \w+ /gm, "").trim().split("\n")[0] ?? "";
+  function firstWords(text2) {
+    const heading = /^#+ +([^{\n]+)/m.exec(text2)?.[1];
+    const words = (heading ?? text2).replace(/[*_`#>]|^!!! \w+ /gm, "").trim().split("\n")[0] ?? "";
     return words.length > 70 ? `${words.slice(0, 70)}…` : words || "(empty lines)";
   }
 
   // src/teach/saves.js
   function toolbar(session2, tell) {
     const root = html("div", "carts-teach-tools");
-    const undo = button("Undo", () => session2.undo(), "carts-teach-undo");
-    const redo = button("Redo", () => session2.redo(), "carts-teach-redo");
+    const undo = button2("Undo", () => session2.undo(), "carts-teach-undo");
+    const redo = button2("Redo", () => session2.redo(), "carts-teach-redo");
     const warn = () => session2.look?.findings.length ? " There are mistakes in it: the build would stop at them." : "";
-    const save = button(
+    const save = button2(
       "Save lesson",
       () => {
         download(session2.name, session2.text, "text/markdown");
@@ -1426,7 +2509,7 @@
       },
       "carts-teach-save"
     );
-    const zip = button(
+    const zip = button2(
       "Save as zip",
       async () => {
         const name = session2.name.replace(/\.md$/, ".zip");
@@ -1489,21 +2572,21 @@
       this.root.setAttribute("aria-label", "Change this lesson");
       this.heading = html("h2", "", "Change this lesson");
       this.heading.tabIndex = -1;
-      const small = button("Make room", () => this.#fold(small), "carts-teach-fold");
+      const small = button2("Make room", () => this.#fold(small), "carts-teach-fold");
       small.setAttribute("aria-expanded", "true");
-      const close = button("Close", () => session2.close(), "carts-teach-close");
+      const close = button2("Close", () => session2.close(), "carts-teach-close");
       const head = html("div", "carts-teach-head");
       head.append(this.heading, small, close);
       this.note = html("p", "carts-teach-status");
       this.note.setAttribute("role", "status");
       this.state = html("p", "carts-teach-state");
       this.state.setAttribute("role", "status");
-      this.tools = toolbar(session2, (text) => this.status(text));
+      this.tools = toolbar(session2, (text2) => this.status(text2));
       this.notices = html("div", "carts-teach-notices");
       this.list = html("div", "carts-teach-pieces");
-      const body = html("div", "carts-teach-body");
-      body.append(this.tools.root, this.note, this.state, this.notices, this.list);
-      this.root.append(head, body);
+      const body2 = html("div", "carts-teach-body");
+      body2.append(this.tools.root, this.note, this.state, this.notices, this.list);
+      this.root.append(head, body2);
       if (session2.withheld) this.#withheld();
     }
     /** @param {HTMLButtonElement} small */
@@ -1520,8 +2603,8 @@
       this.heading.focus();
     }
     /** @param {string} text */
-    status(text) {
-      say(this.note, text);
+    status(text2) {
+      say(this.note, text2);
     }
     /** Whether the draft is on this computer. @param {boolean} kept */
     kept(kept) {
@@ -1577,7 +2660,7 @@
       for (let k = 0; k < before; k += 1) at += plain(this.#pieces[k]?.text ?? "").length;
       this.#editors = pieces.map((piece, k) => {
         const editor = new PieceEditor({
-          typed: (text) => this.#typed(k, text),
+          typed: (text2) => this.#typed(k, text2),
           set: (field, value, owner) => this.session.set(this.#blockOf(k), field, value, owner),
           opened: () => this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "start" })
         });
@@ -1609,7 +2692,7 @@
       const piece = this.#pieces[k];
       if (!piece) return;
       const ends = piece.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
-      const texts = this.#pieces.map(({ text }, other) => other === k ? ends : text);
+      const texts = this.#pieces.map(({ text: text2 }, other) => other === k ? ends : text2);
       this.#pieces = this.#pieces.map((one, other) => other === k ? { ...one, text: ends } : one);
       this.session.change(texts.join(""), `piece ${k}`);
     }
@@ -1628,7 +2711,7 @@
     }
     #withheld() {
       const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
-      this.notices.append(ownFile(words, (text) => void this.session.takeOwn(text)));
+      this.notices.append(ownFile(words, (text2) => void this.session.takeOwn(text2)));
     }
     /** @param {number} missing @param {boolean} same whether it is the published file */
     ownTaken(missing, same) {
@@ -1647,10 +2730,10 @@
       this.tools.root.hidden = true;
       const words = `This lesson has a test, so its text is not in the site. Choose your own file (${this.session.name}):`;
       this.notices.replaceChildren(
-        ownFile(words, (text) => {
+        ownFile(words, (text2) => {
           this.tools.root.hidden = false;
           this.notices.replaceChildren();
-          void this.session.takeOwn(text);
+          void this.session.takeOwn(text2);
         })
       );
     }
@@ -1664,11 +2747,11 @@
         });
         row.append(
           `You have a draft of an earlier version of this lesson, of ${date}. `,
-          button("Open it", () => this.session.change(draft.text, ""), "carts-teach-older"),
+          button2("Open it", () => this.session.change(draft.text, ""), "carts-teach-older"),
           " ",
-          button("Save it", () => download(this.session.name, draft.text, "text/markdown")),
+          button2("Save it", () => download(this.session.name, draft.text, "text/markdown")),
           " ",
-          button("Delete it", () => {
+          button2("Delete it", () => {
             void this.session.drafts.forget(draft.hash);
             row.remove();
           })
@@ -1680,7 +2763,7 @@
     withoutPython(why) {
       this.status(`${why} The text is not checked here, and the page does not follow.`);
       const editor = new PieceEditor({
-        typed: (text) => this.session.change(text, "all"),
+        typed: (text2) => this.session.change(text2, "all"),
         set: async () => "",
         opened: () => {
         }
@@ -1692,7 +2775,7 @@
     }
   };
   var shape = (pieces) => pieces.map(({ kind, name, id }) => `${kind} ${name} ${id}`).join("\n");
-  var plain = (text) => text.replace(/\r\n?/g, "\n");
+  var plain = (text2) => text2.replace(/\r\n?/g, "\n");
 
   // src/teach/source.js
   async function loadLesson(address) {
@@ -1713,9 +2796,9 @@
     const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
     return JSON.parse(decoder.decode(await gunzip([bytes])));
   }
-  async function hashOf(text) {
+  async function hashOf(text2) {
     if (!globalThis.crypto?.subtle) return "";
-    const bytes = new TextEncoder().encode(text);
+    const bytes = new TextEncoder().encode(text2);
     const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
     return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
   }
@@ -1814,8 +2897,8 @@
       this.link.focus();
     }
     /** The text was changed. @param {string} text @param {string} where @param {number} pause ms until Python looks */
-    change(text, where, pause = PAUSE2) {
-      if (this.history.change(text, where)) this.#changed(pause);
+    change(text2, where, pause = PAUSE2) {
+      if (this.history.change(text2, where)) this.#changed(pause);
     }
     undo() {
       this.history.undo();
@@ -1853,12 +2936,12 @@
       this.#working = true;
       try {
         for (let more = true; more; ) {
-          const text = this.text;
+          const text2 = this.text;
           const look = await this.#ask();
-          if (text !== this.text) continue;
+          if (text2 !== this.text) continue;
           this.#take(look);
           await this.page.show(look);
-          more = look.more || await this.#got(look) || text !== this.text;
+          more = look.more || await this.#got(look) || text2 !== this.text;
         }
         this.panel.drawn();
       } catch (error) {
@@ -1940,14 +3023,14 @@
         text: this.text,
         own
       }));
-      const { text, missing } = (
+      const { text: text2, missing } = (
         /** @type {any} */
         header
       );
       const same = await hashOf(own) === this.told.hash;
       if (same) this.base = own;
       this.withheld = missing > 0;
-      this.change(text, "");
+      this.change(text2, "");
       this.panel.ownTaken(missing, same);
     }
     /** @returns {Promise<string>} a zip in base64 */

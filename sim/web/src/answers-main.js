@@ -1,5 +1,6 @@
 /** The script of every page: keeps answers and shows the panel “My answers”. It starts no Python. */
 
+import "./shared/older.js";
 import { Bar } from "./answers/bar.js";
 import { Book } from "./answers/book.js";
 import { Panel } from "./answers/panel.js";
@@ -14,3 +15,4 @@ const panel = new Panel(book);
 new Bar(book, () => void panel.open());
 void book.ready.then(() => performance.mark("carts:answers")); // what was kept is back
 teacherDoor();
+document.documentElement.dataset.cartsAnswers = ""; // the whole script has run: see watchdog.js

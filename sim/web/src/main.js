@@ -1,11 +1,11 @@
 /** The page's script: one worker for all scenes, started when the page is idle or first touched. */
 
+import "./shared/older.js";
 import { costElement } from "./cost/element.js";
 import { hardElement } from "./hard/element.js";
 import { mapElement } from "./map/element.js";
 import { pagePython, startWhenIdle } from "./runtime/page-python.js";
 import { sceneElement } from "./scene/element.js";
-import { excuse, missingFeatures } from "./shared/features.js";
 
 /** @returns {string[]} what the scenes of this page need besides bare Python */
 function packages() {
@@ -14,14 +14,10 @@ function packages() {
   return [...new Set(names.filter(Boolean))];
 }
 
-const missing = missingFeatures();
-if (missing.length) {
-  for (const scene of document.querySelectorAll("carts-scene")) excuse(scene, missing);
-} else {
-  const client = pagePython(packages);
-  customElements.define("carts-scene", sceneElement(client));
-  customElements.define("carts-map", mapElement(client));
-  customElements.define("carts-cost", costElement(client));
-  customElements.define("carts-hard", hardElement(client));
-  if (document.querySelector("carts-scene")) startWhenIdle(client);
-}
+const client = pagePython(packages);
+customElements.define("carts-scene", sceneElement(client));
+customElements.define("carts-map", mapElement(client));
+customElements.define("carts-cost", costElement(client));
+customElements.define("carts-hard", hardElement(client));
+if (document.querySelector("carts-scene")) startWhenIdle(client);
+document.documentElement.dataset.cartsScenes = ""; // the whole script has run: see watchdog.js

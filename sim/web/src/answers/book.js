@@ -56,9 +56,11 @@ export class Book extends EventTarget {
 
   /** Resolves when the browser says that it is kept; rejects when it refuses. @param {string} form @param {any} entry */
   async put(form, entry) {
+    const blind = !this.store; // it was written before anybody knew what is kept
     await this.ready;
     const key = this.key(form, entry.id);
-    const full = keepEarlier(this.#known.get(key), { ...entry, form });
+    const known = this.#known.get(key);
+    const full = (blind ? merged : keepEarlier)(known, { ...entry, form });
     this.#known.set(key, full);
     const work = this.#write(key, full);
     this.#writing.add(work);

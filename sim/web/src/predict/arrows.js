@@ -1,9 +1,9 @@
 /** Prediction: how long is the force arrow on each body when the bumpers are squeezed the most? */
 
+import { body, forceOn } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { fixed, short } from "../../../view/numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "../../../view/shapes.js";
-import { body, forceOn } from "../../../view/words.js";
 import { html, need, say, svg } from "../shared/dom.js";
 import { readTyped } from "../shared/typed.js";
 

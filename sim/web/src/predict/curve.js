@@ -1,10 +1,10 @@
 /** Prediction: how the force changes during the contact. Compared by features, not by pixels. */
 
+import { body } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { px } from "../../../view/numbers.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
-import { body } from "../../../view/words.js";
 import { html, need, put } from "../shared/dom.js";
 
 const LEFT = 40;

@@ -3,11 +3,11 @@
  * was found is kept with the answers, so the forces are there again at the next visit.
  */
 
+import { body, isWall } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
-import { body, isWall } from "../../../view/words.js";
 import { html, need, say } from "../shared/dom.js";
 import { openStore, place } from "../shared/storage.js";
 import { readTyped } from "../shared/typed.js";

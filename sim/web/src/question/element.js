@@ -30,6 +30,7 @@ const FORMS = {
   drawn: drawnForm,
 };
 const NOT_SAVED = tr("Not saved");
+const SOON = 400; // ms after which a page that still opens its store says so
 const ASKED = 300; // characters of the question that go with an answer
 
 /** The element class for the page's answers. @param {import("../answers/book.js").Book} book */
@@ -41,9 +42,9 @@ export function questionElement(book) {
     #feedback = null;
     /** @type {any} */
     #entry = null;
-    #early = false; // something was typed before the earlier answers were back
     #writes = 0;
     closed = false;
+    #ready = false; // what was answered before is back: until then no field takes a key
 
     connectedCallback() {
       if (this.#form) return;
@@ -56,6 +57,9 @@ export function questionElement(book) {
       for (const radio of this.#certainty()) {
         radio.addEventListener("change", () => this.#changed());
       }
+      setTimeout(() => {
+        if (!this.#ready) this.#say(tr("Opening your answers …"));
+      }, SOON);
       if (this.facts.key) this.#feedback = new Feedback(this, () => this.#attempt());
       book.addEventListener("elsewhere", (event) => {
         const key = /** @type {CustomEvent} */ (event).detail;
@@ -78,9 +82,14 @@ export function questionElement(book) {
     /** No more changes: the form was handed in, or is over. @param {boolean} closed */
     close(closed) {
       this.closed = closed;
-      this.#form?.enable(!closed);
-      for (const radio of this.#certainty()) radio.disabled = closed;
+      this.#enable();
       need(this, ".carts-q-row").hidden = closed || !this.#feedback;
+    }
+
+    #enable() {
+      const open = this.#ready && !this.closed;
+      this.#form?.enable(open);
+      for (const radio of this.#certainty()) radio.disabled = !open;
     }
 
     #fresh() {
@@ -92,9 +101,12 @@ export function questionElement(book) {
       return /** @type {HTMLInputElement[]} */ ([...this.querySelectorAll(".carts-q-sure input")]);
     }
 
-    async #restore() {
-      if (this.#early) await this.#keep();
-      else this.#show();
+    #restore() {
+      this.#say("");
+      this.#show();
+      this.#ready = true;
+      this.#enable();
+      this.dataset.ready = "";
       this.#form?.follow?.(book);
     }
 
@@ -137,7 +149,7 @@ export function questionElement(book) {
     }
 
     #changed() {
-      if (this.closed) return;
+      if (this.closed || !this.#ready) return;
       const now = new Date().toISOString();
       const sure = this.#certainty().find((radio) => radio.checked)?.value;
       const entry = {
@@ -162,7 +174,6 @@ export function questionElement(book) {
     async #keep() {
       this.#writes += 1;
       const mine = this.#writes;
-      this.#early = !book.store;
       this.#say(tr("Saving…"));
       try {
         await book.put(this.formName ?? "worksheet", this.#entry);

@@ -2,7 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 
-/** @typedef {"not-packed" | "payload-missing" | "payload-damaged" | "no-wasm" | "wasm-refused" | "too-old" |
+/** @typedef {"not-packed" | "payload-missing" | "payload-damaged" | "no-wasm" | "wasm-refused" | "no-memory" | "no-worker" | "too-old" |
  *   "worker-refused" | "worker-lost" | "snapshot-refused" | "python-failed" | "stalled" | "stopped"} Reason */
 
 /** @type {Record<Reason, string>} */
@@ -23,6 +23,10 @@ const MESSAGES = {
   "too-old": tr(
     "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer.",
   ),
+  "no-memory": tr(
+    "This computer has too little memory free for Python. Close other programs and load the page again.",
+  ),
+  "no-worker": tr("This browser has no workers, so Python can't start here. Try another browser."),
   "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
   "worker-lost": tr("Python stopped. It may have run out of memory."),
   "snapshot-refused": tr("Python could not start the quick way."),

@@ -23,6 +23,7 @@ const PICK_UP = 3; // s until an idle worker must have taken up a request
  */
 export async function startRuntime({ base, packages = [], onProgress = () => {} }) {
   requireWasm();
+  if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
   if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
   const folder = new URL(base, document.baseURI).href;
   const index = await loadIndex(folder);

@@ -1,7 +1,7 @@
 // One attempt at starting Python: loads the files, starts the worker, gives it all it needs.
 import { RuntimeFailure } from "./failure.js";
 import { gunzip, loadPart } from "./payload.js";
-import { compile } from "./wasm.js";
+import { compile, compileFailure } from "./wasm.js";
 import { PATIENCE, watch } from "./watch.js";
 // @ts-expect-error: the bundler puts the worker's text here
 import workerText from "./worker.js?text";
@@ -116,7 +116,7 @@ export class Start {
    */
   async boot(parts, reject) {
     const compiling = this.module(parts.get(WASM) ?? []);
-    compiling.catch((error) => reject(new RuntimeFailure("too-old", String(error), WASM)));
+    compiling.catch((error) => reject(compileFailure(error)));
     const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
     if (this.over) return null;
     const { worker, address } = startWorker(loader);

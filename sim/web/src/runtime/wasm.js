@@ -15,6 +15,12 @@ export function requireWasm() {
   }
 }
 
+/** Why compiling failed. @param {unknown} error */
+export function compileFailure(error) {
+  const short = error instanceof RangeError || /memory|allocat/i.test(String(error));
+  return new RuntimeFailure(short ? "no-memory" : "too-old", String(error), "pyodide.asm.wasm");
+}
+
 /**
  * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts gzip
  * @returns {Promise<WebAssembly.Module>}

@@ -68,7 +68,10 @@ scope.fetch = async (address) => {
 async function wholeStdlib(tableAt) {
   if (!tableAt) return file(STDLIB).response;
   const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);
-  return new Response(new Blob([first.subarray(0, tableAt), more]));
+  const whole = new Uint8Array(tableAt + more.length);
+  whole.set(first.subarray(0, tableAt));
+  whole.set(more, tableAt);
+  return new Response(whole); // of a Blob WebKit makes none on a disk
 }
 
 /** @type {(module: WebAssembly.Module) => void} */
@@ -87,7 +90,8 @@ function useCompiledWasm() {
     try {
       return { module, instance: await WebAssembly.instantiate(module, imports) };
     } catch (error) {
-      fail("too-old", error);
+      const short = error instanceof RangeError || /memory|allocat/i.test(String(error));
+      fail(short ? "no-memory" : "too-old", error);
       throw error;
     }
   };

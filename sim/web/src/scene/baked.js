@@ -5,8 +5,11 @@ import { need } from "../shared/dom.js";
 
 /** @param {HTMLElement} element @returns {import("../../../view/types.js").Baked} */
 export function readBaked(element) {
-  const { fence, view, numbers, ...header } = JSON.parse(
-    need(element, "script.carts-baked").textContent ?? "",
-  );
-  return { fence, view, run: { header, trajectory: fromBaked(numbers, header.events) } };
+  return bakedOf(JSON.parse(need(element, "script.carts-baked").textContent ?? ""));
+}
+
+/** @param {Record<string, any>} raw @returns {import("../../../view/types.js").Baked} */
+export function bakedOf({ fence, view, numbers, ...header }) {
+  const known = /** @type {import("../../../view/types.js").Header} */ (header);
+  return { fence, view, run: { header: known, trajectory: fromBaked(numbers, known.events) } };
 }

@@ -1,6 +1,6 @@
 /** A run as a table for a spreadsheet: every row of the run, in full precision. */
 
-import { agent } from "../../../view/effects-forces.js";
+import { agent } from "../../../view/effects.js";
 import { seriesOf } from "../../../view/series.js";
 import { isTold } from "../../../view/trajectory.js";
 import { QUANTITIES } from "../../../view/words.js";

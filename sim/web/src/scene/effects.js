@@ -1,7 +1,6 @@
 /**
  * The picture of what acts: props of the effects, and in rows under the track an arrow for each force
- * on a cart, tails below its middle, all on the one scale of the scene. Twin of
- * `sim/pages/widget/effects_view.py`.
+ * on a cart, tails below its middle, all on the one scale of the scene.
  */
 
 import { FEW, forcesAt, labels } from "../../../view/effects-forces.js";
@@ -15,13 +14,12 @@ import { need, put, say, svg } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("../../../view/types.js").Layout} Layout */
-/** @typedef {import("../../../view/effects-props.js").Piece} Piece */
-/** @typedef {import("../../../view/effects-props.js").Centre} Centre */
+/** @typedef {import("../../../view/types.js").Piece} Piece */
+/** @typedef {import("../../../view/types.js").Centre} Centre */
 
 const PER_CHARACTER = 7.2; // units, of the bold names
 const SLIVER = 1.5; // units; a shorter arrow cannot be seen as one and is drawn as a dot
 const GAP = 8; // units between an arrow and its name
-const BEHIND = ["carts-rough", "carts-wedge", "carts-tilt", "carts-hand"]; // the carts are in front
 
 export class Effects {
   /** @type {Run | null} */
@@ -51,7 +49,7 @@ export class Effects {
     this.#run = run;
   }
 
-  /** @param {number} t in s @param {import("../../../view/effects-props.js").Face} face @param {Centre} centre */
+  /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
   at(t, face, centre) {
     const run = this.#run;
     if (!run?.header.effects.length) return;
@@ -68,11 +66,11 @@ export class Effects {
   }
 
   /** @param {Piece} piece */
-  #draw({ key, cls, d, text, x, y, anchor }) {
+  #draw({ key, cls, behind, d, text, x, y, anchor }) {
     let element = this.#drawn.get(key);
     if (!element) {
       element = svg(d === undefined ? "text" : "path", { "data-key": key, class: cls });
-      const group = BEHIND.includes(cls) ? this.behind : this.front;
+      const group = behind ? this.behind : this.front;
       if (cls.startsWith("carts-leader")) group.prepend(element);
       else group.append(element);
       this.#drawn.set(key, element);

@@ -1,16 +1,15 @@
 /** `<carts-scene>`: adopts the baked page, then lets Python compute what the reader asks for. */
 
-import { fromWire } from "../../../view/trajectory.js";
 import { showForces } from "../predict/find-forces.js";
 import { need, say } from "../shared/dom.js";
-import { deferred, drawn, frame, refusal } from "../shared/waiting.js";
+import { drawn } from "../shared/waiting.js";
 import { readBaked } from "./baked.js";
-import { Controls, valueIn } from "./controls.js";
 import * as words from "./element-words.js";
 import { askFirst, wireInside } from "./inside.js";
+import { Live } from "./live.js";
+import { Runs } from "./runs.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./share.js";
-import { Values } from "./values.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */
@@ -22,33 +21,45 @@ export function sceneElement(client) {
     #view = null;
     /** @type {import("../../../view/types.js").Baked | null} */
     #baked = null;
-    /** @type {Controls | null} */
-    #controls = null;
     /** @type {import("../predict/predict.js").Predict | null} */
     #predict = null;
     /** @type {Run | null} the run that “reset” goes back to */
     #lesson = null;
-    #values = new Values();
+    #runs = new Runs(this, client, () => this.#baked?.fence.scene);
     /** @type {ReturnType<typeof wireInside> | null} */
     #inside = null;
-    #generation = 0;
     #asBaked = ""; // the inside of the element as the generator wrote it, for “Start again”
-    #waiting = deferred();
+    #live = new Live(this, client, {
+      first: () => this.#first(),
+      told: () => this.#told,
+      live: () => this.#told && void followLink(this, this.id, (text) => this.#say(text)),
+      failed: () => this.#inside?.controls.enable(false),
+    });
+    #leaving = new AbortController(); // ends what the element hears of page and worker
     /** @type {Promise<void>} when the reader's earlier prediction is back */
     #restored = Promise.resolve();
 
     connectedCallback() {
+      this.#listen();
       if (this.#view) return;
       if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
-      this.#waiting.promise.catch(() => {}); // readers see the state; nobody has to listen
       this.#adopt();
-      client.addEventListener("state", () => this.#follow());
       for (const kind of ["pointerdown", "keydown", "focusin"]) {
         this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
       }
-      addEventListener("beforeprint", () => this.#view?.print(true));
-      addEventListener("afterprint", () => this.#view?.print(false));
       requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+    }
+
+    disconnectedCallback() {
+      this.#leaving.abort();
+    }
+
+    #listen() {
+      this.#leaving = new AbortController();
+      const { signal } = this.#leaving;
+      client.addEventListener("state", () => this.#live.follow(), { signal });
+      addEventListener("beforeprint", () => this.#view?.print(true), { signal });
+      addEventListener("afterprint", () => this.#view?.print(false), { signal });
     }
 
     /** Takes over the picture and the controls that the generator wrote. */
@@ -57,26 +68,17 @@ export function sceneElement(client) {
       const view = new SceneView(this, baked);
       this.#baked = baked;
       this.#view = view;
-      const { controls, switches } = baked.fence;
-      const change = (
-        /** @type {string} */ target,
-        /** @type {any} */ value,
-        /** @type {number} */ at,
-      ) => void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error));
-      this.#controls = new Controls(this, controls, change, switches);
       const inside = wireInside(this, baked, view, client, {
         reset: () => this.#reset(),
         undo: () => this.#undo(),
         preset: (changes) => this.#preset(changes),
         found: () => void this.#showForces(),
         settings: () => this.#values.good,
+        told: () => this.#told,
+        change: (target, value, at) =>
+          void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error)),
       });
       this.#inside = inside;
-      view.draggable({
-        ready: () => this.#told && view.player.time === 0 && !view.player.playing,
-        value: (target) => valueIn(view.run.header, target),
-        change: (control, value, at) => this.#controls?.take(control.set, value, at),
-      });
       this.#predict = askFirst(this, baked, view, {
         locked: (now) => void this.#reveal(now),
         forgotten: () => void this.#startAgain(),
@@ -86,9 +88,9 @@ export function sceneElement(client) {
       void inside.find?.restore();
       void inside.how.follow(baked.run);
       view.enable(!this.#predict);
-      this.#controls.enable(!this.#predict);
+      inside.controls.enable(!this.#predict);
       this.#restored = this.#predict?.restore() ?? Promise.resolve();
-      this.#follow();
+      this.#live.follow();
     }
 
     /** The start state and an empty prediction, as on the first visit. */
@@ -100,9 +102,7 @@ export function sceneElement(client) {
       this.classList.add("carts-asks");
       this.#adopt();
       await this.#restored;
-      /** @type {HTMLElement | null} */ (
-        this.querySelector(".carts-predict :is(input, textarea):enabled")
-      )?.focus();
+      need(this, ".carts-predict :is(input, textarea):enabled").focus();
     }
 
     /** A force was found: now they are all shown, at the same values and the same instant. */
@@ -120,7 +120,7 @@ export function sceneElement(client) {
 
     /** Resolves when Python has answered for this scene; rejects when it cannot start. */
     get ready() {
-      return this.#waiting.promise;
+      return this.#live.ready;
     }
 
     get trajectory() {
@@ -154,25 +154,18 @@ export function sceneElement(client) {
 
     /** @param {Settings} changes to be given up if they are refused @param {number} at */
     async #compute(changes, at) {
-      const generation = this.#generation;
-      const reply = await this.#ask();
-      if (!reply.header.ok) {
-        this.#values.giveUp(changes);
-        throw refusal(reply.header.problems ?? []);
-      }
-      if (generation !== this.#generation) return;
-      this.#values.good = reply.sent.set;
-      await this.#draw({ header: reply.header, trajectory: fromWire(reply.header, reply.numbers) });
+      const run = await this.#runs.ask(changes);
+      if (!run) return;
+      await this.#draw(run);
       await drawn(this, at, { ...this.#values.good });
+    }
+
+    get #values() {
+      return this.#runs.values;
     }
 
     get #told() {
       return !this.#predict || this.#lesson !== null;
-    }
-
-    #ask() {
-      const scene = this.#baked?.fence.scene;
-      return client.ask(this, () => ({ kind: "run", scene, set: { ...this.#values.wanted } }));
     }
 
     #undo() {
@@ -198,7 +191,7 @@ export function sceneElement(client) {
     /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
     #draw(run) {
       const shown = this.#inside?.how.follow(run);
-      this.#controls?.show(this.#values.good, run.header);
+      this.#inside?.controls.show(this.#values.good, run.header);
       this.#inside?.find?.show(run);
       const undo = this.querySelector(".carts-undo");
       if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
@@ -206,57 +199,17 @@ export function sceneElement(client) {
     }
 
     #reset() {
-      this.#generation += 1;
-      this.#values.reset();
+      this.#runs.reset();
       this.#inside?.how.reset();
       this.#view?.player.pause();
       if (this.#lesson) this.#draw(this.#lesson);
       this.#view?.player.seek(0);
     }
 
-    /** Follows the page's worker: starting, live, failed. */
-    #follow() {
-      if (client.state === "starting" || client.state === "idle") {
-        this.dataset.state = client.state === "idle" ? "still" : "starting";
-      } else if (client.state === "failed") this.#fail();
-      else if (this.dataset.state !== "live") void this.#goLive();
-      else this.#mark();
-    }
-
-    #mark() {
-      need(this, ".carts-mark").setAttribute("aria-label", words.LIVE);
-    }
-
-    async #goLive() {
-      try {
-        const { header, numbers } = await this.#ask();
-        if (!header.ok) throw refusal(header.problems ?? []);
-        if (this.#told && !this.#view?.player.playing) {
-          this.#draw({ header, trajectory: fromWire(header, numbers) });
-        }
-        await frame();
-        if (client.state !== "ready") return;
-        this.dataset.state = "live";
-        this.#mark();
-        performance.mark("carts:live");
-        this.#waiting.resolve(undefined);
-        if (this.#told)
-          void followLink(this, this.#baked?.fence.id ?? "", (text) => this.#say(text));
-      } catch (error) {
-        if (client.state !== "failed") this.#fail(/** @type {Error} */ (error));
-      }
-    }
-
-    /** @param {Error & {reason?: string}} error */
-    #fail(error = client.error ?? new Error(words.NOT_STARTED)) {
-      this.dataset.state = "failed";
-      this.dataset.reason = error.reason ?? "failed";
-      this.#controls?.enable(false);
-      const note = need(this, ".carts-note");
-      note.hidden = false;
-      say(note, `${error.message} ${this.#told ? words.STILL_PLAYS : words.NOT_SHOWN}`);
-      this.#waiting.reject(error);
-      this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+    /** Python's own answer takes the place of the baked run. */
+    async #first() {
+      const run = await this.#runs.ask();
+      if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
     }
 
     /** The run without a prediction, for a whole class: nothing is kept. */
@@ -267,18 +220,15 @@ export function sceneElement(client) {
     /** After the lock: the run, and the prediction beside it. @param {boolean} now locked by the reader just now @param {boolean} own whether there is one */
     async #reveal(now, own = true) {
       this.#predict?.complain("");
-      const generation = this.#generation;
       try {
-        const { header, numbers } = await this.#ask();
-        if (generation !== this.#generation) return;
-        if (!header.ok) throw refusal(header.problems ?? []);
-        const run = { header, trajectory: fromWire(header, numbers) };
+        const run = await this.#runs.ask();
+        if (!run) return;
         this.#lesson = run;
         this.classList.remove("carts-asks");
         need(this, ".carts-results").hidden = false;
         this.#draw(run);
         this.#view?.enable(true);
-        this.#controls?.enable(true);
+        this.#inside?.controls.enable(true);
         if (own) this.#predict?.compare(run);
         if (now)
           this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
@@ -290,7 +240,7 @@ export function sceneElement(client) {
 
     /** @param {string} target @param {Error} error */
     #complain(target, error) {
-      this.#controls?.complain(target, error.message);
+      this.#inside?.controls.complain(target, error.message);
       this.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
   };

@@ -5,6 +5,7 @@ import { FindForces } from "../predict/find-forces.js";
 import { Predict } from "../predict/predict.js";
 import { need } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
+import { Controls, valueIn } from "./controls.js";
 import { How } from "./how/how.js";
 import { offerProjector } from "./projector.js";
 import { TakeAlong } from "./take-along.js";
@@ -12,7 +13,8 @@ import { TakeAlong } from "./take-along.js";
 /** @typedef {import("./values.js").Settings} Settings */
 /**
  * @typedef {{reset: () => void, undo: () => void, preset: (changes: Settings) => void,
- *   found: () => void, settings: () => Settings}} Acts
+ *   found: () => void, settings: () => Settings, told: () => boolean, change: import("./controls.js").Change}} Acts
+ *   `told`: no prediction is waited for
  */
 
 /**
@@ -27,7 +29,13 @@ export function wireInside(element, baked, view, client, acts) {
     const name = /** @type {HTMLElement} */ (button).dataset.preset ?? "";
     button.addEventListener("click", () => acts.preset(baked.fence.presets[name] ?? {}));
   }
-  const scene = baked.fence.scene;
+  const { scene, controls, switches } = baked.fence;
+  const sliders = new Controls(element, controls, acts.change, switches);
+  view.draggable({
+    ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
+    value: (target) => valueIn(view.run.header, target),
+    change: (control, value, at) => sliders.take(control.set, value, at),
+  });
   const [writing, counting] = [{}, {}]; // who asks: apart from the requests for runs
   const program = async () => {
     const set = { ...acts.settings() };
@@ -54,7 +62,7 @@ export function wireInside(element, baked, view, client, acts) {
   const how = new How(element, view, client, (more) => {
     return { kind: "how", scene, set: { ...acts.settings() }, ...more };
   });
-  return { find, how };
+  return { controls: sliders, find, how };
 }
 
 /**

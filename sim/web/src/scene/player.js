@@ -2,6 +2,7 @@
 
 import { advance, slowAt } from "./slow.js";
 
+const SAME = 1e-12; // s; nearer is the same instant, but for rounding
 const STEP = 0.04; // s on the screen that one step stands for
 const STILL = 1; // s on the screen between two stills
 const LONGEST_FRAME = 0.1; // s; a page that was asleep does not leap
@@ -83,8 +84,8 @@ export class Player {
       const target = before + way * STEP * this.rate;
       const event =
         way > 0
-          ? this.stops.find((t) => t > before + 1e-12)
-          : this.stops.findLast((t) => t < before - 1e-12);
+          ? this.stops.find((t) => t > before + SAME)
+          : this.stops.findLast((t) => t < before - SAME);
       const passed = event !== undefined && (way > 0 ? event < target : event > target);
       this.#move(passed ? event : target);
       this.changed(before, way > 0);
@@ -106,8 +107,8 @@ export class Player {
     const shown = this.stills ? this.#waited : seconds;
     this.#waited = 0;
     let next = advance(before, shown, this.speed, this.#parts, this.until);
-    if (this.stills) next = this.stops.find((t) => t > before + 1e-12 && t < next) ?? next;
-    const halt = this.halting ? this.halts.find((t) => t > before + 1e-12 && t <= next) : undefined;
+    if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
+    const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : undefined;
     this.#move(halt ?? next);
     if (halt !== undefined || this.time >= this.until) this.playing = false;
     this.changed(before, true);

@@ -4,24 +4,22 @@
  * when the contact is over.
  */
 
-import { linkKind } from "../../../view/effects-forces.js";
+import { brief, isWall } from "../../../view/bodies.js";
+import { linkOf } from "../../../view/effects.js";
 import { tr } from "../../../view/language.js";
-import { fixed, px } from "../../../view/numbers.js";
+import { fixed, NOISE, px } from "../../../view/numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut, PUSH } from "../../../view/shapes.js";
 import { valueAt } from "../../../view/trajectory.js";
-import { brief, isWall } from "../../../view/words.js";
 import { need, put, say } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
-/** @typedef {(name: string, side: "left" | "right") => number} Face drawing coordinate of a bumper face */
+/** @typedef {import("../../../view/types.js").Face} Face */
 /** @typedef {{pair: string, bodies: [string, string], row: number, groups: [Element, Element]}} Push */
 /** @typedef {{push: Push, size: number, x: number, link: string}} Told a force that acts: size in N, x where it is, what acts without touching */
 
 const PER_CHARACTER = 7.8; // units, of the bold names on the beam in a wide font
 const ROW = 19; // units between two rows of names
 const GAP = 8; // units between a name and the place of contact or a wall
-/** @type {Record<string, string>} */
-const LINKS = { spring: tr("spring"), magnets: tr("magnets") };
 const EDGE = 6; // units that names keep from the edges of the picture
 
 export class Pushes {
@@ -71,7 +69,7 @@ export class Pushes {
       const { t: times, F, dF } = run.trajectory;
       const [column, slopes] = [F[push.pair], dF[push.pair]]; // none where the two never touch
       const force = column && slopes ? valueAt(times, column, slopes, t) : 0;
-      const signed = Math.abs(force) < 1e-9 * view.force ? 0 : force; // springs pull: below 0
+      const signed = Math.abs(force) < NOISE * view.force ? 0 : force; // springs pull: below 0
       const size = Math.abs(signed);
       const length = arrowLength(signed, view.force, layout.force);
       const y = layout.track - PUSH;
@@ -85,7 +83,7 @@ export class Pushes {
       const touching = this.#windows.some(
         (w) => w.pair === push.pair && t >= w.start && t <= w.end,
       );
-      const link = touching ? "" : linkKind(run.header, push.pair);
+      const link = touching ? "" : linkOf(run.header, push.pair);
       if (touching || (link && size > 0)) {
         told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
       }
@@ -126,7 +124,7 @@ export class Pushes {
 
   /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
   #inFull(told) {
-    return this.#named(told, told.link && ` (${LINKS[told.link]})`) || this.#named(told, "");
+    return this.#named(told, told.link && ` (${told.link})`) || this.#named(told, "");
   }
 
   /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */

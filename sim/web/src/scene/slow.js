@@ -5,12 +5,13 @@
 const WATCH = 3; // s that a contact should last on the screen, at least
 const BEFORE = 0.15; // of the contact's duration, shown slow before it
 const AFTER = 0.25;
+const SLOWEST = 1e-12; // times the true speed
 const RATES = [0.5, 0.2, 0.1];
 
 /** @param {number} duration of a contact in s @returns {number} 1/2, 1/5, 1/10, 1/20 …: how much slower */
 function rateFor(duration) {
   const wanted = duration / WATCH;
-  for (let power = 1; power > 1e-12; power /= 10) {
+  for (let power = 1; power > SLOWEST; power /= 10) {
     for (const rate of RATES) if (rate * power <= wanted) return rate * power;
   }
   return wanted;

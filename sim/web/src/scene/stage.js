@@ -1,8 +1,8 @@
-/** The world view: moves the SVG that `sim/pages/widget/stage.py` wrote. Draws a run, knows no physics. */
+/** The world view: moves the picture that `sim/view/skeleton/stage.js` wrote. Draws a run, knows no physics. */
 
 import { tr } from "../../../view/language.js";
 import { styleOf } from "../../../view/markers.js";
-import { fixed, px, speedUnit } from "../../../view/numbers.js";
+import { fixed, NOISE, px, speedUnit } from "../../../view/numbers.js";
 import * as shapes from "../../../view/shapes.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { need, put, say, svg } from "../shared/dom.js";
@@ -174,7 +174,7 @@ export class Stage {
     const { layout, view } = this;
     const v =
       valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
-    const seen = Math.abs(v) < 1e-9 * view.velocity ? 0 : v;
+    const seen = Math.abs(v) < NOISE * view.velocity ? 0 : v;
     const exact = shapes.arrowLength(seen, view.velocity, layout.velocity, shapes.FASTEST);
     const length = shapes.keptInside(x, exact, layout.width);
     const [at, anchor] = shapes.velocityText(x, length, layout.width);

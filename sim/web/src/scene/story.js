@@ -1,12 +1,12 @@
 /** The run in words: a list of events, each a button that goes there; and the model card. */
 
-import { pushMarks } from "../../../view/effects-words.js";
+import { marks } from "../../../view/effects-words.js";
 import { exits } from "../../../view/exits.js";
 import { tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
 import { isTold } from "../../../view/trajectory.js";
 import { eventSentence, exitSentence, lawsOf, modelSentences } from "../../../view/words.js";
-import { html, need } from "../shared/dom.js";
+import { html, need, put } from "../shared/dom.js";
 
 const MOST_EVENTS = 60;
 const IN_FULL = 10; // events that stand there without scrolling
@@ -40,7 +40,7 @@ export class Story {
     const decimals = this.view.decimals.v ?? 2;
     const laws = lawsOf(header.contacts);
     this.told = [
-      ...(isTold(run) ? pushMarks(header, this.telling.forces) : []),
+      ...(isTold(run) ? marks(header, this.telling.forces) : []),
       ...header.events.map((event) => ({
         t: event.t,
         sentence: eventSentence(event, this.telling, laws),
@@ -66,8 +66,8 @@ export class Story {
       );
     this.list.replaceChildren(...items);
     const scrolled = items.length > IN_FULL;
-    this.list.classList.toggle("carts-events-scrolled", scrolled);
-    if (scrolled) this.list.setAttribute("tabindex", "0");
+    put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
+    if (scrolled) put(this.list, "tabindex", "0");
     else this.list.removeAttribute("tabindex");
     this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
   }

@@ -1,5 +1,6 @@
 /** Boxes to tick: whether an effect acts. And what the run says about sliders for effects. */
 
+import { effectOf } from "../../../view/effects.js";
 import { need, say } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Header} Header */
@@ -50,14 +51,6 @@ export class Switches {
     error.hidden = false;
     return true;
   }
-}
-
-/** @param {string} target such as friction.active or effects.1.force @param {Header} header */
-function effectOf(target, { effects }) {
-  const owner = target.slice(0, target.lastIndexOf("."));
-  return effects.find(({ kind, index }) =>
-    [kind, `effects.${index}`, `effects.${index}.${kind}`].includes(owner),
-  );
 }
 
 /** What a run says about a slider's number of an effect; null where it has none. @param {Header} header @param {string} target @returns {number | null} */

@@ -1,6 +1,6 @@
 /** The scrubber is the time axis: a tick for every event, a band for every contact. */
 
-import { pushMarks } from "../../../view/effects-words.js";
+import { marks } from "../../../view/effects-words.js";
 import { fixed, px } from "../../../view/numbers.js";
 import { axisDecimals, span, ticks } from "../../../view/scales.js";
 import { isTold } from "../../../view/trajectory.js";
@@ -9,6 +9,8 @@ import { need, put, svg } from "../shared/dom.js";
 const MOST_EVENTS = 60;
 
 export class Timeline {
+  #until = 0; // s, as far as the axis goes
+
   /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
   constructor(root, seek) {
     this.scrub = /** @type {HTMLInputElement} */ (need(root, ".carts-scrub"));
@@ -21,7 +23,7 @@ export class Timeline {
   /** @param {import("../../../view/types.js").Run} run @param {import("../../../view/windows.js").Touch[]} windows */
   show(run, windows) {
     const { header } = run;
-    const pushes = isTold(run) ? pushMarks(header, false) : [];
+    const pushes = isTold(run) ? marks(header, false) : [];
     const at = (/** @type {number} */ t) => `${px((100 * t) / header.until, 3)}%`;
     this.bands.replaceChildren(
       ...windows.map((w) =>
@@ -49,7 +51,7 @@ export class Timeline {
           }),
         ),
     );
-    if (Number(this.scrub.max) !== header.until) this.#renumber(header.until);
+    if (this.#until !== header.until) this.#renumber(header.until);
   }
 
   /** @param {number} t in s @param {string} spoken */
@@ -60,7 +62,8 @@ export class Timeline {
 
   /** @param {number} until */
   #renumber(until) {
-    this.scrub.max = String(until);
+    this.#until = until;
+    put(this.scrub, "max", String(until));
     const axis = span(0, until, 6);
     const times = ticks(axis);
     this.numbers.replaceChildren(

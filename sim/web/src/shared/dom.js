@@ -36,3 +36,15 @@ export function need(root, selector) {
   if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
   return /** @type {T} */ (found);
 }
+
+/** @param {string} markup of one element @returns {HTMLElement} */
+export function parsed(markup) {
+  const holder = document.createElement("template");
+  holder.innerHTML = markup;
+  return /** @type {HTMLElement} */ (holder.content.firstElementChild);
+}
+
+/** Calls back whenever the element gets another size; when the generator draws, nothing has one. @param {Element} element @param {() => void} act */
+export function onResize(element, act) {
+  if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
+}

@@ -6,17 +6,14 @@
  * `hash`) is moved to `earlier` when the new one is answered.
  */
 
-import { keepEarlier } from "../answers/entry.js";
 import { stamped } from "../answers/outline.js";
+import { indexed, SETTLED } from "./indexed-store.js";
+import { memory, sheltered } from "./shelter.js";
+import { textStore } from "./text-store.js";
 
 /** What the name of a site gets where readings of real carts are kept, apart from its answers. */
 export const READINGS = "-measured";
-const STORE = "answers";
-// ms until a browser that never answers counts as one that keeps nothing; after a crash it is slow.
-const PATIENCE = 20_000;
 const STUDENT = "student"; // the key under which the code word of who works here is kept
-const SETTLED = "settled"; // written last, so that all before it is on the disk
-const SETTLE_AFTER = 400; // ms without a new answer
 
 /**
  * `how`: indexed, text (localStorage) or memory. The keys of a student begin with `@CODE/`. `alone`: the
@@ -74,177 +71,11 @@ export function forStudent(all, code) {
 /** @param {string} site @returns {Promise<Store>} */
 async function openOnce(site) {
   try {
-    return sheltered(indexed(await reopening(`carts:${site}`)));
+    return sheltered(await indexed(`carts:${site}`));
   } catch {
     const texts = textStore(site);
     return texts ? sheltered(texts) : memory();
   }
-}
-
-/** @param {string} name @returns {Promise<IDBDatabase>} */
-function open(name) {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(name, 1);
-    request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-    request.onsuccess = () => {
-      request.result.onversionchange = () => request.result.close();
-      resolve(request.result);
-    };
-    request.onerror = () => reject(request.error);
-    request.onblocked = () => reject(new Error("another page holds an older version"));
-    setTimeout(() => reject(new Error("no answer")), PATIENCE);
-  });
-}
-
-/** @typedef {(mode: IDBTransactionMode, durability?: IDBTransactionDurability) => Promise<IDBTransaction>} Begin */
-
-/** Begins transactions; where the browser has closed the database (site data cleared), in a new one. */
-/** @param {string} name @returns {Promise<Begin>} */
-async function reopening(name) {
-  let base = await open(name);
-  return async (mode, durability = "relaxed") => {
-    try {
-      return base.transaction(STORE, mode, { durability });
-    } catch {
-      base = await open(name);
-      return base.transaction(STORE, mode, { durability });
-    }
-  };
-}
-
-/** @param {Begin} begin @returns {Store} */
-function indexed(begin) {
-  /** @template T @param {(answers: IDBObjectStore) => IDBRequest<T>} ask @returns {Promise<T>} */
-  const read = async (ask) => {
-    const work = await begin("readonly");
-    return new Promise((resolve, reject) => {
-      const request = ask(work.objectStore(STORE));
-      request.onsuccess = () => resolve(request.result);
-      request.onerror = () => reject(request.error);
-    });
-  };
-  return {
-    kind: "kept",
-    how: "indexed",
-    get: (key) => read((answers) => answers.get(key)),
-    put: (key, value, alone = false) =>
-      write(begin, (answers) => {
-        if (alone) {
-          answers.put(value, key);
-          answers.transaction.commit(); // nothing else will come
-          return;
-        }
-        const request = answers.get(key);
-        request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
-      }),
-    remove: (key) => write(begin, (answers) => answers.delete(key)),
-    entries: async () => {
-      const [keys, values] = await Promise.all([
-        read((answers) => answers.getAllKeys()),
-        read((answers) => answers.getAll()),
-      ]);
-      return keys.map((key, k) => [String(key), values[k]]);
-    },
-  };
-}
-
-/** @type {ReturnType<typeof setTimeout> | undefined} */
-let settling;
-
-/**
- * What is complete survives a browser that is killed: the system has it. Waiting for the disk at every
- * key would let fast typing queue up; so that is done once, in a pause, for a computer that loses power.
- * @param {Begin} begin @param {(answers: IDBObjectStore) => void} act
- */
-async function write(begin, act) {
-  await transaction(begin, act, "relaxed");
-  clearTimeout(settling);
-  settling = setTimeout(() => {
-    const mark = (/** @type {IDBObjectStore} */ answers) => void answers.put(Date.now(), SETTLED);
-    transaction(begin, mark, "strict").catch(() => {}); // the answer itself was kept or refused before
-  }, SETTLE_AFTER);
-}
-
-/** @param {Begin} begin @param {(answers: IDBObjectStore) => void} act @param {IDBTransactionDurability} durability @returns {Promise<void>} */
-async function transaction(begin, act, durability) {
-  const work = await begin("readwrite", durability);
-  return new Promise((resolve, reject) => {
-    act(work.objectStore(STORE));
-    work.oncomplete = () => resolve();
-    work.onerror = () => reject(work.error);
-    work.onabort = () => reject(work.error);
-  });
-}
-
-/** @param {string} site @returns {Store | null} */
-function textStore(site) {
-  const before = `carts:${site}:`;
-  try {
-    localStorage.setItem(`${before}probe`, "1");
-    localStorage.removeItem(`${before}probe`);
-  } catch {
-    return null;
-  }
-  const get = (/** @type {string} */ key) =>
-    JSON.parse(localStorage.getItem(before + key) ?? "null");
-  return {
-    kind: "kept",
-    how: "text",
-    get: async (key) => get(key),
-    put: async (key, value) =>
-      localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
-    remove: async (key) => localStorage.removeItem(before + key),
-    entries: async () =>
-      Object.keys(localStorage)
-        .filter((name) => name.startsWith(before))
-        .map((name) => [name.slice(before.length), get(name.slice(before.length))]),
-  };
-}
-
-/**
- * What a browser refuses to keep, as long as the page is open: it can still be saved as a file. The
- * scripts of a page share it.
- * @returns {Map<string, any>}
- */
-function shelter() {
-  const page = /** @type {any} */ (globalThis);
-  const name = Symbol.for("carts-shelter");
-  page[name] ??= new Map();
-  return page[name];
-}
-
-/** The same store, and what it refused. @param {Store} store @returns {Store} */
-function sheltered(store) {
-  return {
-    ...store,
-    put: async (key, value, alone) => {
-      try {
-        await store.put(key, value, alone);
-        shelter().delete(key);
-      } catch (error) {
-        shelter().set(key, keepEarlier(shelter().get(key), value));
-        throw error;
-      }
-    },
-    remove: async (key) => {
-      shelter().delete(key);
-      await store.remove(key);
-    },
-    entries: async () => [...new Map([...(await store.entries()), ...shelter()])],
-  };
-}
-
-/** @returns {Store} */
-function memory() {
-  const kept = shelter();
-  return {
-    kind: "memory",
-    how: "memory",
-    get: async (key) => kept.get(key),
-    put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
-    remove: async (key) => void kept.delete(key),
-    entries: async () => [...kept],
-  };
 }
 
 /** Where this page's answers are kept: the site's own name for the page, so that a moved folder keeps them. */

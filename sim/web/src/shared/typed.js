@@ -1,6 +1,7 @@
 /** What a reader typed as a number. A decimal comma is fine; “1,000” is refused with both readings. */
 
 import { tr } from "../../../view/language.js";
+import { withExponent } from "../question/marking/notation.js";
 
 const LONGEST = 40;
 
@@ -9,7 +10,7 @@ const LONGEST = 40;
  * @param {string} typed @returns {{value: number} | {text: string} | {problem: string}}
  */
 export function readTyped(typed) {
-  const text = typed.trim().replace(/[−–]/g, "-");
+  const text = withExponent(typed.trim());
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
   if (/^[+-]?[1-9]\d{0,2}(,\d{3})+$/.test(text)) return { problem: twoReadings(text) };
@@ -17,7 +18,7 @@ export function readTyped(typed) {
     const value = Number(text.replace(",", "."));
     return Number.isFinite(value) ? { value } : { problem: tr("{text} is too large.", { text }) };
   }
-  if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%]+([²³]|\^-?\d|[/·* ][a-zA-Z]+)*$/.test(text)) {
+  if (/^[+-]?[\d.,]+(e[+-]?\d+)?\s*[a-zA-Zµ°%][a-zA-Zµ°%⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺^/·⋅*(). \d-]*$/.test(text)) {
     return { text: text.replace(/(\d),(\d)/, "$1.$2") };
   }
   return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };

@@ -4,6 +4,7 @@
  */
 
 import { html } from "../shared/dom.js";
+import { drawBlock } from "./draw.js";
 import { drawFormulas } from "./formulas.js";
 
 const STAYS = ".md-content__button, .carts-teach-door, .md-source-file, .carts-print-head";
@@ -89,6 +90,7 @@ export class LessonPage {
       const made = document.createElement("template");
       made.innerHTML = block.html;
       const element = /** @type {HTMLElement} */ (made.content.firstElementChild);
+      drawBlock(element);
       this.#made.set(block.key, element);
       return element;
     }

@@ -1,7 +1,8 @@
-/** A number that a student typed, in the question's own unit. The same rules as sim/lesson/typed.py. */
+/** A number that a student typed, in the question's own unit. */
 
 import { tr } from "../../../../view/language.js";
 import { twoReadings } from "../../shared/typed.js";
+import { sameUnit, withExponent } from "./notation.js";
 
 const LONGEST = 40;
 const NUMBER = /^([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/;
@@ -12,7 +13,7 @@ const GROUPED = /^([+-]?[1-9]\d{0,2}(?:,\d{3})+)(?![\d,])/;
  * @returns {{value: number} | {problem: string}}
  */
 export function readNumber(typed, units) {
-  const text = typed.trim().replace(/[−–]/g, "-");
+  const text = withExponent(typed.trim());
   if (!text) return { problem: tr("Type a number, for example 0.5") };
   if (text.length > LONGEST) return { problem: tr("That is too long for a number.") };
   const grouped = GROUPED.exec(text);
@@ -20,11 +21,12 @@ export function readNumber(typed, units) {
   const found = NUMBER.exec(text);
   if (!found) return { problem: tr("“{text}” is not a number. Type for example 0.5", { text }) };
   const number = String(found[1]);
-  const unit = (found[2] ?? "").replace(/μ/g, "µ");
-  const factor = unit ? (Object.hasOwn(units, unit) ? units[unit] : undefined) : 1;
+  const unit = found[2] ?? "";
+  const known = Object.keys(units).filter(Boolean);
+  const own = unit ? known.find((one) => sameUnit(one, unit)) : "";
+  const factor = unit ? (own ? units[own] : undefined) : 1;
   if (factor === undefined) {
-    const known = Object.keys(units).filter(Boolean).join(", ");
-    const text = { unit: String(found[2]), units: known };
+    const text = { unit, units: known.join(", ") };
     return { problem: tr("“{unit}” does not fit here. Units: {units}", text) };
   }
   const value = Number(number.replace(",", ".")) * factor;

@@ -1,7 +1,7 @@
 /** Momentum of each cart before the latest touch and now, as numbers with bars on one scale. */
 
 import { tr } from "../../../../view/language.js";
-import { fixed, px } from "../../../../view/numbers.js";
+import { fixed, NOISE, px } from "../../../../view/numbers.js";
 import { seriesOf } from "../../../../view/series.js";
 import { valueAt } from "../../../../view/trajectory.js";
 import { latestTouch } from "../../../../view/windows.js";
@@ -55,7 +55,7 @@ export class Bars {
       if (!curve) return;
       const at = (/** @type {number} */ when) => {
         const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
-        return Math.abs(value) < 1e-9 * this.#full ? 0 : value;
+        return Math.abs(value) < NOISE * this.#full ? 0 : value;
       };
       const [before, now] = [at(start), at(t)];
       say(need(row, "th"), curve.label);

@@ -5,7 +5,7 @@
 
 import { contactForces, effectForces, verticalForces } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
-import { fixed, px, short, speedUnit } from "../../../../view/numbers.js";
+import { fixed, NOISE, px, short, speedUnit } from "../../../../view/numbers.js";
 import { arrowLength, blockArrow, cutArrow, isCut } from "../../../../view/shapes.js";
 import { valueAt } from "../../../../view/trajectory.js";
 import { latestTouch } from "../../../../view/windows.js";
@@ -34,7 +34,7 @@ export class FreeBody {
     this.root = root;
     this.view = baked.view;
     this.per = speedUnit(baked.view.velocity)[0];
-    this.zero = 1e-9 * (baked.view.force || 1);
+    this.zero = NOISE * (baked.view.force || 1);
     this.note = need(root, ".carts-touch-note");
     const vertical = /** @type {HTMLInputElement} */ (need(root, ".carts-vertical"));
     vertical.addEventListener("change", () => {
@@ -66,7 +66,7 @@ export class FreeBody {
       const speed = (/** @type {number} */ at) => valueAt(times, v[name] ?? [], a[name] ?? [], at);
       const change = speed(t) - speed(touch?.start ?? 0);
       const { decimals, velocity } = this.view;
-      const seen = Math.abs(change) < 1e-9 * velocity ? 0 : change / this.per;
+      const seen = Math.abs(change) < NOISE * velocity ? 0 : change / this.per;
       this.#say(name, "F", fixed(resultant, decimals.F ?? 2));
       this.#say(name, "mass", short(mass));
       this.#say(name, "a", fixed(resultant / mass, decimals.a ?? 2));

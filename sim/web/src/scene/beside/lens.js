@@ -4,15 +4,14 @@
  * that comes next, else at the last.
  */
 
+import { body, listed } from "../../../../view/bodies.js";
 import { contactForce } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
-import { listed } from "../../../../view/listed.js";
-import { fixed, px, short } from "../../../../view/numbers.js";
+import { fixed, NOISE, px, short } from "../../../../view/numbers.js";
 import { niceAbove } from "../../../../view/scales.js";
 import { arrowLength, blockArrow, cutArrow, isCut, spring } from "../../../../view/shapes.js";
 import { valueAt } from "../../../../view/trajectory.js";
-import { body } from "../../../../view/words.js";
-import { need, put, say } from "../../shared/dom.js";
+import { need, onResize, put, say } from "../../shared/dom.js";
 
 /** @typedef {import("../../../../view/types.js").Run} Run */
 /** @typedef {import("../../../../view/windows.js").Touch} Touch */
@@ -40,10 +39,10 @@ export class Lens {
     this.scene = /** @type {HTMLElement} */ (root.closest("carts-scene"));
     this.plot = need(root, "svg");
     this.note = need(root, ".carts-lens-note");
-    new ResizeObserver(() => {
+    onResize(root, () => {
       this.#measure();
       redraw();
-    }).observe(root);
+    });
   }
 
   /** What one metre of the picture takes on the screen, ten times, in units of this drawing. */
@@ -87,7 +86,7 @@ export class Lens {
     const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
     const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
     const faces = [left.face - share, Math.max(right.face, left.face - share)];
-    const force = contactForce(run, touch.pair, t, 1e-9 * (this.view.force || 1));
+    const force = contactForce(run, touch.pair, t, NOISE * (this.view.force || 1));
     [left, right].forEach((side, k) => {
       this.#draw(k, side, Number(faces[k]), middle, force);
     });

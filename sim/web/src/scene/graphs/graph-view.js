@@ -8,9 +8,11 @@ import { px, speedUnit } from "../../../../view/numbers.js";
 import { seriesOf } from "../../../../view/series.js";
 import { isTold, valueAt } from "../../../../view/trajectory.js";
 import { graphNote } from "../../../../view/words.js";
-import { need, put, say, svg } from "../../shared/dom.js";
+import { need, put, svg } from "../../shared/dom.js";
 import { ghostCurves } from "../how/ghost.js";
+import { drawAxes } from "./axes.js";
 import { ImpulseLayer } from "./impulse-layer.js";
+import { Key } from "./key.js";
 import { hasLedger, LedgerLayer } from "./ledger-layer.js";
 import { Table } from "./table.js";
 
@@ -48,6 +50,7 @@ export class GraphView {
     this.reach = baked.view.reach[this.quantity] ?? [0, 0, 1, 0];
     this.per = speedUnit(baked.view.velocity)[0];
     this.plot = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-plot")));
+    this.key = new Key(need(root, ".carts-key"));
     this.table = new Table(need(root, "details"), this.quantity, baked.view);
     this.button = /** @type {HTMLButtonElement | null} */ (root.querySelector(".carts-sign"));
     this.impulse = this.quantity === "F" ? new ImpulseLayer(root, baked.view) : null;
@@ -144,7 +147,7 @@ export class GraphView {
       Math.max(values[1], reached[1]),
     ]);
     this.#plane = g.planeFor(both, this.#window ?? [0, header.until]);
-    this.#axes();
+    drawAxes(this.root, this.#plane);
     const group = need(this.root, '[data-part="curves"]');
     fit(group, this.#curves.length, () => svg("path"));
     this.#curves.forEach((curve, i) => {
@@ -154,10 +157,13 @@ export class GraphView {
     });
     ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
     this.#cursor();
-    if (this.#stacked) this.ledger?.draw(this.#plane);
-    else {
+    if (this.#stacked) {
+      this.ledger?.draw(this.#plane);
+      this.key.forget();
+    } else {
       this.ledger?.clear();
-      this.#key();
+      const note = graphNote(this.quantity, header.events, this.#curves.length);
+      this.key.show(this.#curves, note);
     }
     this.at(t);
   }
@@ -166,29 +172,6 @@ export class GraphView {
   #curvesOf({ header, trajectory }) {
     if (this.#stacked) return this.ledger?.tops ?? [];
     return seriesOf(this.quantity, header, trajectory, this.camera, this.#signed, this.per);
-  }
-
-  #axes() {
-    const times = g.timeMarks(this.#plane);
-    const rows = g.valueMarks(this.#plane);
-    marks(need(this.root, '[data-part="times"]'), times.length, (line, text, i) => {
-      const { at, label } = /** @type {{at: string, label: string}} */ (times[i]);
-      put(line, "class", "carts-grid");
-      put(line, "d", `M${at} ${g.TOP}V${g.BOTTOM}`);
-      put(text, "class", "carts-tick-x");
-      put(text, "x", at);
-      put(text, "y", String(g.BOTTOM + 14));
-      say(text, label);
-    });
-    marks(need(this.root, '[data-part="values"]'), rows.length, (line, text, i) => {
-      const { at, textY, label, zero } = /** @type {(typeof rows)[number]} */ (rows[i]);
-      put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${g.LEFT} ${at}H${g.RIGHT}`);
-      put(text, "class", "carts-tick-y");
-      put(text, "x", String(g.LEFT - 5));
-      put(text, "y", textY);
-      say(text, label);
-    });
   }
 
   #cursor() {
@@ -201,63 +184,10 @@ export class GraphView {
       put(dot, "d", MARKERS[style] ?? "");
     });
   }
-
-  #key() {
-    const key = need(this.root, ".carts-key");
-    const note = graphNote(this.quantity, this.#run?.header.events ?? [], this.#curves.length);
-    const wanted = [...this.#curves.map((c) => `${c.style}${c.over}${c.label}`), note].join("|");
-    if (key.dataset.curves === wanted) return;
-    const first = key.dataset.curves === undefined;
-    key.dataset.curves = wanted;
-    const entries = this.#curves.length + (note ? 1 : 0);
-    if (first && key.children.length === entries) return; // as baked
-    key.replaceChildren(...this.#curves.map(keyEntry), ...(note ? [span(note)] : []));
-  }
-}
-
-/** @param {string} text */
-function span(text) {
-  return Object.assign(document.createElement("span"), { textContent: text });
-}
-
-/** @param {Series} curve @returns {HTMLElement} */
-function keyEntry(curve) {
-  const entry = span("");
-  entry.className = `carts-${curve.style}`;
-  const sample = svg("svg", {
-    viewBox: "0 0 26 10",
-    width: 26,
-    height: 10,
-    "aria-hidden": "true",
-  });
-  const over = curve.over ? " carts-over" : "";
-  sample.append(
-    svg("path", { class: `carts-curve carts-${curve.style}${over}`, d: "M0 5H26" }),
-    svg("path", {
-      class: `carts-dot carts-${curve.style}`,
-      d: MARKERS[curve.style] ?? "",
-      transform: "translate(13 5)",
-    }),
-  );
-  entry.append(sample, curve.label);
-  return entry;
 }
 
 /** Exactly `count` children. @param {Element} group @param {number} count @param {() => Element} make */
 function fit(group, count, make) {
   while (group.children.length > count) group.lastElementChild?.remove();
   while (group.children.length < count) group.append(make());
-}
-
-/** @param {Element} group @param {number} count @param {(line: Element, text: Element, i: number) => void} draw */
-function marks(group, count, draw) {
-  while (group.children.length > 2 * count) group.lastElementChild?.remove();
-  while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
-  for (let i = 0; i < count; i += 1) {
-    draw(
-      /** @type {Element} */ (group.children[2 * i]),
-      /** @type {Element} */ (group.children[2 * i + 1]),
-      i,
-    );
-  }
 }

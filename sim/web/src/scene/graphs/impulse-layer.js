@@ -1,12 +1,12 @@
 /** The shaded impulse in the force graph, with its number and m Δv of both bodies beside it. */
 
+import { brief } from "../../../../view/bodies.js";
 import { contactForce } from "../../../../view/forces.js";
 import * as g from "../../../../view/graph.js";
 import { area, changes } from "../../../../view/impulse.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, px } from "../../../../view/numbers.js";
 import { latestTouch, touches } from "../../../../view/windows.js";
-import { brief } from "../../../../view/words.js";
 import { need, put, say } from "../../shared/dom.js";
 
 const POINTS = 40; // of the shaded outline

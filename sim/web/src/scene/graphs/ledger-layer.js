@@ -78,7 +78,6 @@ export class LedgerLayer {
       put(path, "class", `carts-band carts-${top.style}`);
       put(path, "d", band(this.times, plane, top.values, this.tops[i - 1]?.values));
     });
-    delete this.key.dataset.curves;
     this.key.replaceChildren(
       ...this.entries.map(({ style }) => {
         const entry = document.createElement("span");

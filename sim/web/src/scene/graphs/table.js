@@ -1,10 +1,10 @@
 /**
- * The table of values behind a graph. Twin of `sim/pages/widget/tables.py`.
+ * The table of values behind a graph.
  * It is filled when a reader opens it or the page comes to rest: drawing must not wait for it.
  */
 
 import { tr } from "../../../../view/language.js";
-import { fixed, speedUnit } from "../../../../view/numbers.js";
+import { fixed, NOISE, speedUnit } from "../../../../view/numbers.js";
 import { span, ticks } from "../../../../view/scales.js";
 import { valueAt } from "../../../../view/trajectory.js";
 import { QUANTITIES } from "../../../../view/words.js";
@@ -56,7 +56,7 @@ export class Table {
       row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
       for (const { values, slopes } of curves) {
         const value = valueAt(run.trajectory.t, values, slopes, t);
-        row.append(html("td", "", fixed(Math.abs(value) < 1e-9 * scale ? 0 : value, decimals)));
+        row.append(html("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
       }
       return row;
     });

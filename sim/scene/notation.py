@@ -1,0 +1,77 @@
+"""How numbers and units are written: schools differ, and all of them are right.
+
+    m/s²   m/s^2   m s⁻²   m s^-2   m·s-2   m/s/s          one unit
+    8e-1   8×10⁻¹   8 x 10^-1   8·10**-1                   one number
+
+A unit is a product of symbols with powers; a stroke divides by the next symbol alone. The page
+reads in the same way (sim/web/src/question/marking/notation.js; tests/marking holds them equal).
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from functools import lru_cache
+
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_MINUS = str.maketrans({"−": "-", "‐": "-", "‑": "-", "–": "-", "\u03bc": "\u00b5"})
+_FACTOR = re.compile(
+    r"\s*(?P<join>[/·⋅*.]?)\s*(?P<symbol>[A-Za-zµ°%]+)"
+    r"(?:(?P<raised>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?:\^|\*\*)\(?(?P<power>[+-]?\d(?:\.\d|/\d)?)\)?|(?P<plain>[+-]?\d))?"
+)
+_POWER_OF_TEN = re.compile(
+    r"\s*[×xX*·]\s*10(?:(?P<raised>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})"
+    r"|\s*(?:\^|\*\*)\s*(?P<power>\(?[+-]?\d{1,3}\)?))"
+)
+_LONGEST = 30
+
+
+@lru_cache(maxsize=512)
+def factors(unit: str) -> tuple[tuple[str, Fraction], ...] | None:
+    """The symbols of a unit with their powers, sorted; None where it cannot be read."""
+    text, at = unit.strip().translate(_MINUS), 0
+    if not text or len(text) > _LONGEST:
+        return None
+    powers: dict[str, Fraction] = {}
+    while at < len(text):
+        found = _FACTOR.match(text, at)
+        if found is None or (at == 0 and found["join"] not in ("", None)):
+            return None
+        raised = (found["raised"] or "").translate(_RAISED)
+        power = Fraction(raised or found["power"] or found["plain"] or "1")
+        sign = -1 if found["join"] == "/" else 1
+        powers[found["symbol"]] = powers.get(found["symbol"], Fraction(0)) + sign * power
+        at = found.end()
+    return tuple(sorted(powers.items()))
+
+
+def same_unit(one: str, other: str) -> bool:
+    """Whether two texts are one unit, written in two ways."""
+    return one == other or (factors(one) is not None and factors(one) == factors(other))
+
+
+def with_exponent(text: str) -> str:
+    """The text with a power of ten as programs write it: 8×10⁻¹ becomes 8e-1."""
+
+    def exponent(match: re.Match[str]) -> str:
+        return "e" + (match["raised"] or match["power"]).translate(_RAISED).strip("()")
+
+    return _POWER_OF_TEN.sub(exponent, text.translate(_MINUS), count=1)
+
+
+def written_like(unit: str, other: str) -> str:
+    """`other` in the way in which `unit` is written: with negative powers or with strokes."""
+    if not re.search(r"[⁻]|\^-|\*\*-|[a-zA-Z]-\d", unit.translate(_MINUS)) or "/" not in other:
+        return other
+    raised = "⁻" in unit
+    head, *below = re.split(r"/", other)
+    parts = []
+    for part in below:
+        found = re.fullmatch(r"([A-Za-zµ°%]+)(?:[\^]?([\d²³]))?", part)
+        if found is None:
+            return other
+        power = (found[2] or "1").translate(_RAISED)
+        up = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in power)
+        parts.append(f"{found[1]}{'⁻' + up if raised else '^-' + power}")
+    return " ".join([head, *parts])

@@ -1,0 +1,93 @@
+/**
+ * The question before the run. Works with pointer, keyboard and on paper. “autocomplete” is off because
+ * Firefox would bring back after a reload what the page has forgotten.
+ */
+
+import { body, forceOn } from "../bodies.js";
+import { tr } from "../language.js";
+import { styleOf } from "../markers.js";
+import { html } from "../markup.js";
+import { niceAbove } from "../scales.js";
+
+/** @typedef {import("../types.js").Baked} Baked */
+/** @typedef {import("../types.js").PredictSpec} PredictSpec */
+
+const FULL = 10; // N, of the longest arrow where the scene has no scale of its own
+const KNOBS = [0, 1, 2, 3, 4];
+
+/** @type {Record<PredictSpec["kind"], (baked: Baked, spec: PredictSpec) => import("../markup.js").Markup>} */
+const FORMS = { arrows, curve, choice, text };
+
+/** @param {Baked} baked @param {PredictSpec} spec */
+export function predict(baked, spec) {
+  const { id } = baked.fence;
+  const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
+  return html`<div class="carts-predict" data-kind=${spec.kind} role="group" aria-labelledby="${id}-ask">
+<p class="carts-heading">${tr("Predict first")}</p>
+<p class="carts-ask" id="${id}-ask">${spec.ask}</p>
+${FORMS[spec.kind](baked, spec)}
+<p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
+<p class="carts-error carts-predict-error" role="alert" hidden></p>
+<div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
+<div class="carts-compared" hidden></div>
+<label class="carts-why" hidden>${tr("Explain: what did you see, and why is it so?")} <textarea rows="3" autocomplete="off"></textarea></label>
+<div class="carts-write" aria-hidden="true"><hr><hr><hr><hr></div>
+<p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
+</div>`;
+}
+
+/** A length for each force: a slider and a box. @param {Baked} baked @param {PredictSpec} spec */
+function arrows({ fence, view, run: { header } }, { pairs }) {
+  const full = view.force || FULL;
+  const step = niceAbove(full / 100);
+  const asked = pairs.flatMap(([left, right]) => [
+    { pair: `${left}-${right}`, on: left, by: right },
+    { pair: `${left}-${right}`, on: right, by: left },
+  ]);
+  const rows = asked.map(({ pair, on, by }, k) => {
+    const i = header.bodies.findIndex(({ name }) => name === on);
+    const force = forceOn(body(on), body(by));
+    const label = tr("{force}, length of the arrow", { force });
+    const id = `${fence.id}-guess-${k + 1}`;
+    return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label} disabled><span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
+`;
+  });
+  return html`<div class="carts-guesses">
+${rows}</div>`;
+}
+
+/** A curve drawn by hand: five points over the time of the contact. @param {Baked} baked @param {PredictSpec} spec */
+function curve({ run: { header } }, { cart }) {
+  const i = header.bodies.findIndex(({ name }) => name === cart);
+  const knobs = KNOBS.map(
+    (k) => html`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`,
+  );
+  const heights = [
+    tr("at first touch"),
+    tr("after a quarter"),
+    tr("in the middle"),
+    tr("after three quarters"),
+    tr("at the end"),
+  ].map(
+    (name) =>
+      html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min="0" max="10" step="0.5" disabled></label>`,
+  );
+  return html`<div class="carts-sketch">
+<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/><text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text><path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d="M40 130L117.5 130L195 130L272.5 130L350 130"/>${knobs}</svg>
+<div class="carts-heights"><p>${tr("Move the five points, or type heights from 0 to 10.")}</p>${heights}</div>
+</div>`;
+}
+
+/** @param {Baked} baked @param {PredictSpec} spec */
+function choice({ fence: { id } }, { options }) {
+  const rows = options.map(
+    (option, k) =>
+      html`<label><input type="radio" autocomplete="off" name="${id}-predict" value=${k} disabled> <span>${option}</span></label>`,
+  );
+  return html`<div class="carts-options" role="radiogroup" aria-labelledby="${id}-ask">${rows}</div>`;
+}
+
+/** @param {Baked} baked */
+function text({ fence: { id } }) {
+  return html`<textarea class="carts-words" rows="3" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
+}

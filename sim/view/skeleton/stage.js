@@ -1,0 +1,130 @@
+/** The picture of the world as it stands in the page: track, walls, ruler, and a place for all that moves. */
+
+import { linkedPairs } from "../effects.js";
+import { tr } from "../language.js";
+import { styleOf } from "../markers.js";
+import { html } from "../markup.js";
+import { fixed, px, short, speedUnit } from "../numbers.js";
+import { axisDecimals, niceAbove, ticks } from "../scales.js";
+import { blockArrow, lineArrow } from "../shapes.js";
+
+/** @typedef {import("../types.js").Baked} Baked */
+/** @typedef {import("../types.js").Layout} Layout */
+/** @typedef {import("../markup.js").Markup} Markup */
+
+/** @type {Record<string, number>} units between two numbers on the ruler */
+const LABEL_ROOM = { wide: 46, narrow: 40 };
+const BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6"; // across a box too tall to draw
+const MOST_NUMBERS = 150; // on the ruler of a long moving-camera run
+const LEAST_WALL = 64; // units above the track
+const BEYOND = 60; // units that the track goes on at an open end
+const WALL = 2000; // units, its thickness: it has no other side
+
+/** @param {Baked} baked @param {Layout} layout @returns {Markup} */
+export function stage(baked, layout) {
+  const { fence, run } = baked;
+  const { kind, width, height } = layout;
+  const forces = fence.forces === "shown";
+  const hatch = `${fence.id}-${kind}-hatch`;
+  const size = html`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
+  return html`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
+<defs>
+<pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
+</defs>
+${ground(baked, layout, hatch)}
+<g data-part="effects-behind"></g>
+${run.header.bodies.map(velocity)}
+${run.header.bodies.map(cart)}
+<g data-part="effects-front"></g>
+${forces && pushes(baked)}
+<g data-part="guess"></g>
+${legend(baked, layout)}
+</svg>`;
+}
+
+/** @param {{name: string}} body @param {number} i */
+function velocity({ name }, i) {
+  return html`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
+`;
+}
+
+/** @param {{name: string}} body @param {number} i */
+function cart({ name }, i) {
+  const face = (/** @type {string} */ side) =>
+    html`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+  return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+`;
+}
+
+/** One entry per contact force, on each of the two bodies. @param {Baked} baked */
+function pushes({ run: { header } }) {
+  const linked = linkedPairs(header);
+  const style = (/** @type {string} */ name) => {
+    const i = header.bodies.findIndex((body) => body.name === name);
+    return i < 0 ? "wall" : styleOf(i);
+  };
+  return header.contacts
+    .filter(({ stiffness, pair }) => stiffness || linked.has(pair))
+    .flatMap(({ pair, bodies }) =>
+      bodies.map(
+        (on) =>
+          html`<g class="carts-push carts-${style(on)}" data-pair=${pair} data-on=${on}><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
+`,
+      ),
+    );
+}
+
+/** Track, walls and ruler; they move to the left under a camera that moves to the right. */
+/** @param {Baked} baked @param {Layout} layout @param {string} hatch id of a pattern */
+function ground({ fence, view, run: { header } }, layout, hatch) {
+  const travel = fence.camera * header.until;
+  const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
+  const { left, right, length } = header.track;
+  const at = (/** @type {number} */ x) => layout.origin + x * layout.scale;
+  const first = left === "wall" ? 0 : low;
+  const last = right === "wall" ? Number(length) : high;
+  const start = left === "wall" ? at(0) : at(low) - BEYOND;
+  const end = right === "wall" ? at(last) : at(high) + BEYOND;
+  const under = layout.track + layout.beam;
+  let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
+  while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
+  const numbers = { low: first, high: last, step };
+  const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
+  const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
+  const tall = Math.max(view.tallest, LEAST_WALL);
+  const wall = (/** @type {number} */ edge, /** @type {number} */ from) => {
+    const box = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
+    return html`<rect class="carts-wall" ${box}/>
+<rect ${box} fill="url(#${hatch})"/>
+<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+`;
+  };
+  return html`<g data-part="ground">
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
+<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
+<path class="carts-fine" d=${fine.join("")}/>
+${ticks(numbers).map(
+  (x) =>
+    html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+`,
+)}</g>`;
+}
+
+/** The length of a force and of a velocity arrow, written out. @param {Baked} baked @param {Layout} layout */
+function legend({ fence, view }, layout) {
+  const y = layout.height - 10;
+  const wide = layout.kind === "wide";
+  const [per, unit] = speedUnit(view.velocity);
+  const text = (/** @type {number} */ x, /** @type {string} */ said) =>
+    html`<text x=${px(x)} y=${px(y + 4)}>${said}</text>`;
+  const force = fence.forces === "shown" && view.force > 0;
+  const x = force ? 12 + layout.force + 50 : 12;
+  const next = x + layout.velocity + 6;
+  const axis = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+  return html`<g class="carts-legend">
+${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
+${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis}</text>
+</g>`;
+}

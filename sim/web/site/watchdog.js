@@ -1,0 +1,43 @@
+(function () {
+  // Plain old JavaScript: it runs where our scripts do not, and says so. Nothing typed would be kept.
+  var words = "@@WORDS@@";
+  var page = document.documentElement;
+  var ours = /assets\/carts\/(answers|carts|class|measured)\.js/;
+  var failed = "";
+  var loaded = false;
+  var note = null;
+  function say(text) {
+    if (!note) {
+      note = document.createElement("p");
+      note.setAttribute("role", "alert");
+      note.className = "carts-watchdog";
+      note.style.cssText =
+        "position:fixed;z-index:9999;left:0;right:0;top:0;margin:0;padding:0.8em 1em;" +
+        "background:#b71c1c;color:#fff;font:bold 16px/1.4 sans-serif";
+      document.body.insertBefore(note, document.body.firstChild);
+    }
+    note.textContent = text;
+  }
+  function look() {
+    var scenes = document.querySelector("carts-scene, carts-map, carts-cost, carts-hard");
+    var whole =
+      failed !== "missing" &&
+      page.hasAttribute("data-carts-answers") &&
+      (!scenes || page.hasAttribute("data-carts-scenes"));
+    if (whole && note) note.parentNode.removeChild(note);
+    if (!whole) say(words[failed || (loaded ? "broken" : "slow")]);
+    return whole;
+  }
+  function hear(event) {
+    var script = event.target && event.target.src;
+    if (script && ours.test(script)) failed = "missing";
+  }
+  window.addEventListener("error", hear, true);
+  document.addEventListener("DOMContentLoaded", function () {
+    loaded = true;
+    look();
+  });
+  setTimeout(function () {
+    if (!loaded && document.body) look();
+  }, 3000);
+})();

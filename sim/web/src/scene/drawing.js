@@ -1,0 +1,112 @@
+/**
+ * Everything that shows a run, as one: `show` a run, then `at` any instant. It fills the skeleton that
+ * `sim/view/skeleton` writes, in the page and, for the first instant, when the site is built.
+ */
+
+import { brief } from "../../../view/bodies.js";
+import { actingSentences } from "../../../view/effects-words.js";
+import { heard, tr } from "../../../view/language.js";
+import { fixed } from "../../../view/numbers.js";
+import { isTold } from "../../../view/trajectory.js";
+import { touches } from "../../../view/windows.js";
+import { html, need, put, say } from "../shared/dom.js";
+import { Views } from "./beside/views.js";
+import { GraphView } from "./graphs/graph-view.js";
+import { Readouts } from "./readouts.js";
+import { Stage } from "./stage.js";
+import { Story } from "./story.js";
+import { Timeline } from "./timeline.js";
+
+/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {import("../../../view/windows.js").Touch} Touch */
+
+export class Drawing {
+  /** @type {Run} */
+  run;
+  /** @type {Touch[]} bodies that touch in the run shown */
+  windows = [];
+
+  /**
+   * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
+   * @param {(t: number) => void} seek when the reader points at a time
+   */
+  constructor(root, baked, seek = () => {}) {
+    this.root = root;
+    this.baked = baked;
+    this.run = baked.run;
+    const stages = /** @type {NodeListOf<SVGElement>} */ (root.querySelectorAll(".carts-stage"));
+    this.stages = [...stages].map((stage) => new Stage(stage, baked));
+    const graphs = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-graph"));
+    this.graphs = [...graphs].map((graph) => new GraphView(graph, baked, seek));
+    this.views = new Views(root, baked);
+    this.readouts = new Readouts(root, baked);
+    this.timeline = new Timeline(root, seek);
+    this.story = new Story(root, baked, seek);
+    this.torn = root.querySelectorAll(".carts-torn");
+    this.acting = root.querySelector(".carts-acting");
+    this.warnings = need(root, ".carts-warnings");
+    this.zoom = /** @type {HTMLSelectElement} */ (need(root, ".carts-window"));
+  }
+
+  /** Puts a run on the page. @param {Run} run @param {number} t the instant shown, in s */
+  show(run, t) {
+    const { header } = run;
+    this.run = run;
+    this.windows = touches(header.events, header.until);
+    this.#words();
+    this.#offerWindows();
+    this.stand();
+    for (const graph of this.graphs) graph.show(run, t);
+    this.views.show(run, this.windows, t);
+    this.readouts.show(run);
+    this.timeline.show(run, this.windows);
+    this.story.show(run);
+  }
+
+  /** Draws the instant t. @param {number} t in s */
+  at(t) {
+    for (const stage of this.stages) stage.at(t);
+    for (const graph of this.graphs) graph.at(t);
+    this.views.at(t);
+    this.readouts.at(t);
+    this.timeline.at(t, tr("{time} seconds", { time: fixed(t, 2) }));
+  }
+
+  /** The carts with boxes for their masses. */
+  stand() {
+    for (const stage of this.stages) stage.show(this.run, this.windows);
+    const torn = this.stages.some((stage) => stage.torn);
+    for (const sign of this.torn) {
+      if (torn) sign.removeAttribute("hidden"); // else it keeps its place where a slider may call for it
+      put(sign, "data-now", torn ? "yes" : "no");
+    }
+  }
+
+  /** What acts, and what a reader must know before anything moves. */
+  #words() {
+    const { header } = this.run;
+    const numbers = isTold(this.run) && this.baked.fence.forces === "shown";
+    if (this.acting) say(this.acting, actingSentences(header, numbers));
+    this.warnings.hidden = header.warnings.length === 0;
+    this.warnings.replaceChildren(
+      ...header.warnings.map(({ message }) => html("p", "", heard(message))),
+    );
+  }
+
+  /** Parts of the time that the graphs can show alone: those in which bodies touch. */
+  #offerWindows() {
+    const options = this.windows.map(({ bodies, start }, i) => {
+      const names = bodies.map(brief).join("–");
+      const option = html(
+        "option",
+        "",
+        tr("{names} at {time} s", { names, time: fixed(start, 2) }),
+      );
+      option.setAttribute("value", String(i));
+      return option;
+    });
+    const chosen = this.zoom.selectedIndex;
+    this.zoom.replaceChildren(need(this.zoom, "option"), ...options);
+    this.zoom.selectedIndex = chosen <= options.length ? chosen : 0;
+  }
+}

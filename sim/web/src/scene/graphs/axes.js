@@ -1,0 +1,41 @@
+/** Grid lines of a graph with their numbers. */
+
+import * as g from "../../../../view/graph.js";
+import { need, put, say, svg } from "../../shared/dom.js";
+
+/** @param {HTMLElement} root of the graph @param {g.Plane} plane */
+export function drawAxes(root, plane) {
+  const times = g.timeMarks(plane);
+  const rows = g.valueMarks(plane);
+  marks(need(root, '[data-part="times"]'), times.length, (line, text, i) => {
+    const { at, label } = /** @type {{at: string, label: string}} */ (times[i]);
+    put(line, "class", "carts-grid");
+    put(line, "d", `M${at} ${g.TOP}V${g.BOTTOM}`);
+    put(text, "class", "carts-tick-x");
+    put(text, "x", at);
+    put(text, "y", String(g.BOTTOM + 14));
+    say(text, label);
+  });
+  marks(need(root, '[data-part="values"]'), rows.length, (line, text, i) => {
+    const { at, textY, label, zero } = /** @type {(typeof rows)[number]} */ (rows[i]);
+    put(line, "class", zero ? "carts-zero" : "carts-grid");
+    put(line, "d", `M${g.LEFT} ${at}H${g.RIGHT}`);
+    put(text, "class", "carts-tick-y");
+    put(text, "x", String(g.LEFT - 5));
+    put(text, "y", textY);
+    say(text, label);
+  });
+}
+
+/** @param {Element} group @param {number} count @param {(line: Element, text: Element, i: number) => void} draw */
+function marks(group, count, draw) {
+  while (group.children.length > 2 * count) group.lastElementChild?.remove();
+  while (group.children.length < 2 * count) group.append(svg("path"), svg("text"));
+  for (let i = 0; i < count; i += 1) {
+    draw(
+      /** @type {Element} */ (group.children[2 * i]),
+      /** @type {Element} */ (group.children[2 * i + 1]),
+      i,
+    );
+  }
+}

@@ -1,0 +1,70 @@
+/** Whether Python computes for a scene, as its reader sees it: still, starting, live or failed. */
+
+import { need, say } from "../shared/dom.js";
+import { deferred, frame } from "../shared/waiting.js";
+import * as words from "./element-words.js";
+
+/**
+ * @typedef {{first: () => Promise<void>, told: () => boolean, live: () => void, failed: () => void}} Acts
+ *   `first` asks for the first run and shows it; `told`: no prediction is waited for
+ */
+
+export class Live {
+  #waiting = deferred();
+
+  /** @param {HTMLElement} element @param {import("../runtime/client.js").Client} client @param {Acts} acts */
+  constructor(element, client, acts) {
+    this.element = element;
+    this.client = client;
+    this.acts = acts;
+    this.#waiting.promise.catch(() => {}); // readers see the state; nobody has to listen
+  }
+
+  /** Resolves when Python has answered for this scene; rejects when it cannot start. */
+  get ready() {
+    return this.#waiting.promise;
+  }
+
+  /** Follows the page's worker. */
+  follow() {
+    const { state } = this.client;
+    const { dataset } = this.element;
+    if (state === "starting" || state === "idle") {
+      dataset.state = state === "idle" ? "still" : "starting";
+    } else if (state === "failed") this.#fail();
+    else if (dataset.state !== "live") void this.#begin();
+    else this.#mark();
+  }
+
+  async #begin() {
+    try {
+      await this.acts.first();
+      await frame();
+      if (this.client.state !== "ready") return;
+      this.element.dataset.state = "live";
+      this.#mark();
+      performance.mark("carts:live");
+      this.#waiting.resolve(undefined);
+      this.acts.live();
+    } catch (error) {
+      if (this.client.state !== "failed") this.#fail(/** @type {Error} */ (error));
+    }
+  }
+
+  #mark() {
+    need(this.element, ".carts-mark").setAttribute("aria-label", words.LIVE);
+  }
+
+  /** @param {Error & {reason?: string}} error */
+  #fail(error = this.client.error ?? new Error(words.NOT_STARTED)) {
+    const { dataset } = this.element;
+    dataset.state = "failed";
+    dataset.reason = error.reason ?? "failed";
+    this.acts.failed();
+    const note = need(this.element, ".carts-note");
+    note.hidden = false;
+    say(note, `${error.message} ${this.acts.told() ? words.STILL_PLAYS : words.NOT_SHOWN}`);
+    this.#waiting.reject(error);
+    this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
+  }
+}
