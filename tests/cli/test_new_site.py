@@ -9,7 +9,7 @@ import yaml
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.cli.starter_files import quoted, site_id_of
+from sim.cli.starter_files import editor_files, quoted, site_id_of
 from sim.pages import lessons_only
 from sim.pages.check import USUAL_PLACES, check_paths
 
@@ -56,7 +56,14 @@ def test_in_an_empty_place_a_site_is_made_that_has_no_mistakes(name: str, site_i
 def test_its_own_part_is_the_settings_and_the_worksheets(empty: Path) -> None:
     new("mine")
     made = {path.relative_to("mine").as_posix() for path in Path("mine").rglob("*.*")}
-    assert made - {".github", ".github/workflows/lessons.yml", ".gitignore", "README.md"} == {
+    assert made - {
+        ".github",
+        *editor_files(),
+        ".vscode",
+        ".github/workflows/lessons.yml",
+        ".gitignore",
+        "README.md",
+    } == {
         "mkdocs.yml",
         "worksheets/first-lesson.md",
     }
