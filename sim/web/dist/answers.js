@@ -42,8 +42,10 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
 
   // src/shared/dom.js

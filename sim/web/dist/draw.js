@@ -10265,42 +10265,15 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence2, values = {}) {
-    const said = catalogue[sentence2] ?? sentence2;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    return filled(catalogue[sentence2] ?? sentence2, values);
   }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key2) => PLACE.test(key2)).map((key2) => ({ key: key2, pattern: pattern(key2), own: key2.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  function told(sentence2) {
+    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
+    const values = Object.entries(sentence2.values).map(([name, value]) => [name, told(value)]);
+    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
   }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key: key2, pattern: form } of some) {
-      const found = form.exec(english);
-      if (!found) continue;
-      const parts = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
-      return tr(key2, Object.fromEntries(parts));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key2) {
-    const named = /* @__PURE__ */ new Set();
-    const parts = key2.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named.has(piece)) return `\\k<${piece}>`;
-      named.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts.join("")}$`, "su");
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // ../view/markup.js
@@ -10765,7 +10738,7 @@
   }
   function agent(effect) {
     const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+    return view.agent?.(effect) ?? (effect.by ? told(effect.by) : view.name);
   }
   function actsAt(effect, t) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
@@ -10911,9 +10884,6 @@
       sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
     }
     return sentences;
-  }
-  function told(why) {
-    return why.split("; ").map(heard).join("; ");
   }
   function lower(name) {
     return name.slice(0, 1).toLowerCase() + name.slice(1);
@@ -11881,9 +11851,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       });
     }
   };
-  function bar(rect, part2) {
-    const length = HALF2 * Math.min(1, Math.abs(part2));
-    put(rect, "x", px(part2 < 0 ? HALF2 + 4 - length : HALF2 + 4));
+  function bar(rect, part) {
+    const length = HALF2 * Math.min(1, Math.abs(part));
+    put(rect, "x", px(part < 0 ? HALF2 + 4 - length : HALF2 + 4));
     put(rect, "width", px(length));
   }
 
@@ -12728,9 +12698,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame = this.plot.getBoundingClientRect();
         const x = (event.clientX - frame.left) / frame.width * WIDTH;
-        const part2 = Math.min(1, Math.max(0, (x - LEFT) / (RIGHT - LEFT)));
+        const part = Math.min(1, Math.max(0, (x - LEFT) / (RIGHT - LEFT)));
         const { low, high } = this.#plane.time;
-        seek(low + part2 * (high - low));
+        seek(low + part * (high - low));
       };
       this.plot.addEventListener("pointerdown", point);
       this.plot.addEventListener("pointermove", point);
@@ -13610,7 +13580,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (this.acting) say(this.acting, actingSentences(header, numbers));
       this.warnings.hidden = header.warnings.length === 0;
       this.warnings.replaceChildren(
-        ...header.warnings.map(({ message }) => html2("p", "", heard(message)))
+        ...header.warnings.map(({ message }) => html2("p", "", told(message)))
       );
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */

@@ -3,6 +3,7 @@
 import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/player.js";
 import { need, say } from "../shared/dom.js";
+import { refusal } from "../shared/waiting.js";
 import { CostFigure } from "./figure.js";
 import { CostStage } from "./stage.js";
 import { cells, fill, told } from "./table.js";
@@ -104,7 +105,7 @@ export function costElement(client) {
           ...size,
         }));
         if (generation !== this.#generation) return;
-        if (!header.ok) throw refusal(header);
+        if (!header.ok) throw refusal(header.problems ?? []);
         this.#live();
         this.#note("");
         this.#show({ header: /** @type {any} */ (header), numbers });
@@ -147,7 +148,7 @@ export function costElement(client) {
             row,
           }));
           if (this.#measuring !== turn) return;
-          if (!header.ok) throw refusal(header);
+          if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();
           const answer = /** @type {any} */ (header);
           of = answer.of;
@@ -253,11 +254,4 @@ export function costElement(client) {
       note.hidden = !message;
     }
   };
-}
-
-/** @param {{problems?: import("../../../view/types.js").Problem[]}} header @returns {Error} */
-function refusal({ problems }) {
-  const first = problems?.[0];
-  if (!first) return new Error("This does not work.");
-  return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
 }
