@@ -9,7 +9,7 @@ from __future__ import annotations
 import heapq
 import math
 
-from sim.dynamics.state.chain import Body, Gap
+from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time, later
 
 

@@ -12,7 +12,8 @@ from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.chain import Body, Chain, Gap, component
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import Chain, component
 from sim.dynamics.state.clock import ZERO, Time, later
 from sim.dynamics.state.touching import Peak, Touching
 
@@ -85,7 +86,7 @@ def instant(
         left.v = right.v = together if abs(together) > STILL * fastest else 0.0
     impulse = mu * (1.0 + e) * u
     gap.room, gap.rate, gap.time = 0.0, e * u, now
-    ledger.warm(0.5 * mu * u * u * (1.0 - e) * (1.0 + e))
+    ledger.dissipate(0.5 * mu * u * u * (1.0 - e) * (1.0 + e))
     outside(left, right, impulse, ledger)
     record.event("contact", gap, now, before, (left.v, right.v), impulse, None)
     if stays:
@@ -114,7 +115,7 @@ def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
     momentum = math.fsum(body.mass * body.v for body in movers)
     together = 0.0 if fixed else momentum / math.fsum(body.mass for body in movers)
     for body in movers:
-        ledger.warm(0.5 * body.mass * (body.v - together) * (body.v + together))
+        ledger.dissipate(0.5 * body.mass * (body.v - together) * (body.v + together))
         body.v = together
     if fixed:
         ledger.push_from_outside(-momentum)
@@ -128,7 +129,7 @@ def join(chain: Chain, gap: Gap, now: Time, record: Record, ledger: Ledger) -> N
     u, mu = -gap.rate, gap.mu
     centre = common_velocity(left, right)
     before = (left.v, right.v)
-    ledger.warm(0.5 * mu * u * u)
+    ledger.dissipate(0.5 * mu * u * u)
     outside(left, right, mu * u, ledger)
     record.event("contact", gap, now, before, (centre, centre), mu * u, None)
     one = merge(chain, gap, now, record)
@@ -176,7 +177,7 @@ def reclaim(gap: Gap, now: Time, ledger: Ledger) -> None:
         if now == ZERO:
             ledger.stored_initial += stored
         else:
-            ledger.warm(-stored)
+            ledger.dissipate(-stored)
 
 
 def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
@@ -207,7 +208,8 @@ def pair_contact(gap: Gap, now: Time) -> PairContact:
     assert gap.law is not None and gap.touching is not None
     fresh = gap.room == 0.0 and gap.touching.begun == now and gap.touching.impulse == 0.0
     return PairContact(
-        gap=gap.index,
+        bodies=[gap.left, gap.right],
+        members=[gap],
         law=gap.law,
         mu=gap.mu,
         begun=now,
@@ -220,21 +222,18 @@ def pair_contact(gap: Gap, now: Time) -> PairContact:
     )
 
 
-def separate_pair(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
+def separate_pair(
+    gap: Gap, contact: PairContact, now: Time, record: Record, ledger: Ledger
+) -> None:
     """The force of a contact that was a closed form to its end has become zero."""
     touching, law = gap.touching, gap.law
     assert touching is not None and law is not None
-    contact = gap.solver
-    assert isinstance(contact, PairContact)
     left, right, mu = gap.left, gap.right, contact.mu
     speed, overlap = contact.out()
     if record.keep_events:
-        tau, force, rate = contact.peak()
-        change = contact.u - rate
-        a, b = contact.shares
-        velocities = (left.v - a * change, right.v + b * change)
+        tau, force, impulse, velocities = contact.peak_until(math.inf)
         when = later(contact.begun, tau)
-        touching.see(Peak(when, force, touching.impulse + mu * change, velocities))
+        touching.see(Peak(when, force, touching.impulse + impulse, velocities))
     e = contact.figures.e if contact.figures is not None else None
     if e is not None:
         out = velocities_after(left, right, e)
@@ -252,9 +251,9 @@ def separate_pair(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     record.depth(gap, deepest)
     stored = law.stored(contact.d0, contact.u, contact.memory)
     if e is not None:
-        ledger.warm(0.5 * mu * contact.u * contact.u * (1.0 - e) * (1.0 + e))
+        ledger.dissipate(0.5 * mu * contact.u * contact.u * (1.0 - e) * (1.0 + e))
     else:
-        ledger.warm(0.5 * mu * (contact.u - speed) * (contact.u + speed) + stored)
+        ledger.dissipate(0.5 * mu * (contact.u - speed) * (contact.u + speed) + stored)
     gap.memory = law.remember(deepest, contact.memory) if overlap > 0.0 else 0.0
     gap.room, gap.rate, gap.time = -overlap, speed, now
     outside(left, right, impulse, ledger)

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.loop import recontact as pushed_again
-from sim.dynamics.motion.flight import Flight
+from sim.dynamics.loop import recontact
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.motion.series import is_rounding
-from sim.dynamics.state.chain import Body, Gap, velocity
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import velocity
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.laws.contact_law import ContactLaw
 
@@ -40,7 +40,7 @@ def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     if gap.rate < 0.0:
         return max(0.0, (gap.room + resting(gap)) / -gap.rate)
     if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
-        return 0.0 if pushed_again.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
+        return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
     return math.inf
 
 
@@ -144,7 +144,7 @@ def first_fall_of_parabola(room: float, rate: float, a: float) -> float:
 
 def _is_parabola(body: Body) -> bool:
     motion = body.motion
-    return motion is None or (isinstance(motion, Flight) and motion.course.sparse)
+    return motion is None or motion.parabolic
 
 
 def _steady(body: Body) -> float:
@@ -202,13 +202,13 @@ def _pushed_again(
     gap: Gap, law: ContactLaw, now: Time, horizon: float, own_separation: bool
 ) -> float:
     """A push-only pair that still overlaps, until it clears."""
-    if own_separation is False and pushed_again.pushes(law, gap.mu, gap.room, gap.rate):
+    if own_separation is False and recontact.pushes(law, gap.mu, gap.room, gap.rate):
         return 0.0
 
     def place(t: float) -> tuple[float, float]:
         return room_at(gap, now, t), rate_at(gap, now, t)
 
-    t, cleared = pushed_again.scan(law, gap.mu, place, horizon)
+    t, cleared = recontact.scan(law, gap.mu, place, horizon)
     if not cleared:
         return t
     found = _first_fall(gap, now, t, horizon, 0.0, +1.0)

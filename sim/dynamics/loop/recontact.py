@@ -9,10 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from sim.dynamics.motion.guards import PUSH_ROUNDING
 from sim.laws.contact_law import ContactLaw
-
-PUSH_ROUNDING = 1e-12
-"""Of k d. Spring and damper cancel at separation; what rounding leaves of them is no push."""
 
 SCAN = 64
 """Points in one swing of the pair."""

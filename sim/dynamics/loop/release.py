@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.loop import contacts as resolve
+from sim.dynamics.loop import contacts
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.chain import Body, Chain, Gap
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import Chain
 from sim.dynamics.state.clock import ZERO, Time
 from sim.effects.forces import EnergyRelease
 
@@ -19,7 +20,7 @@ def latch(chain: Chain, release: EnergyRelease, record: Record) -> None:
     """Two that touch at the start with one velocity stay together until they are set free."""
     gap = chain.gaps[release.gap]
     if gap is not None and gap.room <= 0.0 and gap.rate == 0.0 and not gap.joined:
-        resolve.merge(chain, gap, ZERO, record)
+        contacts.merge(chain, gap, ZERO, record)
 
 
 def set_free(
@@ -35,20 +36,20 @@ def set_free(
         gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
     else:  # what their bumpers still hold is no part of the energy
         if gap.law is not None:
-            ledger.warm(gap.law.stored(-gap.room, -gap.rate, gap.memory))
-            resolve.tell_separation(gap, now, resolve.contact_force(gap), record)
+            ledger.dissipate(gap.law.stored(-gap.room, -gap.rate, gap.memory))
+            contacts.tell_separation(gap, now, contacts.contact_force(gap), record)
         gap.touching = None
     left, right, mu = gap.left, gap.right, gap.mu
     left.held = right.held = False  # that they start is told by the release itself
     before = (left.v, right.v)
     apart = math.sqrt(gap.rate * gap.rate + 2.0 * release.energy / mu)
     impulse = mu * (apart - gap.rate)
-    centre = resolve.common_velocity(left, right)
-    a, b = resolve.shares(left, right, mu)
+    centre = contacts.common_velocity(left, right)
+    a, b = contacts.shares(left, right, mu)
     left.v, right.v = centre - a * apart, centre + b * apart
     gap.rate, gap.time = apart, now
     ledger.work(release.kind, release.energy)
-    resolve.outside(left, right, impulse, ledger)
+    contacts.outside(left, right, impulse, ledger)
     record.event("release", gap, now, before, (left.v, right.v), impulse, None)
     for other in chain.neighbours(gap):
         if other is not None and not other.joined:

@@ -10,15 +10,13 @@ import heapq
 import math
 from collections.abc import Callable
 
-from sim.dynamics.loop import contacts as resolve
-from sim.dynamics.loop import release as bursts
-from sim.dynamics.loop import synchronise as components
-from sim.dynamics.loop.simulation import Happenings
-from sim.dynamics.result import ledger
+from sim.dynamics.loop import contacts, release, synchronise
+from sim.dynamics.loop.simulation import Simulation
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.clock import ZERO, Time, elapsed
+from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
 
 MOST_EVENTS = 1_000_000
@@ -49,10 +47,11 @@ def run(
 ) -> Run:
     """Run a scene exactly. Raises UnsolvedError where no exact solver is at hand."""
     try:
-        record = Record(scene, keep_events, keep_motion)
-        finished = _Run(scene, max_events, max_steps, record).finish(progress)
-    except (OverflowError, ZeroDivisionError, ValueError) as error:
-        if isinstance(error, UnsolvedError):
+        sim = Simulation(scene, Record(scene, keep_events, keep_motion))
+        _start(sim)
+        finished = _events(sim, max_events, max_steps, progress)
+    except (ArithmeticError, ValueError) as error:
+        if not is_of_the_numbers(error):
             raise
         raise out_of_range() from error
     if not all(map(math.isfinite, (*finished.x, *finished.v, *finished.ledger.totals()))):
@@ -69,6 +68,12 @@ CLOSES = 1e-6
 its digits to numbers of very different size, and has no result."""
 
 
+def is_of_the_numbers(error: ArithmeticError | ValueError) -> bool:
+    """Did an operation fail for the size of its numbers? Lists that do not match are our fault."""
+    ours = isinstance(error, UnsolvedError) or str(error).startswith("zip()")
+    return not ours
+
+
 def out_of_range() -> UnsolvedError:
     """Numbers overflowed: the run has no result, rather than a wrong one."""
     return UnsolvedError(
@@ -79,111 +84,112 @@ def out_of_range() -> UnsolvedError:
     )
 
 
-class _Run(Happenings):
-    """One run, from its start to its end."""
+def _start(sim: Simulation) -> None:
+    """Everything at rest in time: what acts from the start, and what comes first."""
+    sim.record.pieces = [[] for _ in sim.scene.carts]
+    if sim.forces is not None:
+        _start_with_effects(sim, sim.forces)
+        return
+    for body in sim.chain.bodies:
+        sim.solvers["free-flight"] += 1
+        sim.record.piece(body)
+    for gap in sim.chain.gaps:
+        if gap is None:
+            continue
+        if gap.room < 0.0 and gap.law is not None:
+            sim.begin(gap, ZERO)
+        elif gap.touching is None:
+            sim.predictions.gap(gap, ZERO)
 
-    def __init__(self, scene: Scene, max_events: int, max_steps: int, record: Record) -> None:
-        super().__init__(scene, record)
-        self.max_events = max_events
-        self.most_steps = min(STEPS_PER_EVENT * max_events, max_steps)
-        record.pieces = [[] for _ in scene.carts]
-        if self.forces is not None:
-            self.start_with_effects()
-            return
-        for body in self.chain.bodies:
-            self.solvers["free-flight"] += 1
-            record.piece(body)
-        for gap in self.chain.gaps:
-            if gap is None:
-                continue
-            if gap.room < 0.0 and gap.law is not None:
-                self.begin(gap, ZERO)
-            elif gap.touching is None:
-                self.predict(gap, ZERO)
 
-    def start_with_effects(self) -> None:
-        """Latches, overlaps at the start, springs and magnets; then all solvers at once."""
-        forces = self.forces
-        assert forces is not None
-        ledger.store(self.ledger, self.chain, first=True)
-        for number, release in enumerate(forces.releases):
-            bursts.latch(self.chain, release, self.record)
-            self.calendar.from_outside(number, release.time)
-        for t in forces.switches:
-            self.calendar.from_outside(len(forces.releases), t)
-        gaps = [gap for gap in self.chain.gaps if gap is not None]
-        for gap in gaps:
-            if gap.room < 0.0 and gap.law is not None and not gap.joined:
-                resolve.touch(gap, ZERO, self.record, self.ledger)
-        self.form_again(list(dict.fromkeys(self.chain.bodies)), gaps, ZERO)
-        self.solvers["free-flight"] += sum(body.motion is None for body in self.chain.bodies)
-        if not self.solvers["free-flight"]:
-            del self.solvers["free-flight"]
+def _start_with_effects(sim: Simulation, forces: Forces) -> None:
+    """Latches, overlaps at the start, springs and magnets; then all solvers at once."""
+    _store(sim, first=True)
+    for number, one in enumerate(forces.releases):
+        release.latch(sim.chain, one, sim.record)
+        sim.calendar.from_outside(number, one.time)
+    for t in forces.switches:
+        sim.calendar.from_outside(len(forces.releases), t)
+    gaps = [gap for gap in sim.chain.gaps if gap is not None]
+    for gap in gaps:
+        if gap.room < 0.0 and gap.law is not None and not gap.joined:
+            contacts.touch(gap, ZERO, sim.record, sim.ledger)
+    sim.form_again(list(dict.fromkeys(sim.chain.bodies)), gaps, ZERO)
+    free = sum(body.motion is None for body in sim.chain.bodies)
+    if free:
+        sim.solvers["free-flight"] += free
 
-    def finish(self, progress: Progress | None = None) -> Run:
-        """Event after event until the end, or until there were too many."""
-        entries, gaps, bodies = self.calendar.entries, self.chain.gaps, self.chain.bodies
-        last, count, told = self.end[0], len(gaps), 0
-        while entries and entries[0][0] <= last:
-            hi, lo, key, turn = heapq.heappop(entries)
-            now = (hi, lo)
-            void = 0 <= key < count and ((gap := gaps[key]) is None or gap.turn != turn)
-            if void or (key < 0 and bodies[-1 - key].turn != turn):
-                continue
-            if self.happened >= self.max_events or self.steps >= self.most_steps:
-                return self.result(now, full=True)
-            told += 1
-            if progress is not None and told % TELL_EVERY == 0:
-                progress(hi, self.happened)
-            if key < 0:
-                self.step(bodies[-1 - key], now)
-            elif key >= count:
-                self.from_outside(key - count, now)
-            elif gap is not None:
-                self.at_gap(gap, now)
-        return self.result(self.end, full=False)
 
-    def too_much(self) -> str:
-        """What there was too much of."""
-        if self.happened >= self.max_events:
-            return f"{self.max_events} events"
-        return f"{self.steps} short steps of contacts that push each other"
+def _store(sim: Simulation, *, first: bool) -> None:
+    """Energy in springs and magnets, at the start or at the end."""
+    for gap in sim.chain.gaps:
+        for link in gap.links if gap is not None else ():
+            assert gap is not None
+            sim.ledger.store(link.kind, link.energy(gap.room), first=first)
 
-    def result(self, end: Time, *, full: bool) -> Run:
-        """Bring everything to the end."""
-        scene, record = self.scene, self.record
-        bodies = list(dict.fromkeys(self.chain.bodies))
-        touching = [gap for gap in self.chain.gaps if gap is not None and gap.solver is not None]
-        if touching or self.forces is not None:
-            components.settle(bodies, touching, end, record, self.ledger)
-        else:
-            for body in bodies:
-                body.x += body.v * elapsed(body.time, end)
-        for gap in touching:
-            if gap.touching is not None and gap.law is not None:
-                resolve.tell_peak(gap, record)
-                stored = gap.law.stored(-gap.room, -gap.rate, gap.memory)
-                self.ledger.stored_final += stored
-        if self.forces is not None:
-            ledger.store(self.ledger, self.chain, first=False)
-        x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
+
+def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress | None) -> Run:
+    """Event after event until the end, or until there were too many."""
+    entries, gaps, bodies = sim.calendar.entries, sim.chain.gaps, sim.chain.bodies
+    last, count, told = sim.end[0], len(gaps), 0
+    most_steps = min(STEPS_PER_EVENT * max_events, max_steps)
+    while entries and entries[0][0] <= last:
+        hi, lo, key, turn = heapq.heappop(entries)
+        now = (hi, lo)
+        void = 0 <= key < count and ((gap := gaps[key]) is None or gap.turn != turn)
+        if void or (key < 0 and bodies[-1 - key].turn != turn):
+            continue
+        if sim.happened >= max_events:
+            return _result(sim, now, stopped=f"{max_events} events")
+        if sim.steps >= most_steps:
+            stopped = f"{sim.steps} short steps of contacts that push each other"
+            return _result(sim, now, stopped=stopped)
+        told += 1
+        if progress is not None and told % TELL_EVERY == 0:
+            progress(hi, sim.happened)
+        if key < 0:
+            sim.motion_ends(bodies[-1 - key], now)
+        elif key >= count:
+            sim.from_outside(key - count, now)
+        elif gap is not None:
+            sim.at_gap(gap, now)
+    return _result(sim, sim.end, stopped=None)
+
+
+def _result(sim: Simulation, end: Time, *, stopped: str | None) -> Run:
+    """Bring everything to the end."""
+    scene, record, ledger = sim.scene, sim.record, sim.ledger
+    bodies = list(dict.fromkeys(sim.chain.bodies))
+    touching = [gap for gap in sim.chain.gaps if gap is not None and gap.solver is not None]
+    if touching or sim.forces is not None:
+        synchronise.settle(bodies, touching, end, record, ledger)
+    else:
         for body in bodies:
-            if len(body.carts) == 1:
-                x[body.carts[0]], v[body.carts[0]] = body.x, body.v
-                continue
-            for cart, offset in zip(body.carts, record.offsets(body), strict=True):
-                x[cart], v[cart] = body.x + offset, body.v
-        self.ledger.v_final = v
-        record.end(end[0], v)
-        return Run(
-            scene=scene,
-            t=end[0],
-            x=tuple(x),
-            v=tuple(v),
-            record=record,
-            ledger=self.ledger,
-            solvers=self.solvers,
-            effects=self.forces.used if self.forces is not None else {},
-            forces=self.forces,
-            stopped=self.too_much() if full else None,
-        )
+            body.x += body.v * elapsed(body.time, end)
+    for gap in touching:
+        if gap.touching is not None and gap.law is not None:
+            contacts.tell_peak(gap, record)
+            ledger.stored_final += gap.law.stored(-gap.room, -gap.rate, gap.memory)
+    if sim.forces is not None:
+        _store(sim, first=False)
+    x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
+    for body in bodies:
+        if len(body.carts) == 1:
+            x[body.carts[0]], v[body.carts[0]] = body.x, body.v
+            continue
+        for cart, offset in zip(body.carts, record.offsets(body), strict=True):
+            x[cart], v[cart] = body.x + offset, body.v
+    ledger.v_final = v
+    record.end(end[0], v)
+    return Run(
+        scene=scene,
+        t=end[0],
+        x=tuple(x),
+        v=tuple(v),
+        record=record,
+        ledger=ledger,
+        solvers=sim.solvers,
+        effects=sim.forces.used if sim.forces is not None else {},
+        forces=sim.forces,
+        stopped=stopped,
+    )

@@ -11,19 +11,19 @@ import math
 
 from sim.dynamics.loop.contacts import pair_contact
 from sim.dynamics.motion import flight
-from sim.dynamics.motion.coupled_group import Cluster
+from sim.dynamics.motion.coupled_group import CoupledGroup, coupled_group
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.guards import branch_of
-from sim.dynamics.motion.linear_pair import PairPhase
+from sim.dynamics.motion.linear_pair import linear_pair
 from sim.dynamics.motion.series import ORDER
 from sim.dynamics.motion.stick_slip import decide
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.chain import Body, Gap, Motion
+from sim.dynamics.state.body import Body, Gap, Motion
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import NO_LOAD, Forces
 
 
-def form(
+def select_solvers(
     bodies: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None, record: Record
 ) -> list[Motion]:
     """New solvers for bodies settled at `now`, in a row; the run ends at `end`.
@@ -55,7 +55,7 @@ def form(
                 one.motion = motion
                 record.piece(one)
         for gap in own:
-            gap.solver = motion  # type: ignore[assignment]  # a row with gaps is never a flight
+            gap.solver = motion
         if motion is not None:
             solvers.append(motion)
     return solvers
@@ -74,11 +74,11 @@ def _solver(
     if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
         return pair_contact(gaps[0], now)
     if len(gaps) == 1 and _is_linear(row, gaps[0]):
-        phase = PairPhase(row, gaps, now, max(elapsed(now, end), 0.0))
-        if phase.swings:
+        phase = linear_pair(row, gaps[0], now, max(elapsed(now, end), 0.0))
+        if phase is not None:
             _count(row, gaps, forces, 1)
             return phase
-    return _cluster(row, gaps, now, end, forces)
+    return _group(row, gaps, now, end, forces)
 
 
 def _is_linear(row: list[Body], gap: Gap) -> bool:
@@ -101,20 +101,20 @@ def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion |
         return None
     course = flight.course(body.mass, body.v, body.sliding, load)
     if course is None:
-        return _cluster([body], [], now, end, forces)
+        return _group([body], [], now, end, forces)
     return Flight(body, now, body.v, load, body.sliding, course)
 
 
-def _cluster(
+def _group(
     row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None
-) -> Cluster:
+) -> CoupledGroup:
     _count(row, gaps, forces, ORDER - 1)
     limit = max(elapsed(now, end), 0.0)
     if any(gap.touching is not None and gap.law is not None and not gap.law.linear for gap in gaps):
-        from sim.dynamics.motion.adaptive import Adaptive  # only where a scene calls for it
+        from sim.dynamics.motion.adaptive import integrated_group  # where a scene calls for it
 
-        return Adaptive(row, gaps, now, limit)
-    return Cluster(row, gaps, now, limit)
+        return integrated_group(row, gaps, now, limit)
+    return coupled_group(row, gaps, now, limit)
 
 
 def _count(row: list[Body], gaps: list[Gap], forces: Forces | None, times: int) -> None:

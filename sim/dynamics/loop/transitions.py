@@ -1,4 +1,4 @@
-"""What a settled cluster does at the end of its step: each end has its own consequence.
+"""What follows when a motion ends: each end has its own consequence.
 
 apart   the contact is over                      touch   a linked pair's contact begins
 turn    the bumper springs back                  clear   its bumper forgets
@@ -8,51 +8,45 @@ climb   the bumper is pressed further            halt    the body stands still f
 
 from __future__ import annotations
 
-from sim.dynamics.loop import contacts as resolve
-from sim.dynamics.motion.coupled_group import Cluster
-from sim.dynamics.motion.linear_pair import PairPhase
-from sim.dynamics.motion.polynomial import value
+from sim.dynamics.loop import contacts
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.chain import Gap
-from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.body import Gap, Motion
+from sim.dynamics.state.clock import Time
+from sim.laws.branch import Cause
 
 
-def leave(cluster: Cluster | PairPhase, now: Time, record: Record, ledger: Ledger) -> int:
-    """Carry out all that ended the step, but for touches without a duration (`struck`).
+def leave(motion: Motion, now: Time, record: Record, ledger: Ledger) -> int:
+    """Carry out all that ended a settled motion, but for touches without a duration (`struck`).
 
     Returns the number of events that it told.
     """
     happened = 0
-    for cause, k in cluster.ends:
-        if isinstance(cluster, Cluster) and cause == "halt":
-            _halt(cluster, k)
-        elif isinstance(cluster, Cluster) and cause == "slip":
-            _slip(cluster, k, now)
-        elif cause == "touch":
-            happened += _touch(cluster.members[k], now, record, ledger)
-        elif cause == "clear":
-            cluster.members[k].room = cluster.members[k].memory = 0.0
-        elif cluster.members[k].touching is not None:  # else it came apart at the same instant
-            if cause == "climb":
-                _climb(cluster.members[k])
-            elif cause == "turn":
-                _turn(cluster.members[k])
-            else:
-                happened += _apart(cluster.members[k], now, record, ledger)
+    for end in motion.ends:
+        if end.cause == "halt":
+            _halt(motion, end.k)
+        elif end.cause == "slip":
+            motion.bodies[end.k].slips = end.way
+        else:
+            happened += _in_gap(end.cause, motion.members[end.k], now, record, ledger)
     return happened
 
 
-def _climb(gap: Gap) -> None:
-    assert gap.touching is not None
-    gap.touching.pressing = True
-    gap.room = -gap.memory
-
-
-def _turn(gap: Gap) -> None:
-    assert gap.touching is not None
-    gap.touching.pressing = False
-    gap.rate, gap.memory = 0.0, -gap.room
+def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
+    if cause == "touch":
+        return _touch(gap, now, record, ledger)
+    if cause == "clear":
+        gap.room = gap.memory = 0.0
+    elif gap.touching is None:
+        pass  # it came apart at the same instant
+    elif cause == "climb":
+        gap.touching.pressing, gap.room = True, -gap.memory
+    elif cause == "turn":
+        gap.touching.pressing = False
+        gap.rate, gap.memory = 0.0, -gap.room
+    else:
+        return _apart(gap, now, record, ledger)
+    return 0
 
 
 def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
@@ -60,12 +54,12 @@ def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
     if law is None:  # an instant contact that rested: nothing to tell
         gap.touching = None
         return 0
-    ledger.warm(law.stored(-gap.room, -gap.rate, gap.memory))
+    ledger.dissipate(law.stored(-gap.room, -gap.rate, gap.memory))
     gap.room = -law.left_over(-gap.room, gap.memory)
     last = law.last_force(gap.mu, -gap.rate)
     if gap.room >= 0.0:
         gap.room = gap.memory = 0.0
-    resolve.tell_separation(gap, now, last, record)
+    contacts.tell_separation(gap, now, last, record)
     return 1
 
 
@@ -76,33 +70,26 @@ def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
         return 0
     if not is_push(gap):
         gap.room = -gap.law.resting_overlap(gap.memory) if gap.memory else 0.0
-    resolve.touch(gap, now, record, ledger)
+    contacts.touch(gap, now, record, ledger)
     return 2
 
 
-def struck(cluster: Cluster | PairPhase) -> list[Gap]:
-    """Linked pairs that touch at the end of the step by a law without a duration."""
-    touched = [cluster.members[k] for cause, k in cluster.ends if cause == "touch"]
+def struck(motion: Motion) -> list[Gap]:
+    """Linked pairs that touch at the end of the motion by a law without a duration."""
+    touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
     return [gap for gap in touched if gap.law is None]
 
 
-def _halt(cluster: Cluster, k: int) -> None:
+def _halt(motion: Motion, k: int) -> None:
     """Body k, and all whose contacts are locked to it, have v = 0: they differ by rounding only."""
-    bodies, branches = cluster.bodies, cluster.branches
-    gaps = cluster.members
+    gaps = motion.members
     first, last = k, k
-    while first > 0 and branches[first - 1].locked and gaps[first - 1].rate == 0.0:
+    while first > 0 and motion.locked(first - 1) and gaps[first - 1].rate == 0.0:
         first -= 1
-    while last < len(branches) and branches[last].locked and gaps[last].rate == 0.0:
+    while last < len(gaps) and motion.locked(last) and gaps[last].rate == 0.0:
         last += 1
-    for body in bodies[first : last + 1]:
+    for body in motion.bodies[first : last + 1]:
         body.v = 0.0
-
-
-def _slip(cluster: Cluster, k: int, now: Time) -> None:
-    body = cluster.bodies[k]
-    others = value(cluster.other_force(k), elapsed(cluster.begun, now))
-    body.slips = 1 if others > 0.0 else -1
 
 
 def is_push(gap: Gap) -> bool:

@@ -13,14 +13,22 @@ Ordinary Differential Equations I, II.5 and II.6.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.motion.coupled_group import Cluster
+from sim.dynamics.motion import stick_slip
+from sim.dynamics.motion.coupled_group import CoupledGroup, row_of
+from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
-from sim.dynamics.motion.series import Expansion, hold_now
+from sim.dynamics.motion.series import Row, hold_now
+from sim.dynamics.motion.step import Step, slope_of
+from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time
 from sim.effects.forces import resistance
+from sim.laws.branch import Branch
+from sim.laws.contact_law import ContactLaw
 
 RELATIVE = 1e-12
 """Error per step, relative: a hundred steps of a contact stay within 1e-10."""
@@ -28,148 +36,152 @@ RELATIVE = 1e-12
 SMALL = 1e-13
 """The same relative to the greatest speed, and to the way gone in a contact at that speed."""
 
+SLOWEST = 1e-6
+"""m/s. Stands for the greatest speed where nothing moves."""
 
-@dataclass(slots=True)
-class Adaptive(Cluster):
-    """One step of a row in which some contact has a curved law."""
 
-    impulses: list[Poly] = field(init=False)
-    losses: list[Poly] = field(init=False)
-    name = "adaptive"
-    tier = 3
+@dataclass(frozen=True, slots=True)
+class IntegratedStep(Step):
+    """Impulses and losses are integrated with the motion; forces follow from the law itself."""
 
-    def _solve(self) -> None:
-        self.row = self._row([0.0] * len(self.bodies))
-        self.duration = self._step(self.limit)
-
-    def _find_ends(self) -> None:
-        before = self.duration
-        Cluster._find_ends(self)
-        if 0.0 < self.duration < before:
-            self._step(self.duration)
-
-    def _sizes(self) -> list[float]:
-        """Every force counts: none of these rows is long."""
-        return [math.inf] * len(self.members)
-
-    def _slope(self, y: list[float]) -> list[float]:
-        """f(y)."""
-        count, bodies = len(self.members), self.bodies
-        over, rate, v = y[:count], y[count : 2 * count], y[2 * count : 2 * count + len(bodies)]
-        push, loss, pull = [], [], []
-        for k, gap in enumerate(self.members):
-            law, branch = gap.law, self.branches[k]
-            if law is not None and not law.linear and self.touched[k]:
-                push.append(law.force(gap.mu, over[k], rate[k]))
-                loss.append(law.dissipated(gap.mu, over[k], rate[k]))
-            else:
-                push.append(branch.force(over[k], rate[k]))
-                loss.append(branch.gamma * rate[k] * rate[k])
-            pull.append(math.fsum(link.force(-over[k], -rate[k]) for link in gap.links))
-        outside = []
-        for i, body in enumerate(bodies):
-            load = body.load
-            force = self.row.steady[i] + resistance(load.linear, load.quadratic, v[i])
-            force += pull[i - 1] if i > 0 else 0.0
-            outside.append(force - (pull[i] if i < count else 0.0))
-        hold_now(self.branches, push, self.row.inverse, outside)
-        a = [
-            ((push[i - 1] if i > 0 else 0.0) - (push[i] if i < count else 0.0) + outside[i]) * inv
-            for i, inv in enumerate(self.row.inverse)
-        ]
-        relative = [0.0 if self.branches[k].locked else a[k] - a[k + 1] for k in range(count)]
-        return [*rate, *relative, *a, *v, *push, *loss]
-
-    def _step(self, limit: float) -> float:
-        """Take one accepted step, at most `limit` s, and keep its dense output."""
-        count, n = len(self.members), len(self.bodies)
-        start = [*self.row.overlaps, *self.row.rates, *self.row.speeds]
-        start += [0.0] * (n + 2 * count)
-        if limit <= 0.0:
-            self._keep([[y] for y in start])
-            return 0.0
-        numpy, dop853 = _scipy()
-        solver = dop853(
-            lambda _t, y: self._slope(y.tolist()),
-            0.0,
-            numpy.array(start),
-            limit,
-            rtol=RELATIVE,
-            atol=numpy.array(self._tolerances()),
-        )
-        solver.step()
-        if solver.status == "failed":
-            raise UnsolvedError(
-                "the contact is too stiff to be integrated",
-                "a softer stiffness, or law: bumper, which has a closed form",
-                self.begun[0],
-                (),
-            )
-        self._keep(_polynomials(solver))
-        return float(solver.t)
-
-    def _tolerances(self) -> list[float]:
-        """Absolute ones, from the greatest speed and the time of a contact at that speed."""
-        count = len(self.members)
-        masses = [body.mass for body in self.bodies if body.mass < math.inf]
-        speed = max([abs(v) for v in (*self.row.speeds, *self.row.rates)], default=0.0) or 1e-6
-        stiff = max(
-            [
-                gap.law.stiffness
-                for gap in self.members
-                if gap.law is not None and not gap.law.linear
-            ],
-            default=1.0,
-        )
-        way = speed * (min(masses) ** 2 / (stiff**2 * speed)) ** 0.2
-        way = max([way, *(abs(o) for o in self.row.overlaps if abs(o) < way)])
-        bodies = len(self.bodies)
-        return (
-            [SMALL * way] * count
-            + [SMALL * speed] * (count + bodies)
-            + [SMALL * way] * bodies
-            + [SMALL * min(masses) * speed] * count
-            + [SMALL * min(masses) * speed * speed] * count
-        )
-
-    def _keep(self, dense: list[Poly]) -> None:
-        count, n = len(self.members), len(self.bodies)
-        over = dense[:count]
-        self.speed = dense[2 * count : 2 * count + n]
-        self.path = dense[2 * count + n : 2 * count + 2 * n]
-        self.impulses = dense[2 * count + 2 * n : 3 * count + 2 * n]
-        self.losses = dense[3 * count + 2 * n :]
-        force = [[k * c for k, c in enumerate(p)][1:] or [0.0] for p in self.impulses]
-        nothing = [0.0] * max(len(p) for p in force) if force else [0.0]
-        still = [[0.0] * len(nothing) for _ in self.bodies]
-        self.series = Expansion(over, force, [list(nothing) for _ in over], still)
+    impulses: list[Poly]  # N s
+    losses: list[Poly]  # J
+    laws: list[ContactLaw | None]  # those that are curved, of gaps that touch
 
     def impulse(self, k: int, t: float) -> float:
-        """N s, integrated with the motion."""
+        """N s."""
         return value(self.impulses[k], t)
 
     def contact_force(self, k: int, t: float) -> float:
-        """N, by the law itself."""
-        gap, over = self.members[k], self.series.over[k]
-        rate = [n * c for n, c in enumerate(over)][1:]
-        if gap.law is not None and not gap.law.linear and self.touched[k]:
-            return gap.law.force(gap.mu, value(over, t), value(rate, t))
-        return self.branches[k].force(value(over, t), value(rate, t))
+        """N."""
+        gap, over = self.gaps[k], self.over[k]
+        d, rate = value(over, t), value(slope_of(over), t)
+        law = self.laws[k]
+        return self.branches[k].force(d, rate) if law is None else law.force(gap.mu, d, rate)
 
-    def force(self, gap: int, tau: float) -> tuple[float, float]:
+    def force(self, k: int, t: float) -> tuple[float, float]:
         """N by the law, dN/dt by the dense output."""
-        k = next(k for k, own in enumerate(self.members) if own.index == gap)
-        _, growth = Cluster.force(self, gap, tau)
-        room = -value(self.series.over[k], tau)
-        linked = math.fsum(link.force(room, 0.0) for link in self.members[k].links)
-        return self.contact_force(k, tau) + linked, growth
+        _, growth = Step.force(self, k, t)
+        room = -value(self.over[k], t)
+        linked = math.fsum(link.force(room, 0.0) for link in self.gaps[k].links)
+        return self.contact_force(k, t) + linked, growth
 
-    def warmed(self, k: int, t: float) -> float:
-        """J, integrated with the motion; what a bumper keeps follows from its law."""
-        law = self.members[k].law
-        if law is not None and not law.linear:
-            return value(self.losses[k], t)
-        return Cluster.warmed(self, k, t)
+    def dissipated(self, k: int, t: float) -> float:
+        """J. What a bumper keeps follows from its law."""
+        curved_law = self.laws[k] is not None
+        return value(self.losses[k], t) if curved_law else Step.dissipated(self, k, t)
+
+
+def curved(gap: Gap) -> ContactLaw | None:
+    """The law of a gap that touches by one without linear branches."""
+    law = gap.law
+    return law if law is not None and not law.linear and gap.touching is not None else None
+
+
+def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:
+    """One accepted step of a row in which some contact has a curved law, at most `limit` s."""
+    refuse_too_near(gaps, now)
+    branches = [branch_of(gap) for gap in gaps]
+    stick_slip.decide(bodies, gaps, branches)
+    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+    step = _integrated(bodies, gaps, row, now, limit)
+    ends, duration = first_ends(step, [math.inf] * len(gaps))  # none of these rows is long
+    if 0.0 < duration < step.length:
+        step = _integrated(bodies, gaps, row, now, duration)
+    touched = [gap.touching is not None for gap in gaps]
+    loads = [body.load for body in bodies]
+    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, "adaptive", 3)
+
+
+def _slope(bodies: list[Body], gaps: list[Gap], row: Row, y: list[float]) -> list[float]:
+    """f(y)."""
+    count, branches = len(gaps), row.branches
+    over, rate, v = y[:count], y[count : 2 * count], y[2 * count : 2 * count + len(bodies)]
+    push, loss, across = [], [], []
+    for k, gap in enumerate(gaps):
+        law, branch = curved(gap), branches[k]
+        if law is not None:
+            push.append(law.force(gap.mu, over[k], rate[k]))
+            loss.append(law.dissipated(gap.mu, over[k], rate[k]))
+        else:
+            push.append(branch.force(over[k], rate[k]))
+            loss.append(branch.gamma * rate[k] * rate[k])
+        across.append(math.fsum(link.force(-over[k], -rate[k]) for link in gap.links))
+    outside = []
+    for i, body in enumerate(bodies):
+        force = row.steady[i] + resistance(body.load.linear, body.load.quadratic, v[i])
+        force += across[i - 1] if i > 0 else 0.0
+        outside.append(force - (across[i] if i < count else 0.0))
+    hold_now(branches, push, row.inverse, outside)
+    a = [
+        ((push[i - 1] if i > 0 else 0.0) - (push[i] if i < count else 0.0) + outside[i]) * inv
+        for i, inv in enumerate(row.inverse)
+    ]
+    relative = [0.0 if branches[k].locked else a[k] - a[k + 1] for k in range(count)]
+    return [*rate, *relative, *a, *v, *push, *loss]
+
+
+def _integrated(
+    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+) -> IntegratedStep:
+    """One accepted step, at most `limit` s, with its dense output."""
+    start = [*row.overlaps, *row.rates, *row.speeds]
+    start += [0.0] * (len(bodies) + 2 * len(gaps))
+    if limit <= 0.0:
+        return _kept(bodies, gaps, row, [[y] for y in start], 0.0)
+    numpy, dop853 = _scipy()
+    solver = dop853(
+        lambda _t, y: _slope(bodies, gaps, row, y.tolist()),
+        0.0,
+        numpy.array(start),
+        limit,
+        rtol=RELATIVE,
+        atol=numpy.array(_tolerances(bodies, gaps, row)),
+    )
+    solver.step()
+    if solver.status == "failed":
+        raise UnsolvedError(
+            "the contact is too stiff to be integrated",
+            "a softer stiffness, or law: bumper, which has a closed form",
+            now[0],
+            (),
+        )
+    return _kept(bodies, gaps, row, _polynomials(solver), float(solver.t))
+
+
+def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
+    """Absolute ones, from the greatest speed and the time of a contact at that speed."""
+    count = len(gaps)
+    lightest = min(body.mass for body in bodies if body.mass < math.inf)
+    speed = max([abs(v) for v in (*row.speeds, *row.rates)], default=0.0) or SLOWEST
+    laws = [gap.law for gap in gaps if gap.law is not None and not gap.law.linear]
+    stiff = max([law.stiffness for law in laws], default=1.0)
+    way = speed * (lightest**2 / (stiff**2 * speed)) ** 0.2
+    way = max([way, *(abs(o) for o in row.overlaps if abs(o) < way)])
+    return (
+        [SMALL * way] * count
+        + [SMALL * speed] * (count + len(bodies))
+        + [SMALL * way] * len(bodies)
+        + [SMALL * lightest * speed] * count
+        + [SMALL * lightest * speed * speed] * count
+    )
+
+
+def _kept(
+    bodies: list[Body], gaps: list[Gap], row: Row, dense: list[Poly], length: float
+) -> IntegratedStep:
+    count, n = len(gaps), len(bodies)
+    over, speed = dense[:count], dense[2 * count : 2 * count + n]
+    path = dense[2 * count + n : 2 * count + 2 * n]
+    impulses, losses = dense[2 * count + 2 * n : 3 * count + 2 * n], dense[3 * count + 2 * n :]
+    force = [slope_of(p) or [0.0] for p in impulses]
+    branches: list[Branch] = row.branches
+    nothing = [0.0] * max(len(p) for p in force) if force else [0.0]
+    across = [list(nothing) for _ in over]
+    return IntegratedStep(
+        bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
+        impulses, losses, [curved(gap) for gap in gaps],
+    )  # fmt: skip
 
 
 def _scipy() -> tuple[Any, Any]:

@@ -16,13 +16,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
-
-if TYPE_CHECKING:
-    from sim.dynamics.state.chain import Body
+from sim.effects.forces import FRICTION
+from sim.laws.damped_oscillation import Rate
 
 
 class Course(Protocol):
@@ -158,12 +158,17 @@ class Flight:
     course: Course
     duration: float = field(init=False)
     carts: tuple[int, ...] = field(init=False)  # a body may grow or split later
+    bodies: list[Body] = field(init=False)
+    members: list[Gap] = field(init=False, default_factory=list)
+    ends: list[End] = field(init=False, default_factory=lambda: [End("halt", 0)])
     name = "flight"
     tier = 0
-    gaps: tuple[()] = ()
+    gaps: tuple[int, ...] = ()
+    short_steps: bool = False
+    fading: tuple[Rate, ...] = ()
 
     def __post_init__(self) -> None:
-        self.carts = self.body.carts
+        self.carts, self.bodies = self.body.carts, [self.body]
         self.duration = self.course.halt() if self.load.static > 0.0 else math.inf
 
     def shift(self, body: Body, start: Time, end: Time) -> float:
@@ -193,7 +198,7 @@ class Flight:
         """m/s². Bound from `now` on: it never grows."""
         return abs(self.course.at(elapsed(self.begun, now))[2])
 
-    def state(self, place: float, tau: float) -> tuple[float, float, float]:
+    def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²]."""
         return self.course.at(tau)
 
@@ -205,6 +210,19 @@ class Flight:
         """s. As the course has them."""
         return self.course.marks(end)
 
+    @property
+    def parabolic(self) -> bool:
+        """As the course is."""
+        return self.course.sparse
+
+    def locked(self, k: int) -> bool:
+        """It has no contact."""
+        return False
+
+    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+        """Nobody touches it."""
+        return []
+
     def side(self, body: Body) -> float:
         """It is alone."""
         return 0.0
@@ -212,3 +230,21 @@ class Flight:
     def time_left(self, now: Time) -> float:
         """s to where it halts; inf if never."""
         return self.duration - elapsed(self.begun, now)
+
+    def book(self, accounts: Accounts, t: float) -> None:
+        """What drag took follows from the change of velocity and of kinetic energy."""
+        load, course, mass = self.load, self.course, self.body.mass
+        way, v, _ = course.at(t)
+        force = load.steady - self.sliding * load.kinetic
+        slowed = force * t - mass * (v - self.v0)  # N s, taken by drag
+        taken = force * way - 0.5 * mass * (v - self.v0) * (v + self.v0)  # J
+        total = load.linear + load.quadratic
+        for one in load.forces:
+            share = (
+                (one.linear + one.quadratic) / total if total else 0.0
+            )  # one of the two is nought
+            accounts.push_from_outside(one.steady * t - share * slowed, one.kind)
+            accounts.work(one.kind, one.steady * way - share * taken)
+        if load.kinetic:
+            accounts.push_from_outside(-self.sliding * load.kinetic * t, FRICTION)
+            accounts.work(FRICTION, -self.sliding * load.kinetic * way)

@@ -10,13 +10,9 @@ Without it nothing would press a locked pair: it would come apart, and be presse
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from sim.dynamics.motion.series import Expansion
+from sim.dynamics.state.body import Body
 from sim.laws.branch import Branch
-
-if TYPE_CHECKING:
-    from sim.dynamics.state.chain import Body
 
 
 def share(

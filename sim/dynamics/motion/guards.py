@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from sim.dynamics.loop.recontact import PUSH_ROUNDING
 from sim.dynamics.motion.polynomial import Poly, slope
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.laws.branch import APART, LOCKED, Branch, Cause, Guard
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time
+from sim.laws.branch import APART, LOCKED, Branch, Guard
 
-if TYPE_CHECKING:
-    from sim.dynamics.state.chain import Body, Gap
-    from sim.dynamics.state.clock import Time
-
-End = tuple[Cause, int]
-"""What happened, and in which gap (or, of halt and slip, to which body)."""
+PUSH_ROUNDING = 1e-12
+"""Of k d. Spring and damper cancel at separation; what rounding leaves of them is no push."""
 
 
 def force_now(gap: Gap, branch: Branch) -> float:
@@ -99,10 +94,10 @@ def refuse_too_near(gaps: list[Gap], now: Time) -> None:
             )
 
 
-def grip(body: Body, others: Poly) -> list[Poly]:
-    """How much more, to the right and to the left, static friction can bear."""
+def reserves(body: Body, others: Poly) -> list[tuple[int, Poly]]:
+    """How much more static friction can bear, to the right (1) and to the left (−1)."""
     limit = body.load.static
     return [
-        [limit - others[0], *(-c for c in others[1:])],
-        [limit + others[0], *others[1:]],
+        (1, [limit - others[0], *(-c for c in others[1:])]),
+        (-1, [limit + others[0], *others[1:]]),
     ]

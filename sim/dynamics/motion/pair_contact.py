@@ -17,14 +17,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar
 from sim.dynamics.state.clock import Time, elapsed
 from sim.laws.contact_law import ContactLaw, Figures
-from sim.laws.damped_oscillation import Swing, first_turn, greatest_force
-
-if TYPE_CHECKING:
-    from sim.dynamics.state.chain import Body
+from sim.laws.damped_oscillation import Rate, Swing, first_turn, greatest_force
 
 SLACK = 1.0 + 1e-9
 """The bound on the acceleration is itself computed: a little more keeps it a bound."""
@@ -37,7 +34,8 @@ FAR = 1e300
 class PairContact:
     """A contact that began at `begun` with overlap d0 and approach speed u."""
 
-    gap: int
+    bodies: list[Body]
+    members: list[Gap]  # one
     law: ContactLaw
     mu: float  # kg
     begun: Time
@@ -49,10 +47,15 @@ class PairContact:
     figures: Figures | None  # where it starts from first touch
     duration: float = field(init=False)
     _stretches: tuple[Swing, ...] | None = field(init=False, default=None)
+    gap: int = field(init=False)
+    ends: list[End] = field(init=False, default_factory=lambda: [End("apart", 0)])
     name = "pair-contact"
     tier = 1
+    parabolic: bool = False
+    short_steps: bool = False
 
     def __post_init__(self) -> None:
+        self.gap = self.members[0].index
         if self.figures is not None:
             self.duration = self.figures.duration
         else:
@@ -177,6 +180,47 @@ class PairContact:
     def time_left(self, now: Time) -> float:
         """s to the end of the contact."""
         return self.duration - elapsed(self.begun, now)
+
+    @property
+    def fading(self) -> tuple[Rate, ...]:
+        """Rates of its damped stretches."""
+        return tuple(swing.rate for swing in self.stretches if swing.rate.beta > 0.0)
+
+    def book(self, accounts: Accounts, t: float) -> None:
+        """Nothing but the contact acts."""
+
+    def locked(self, k: int) -> bool:
+        """It moves."""
+        return False
+
+    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+        """Up to a moment in the middle of it."""
+        d, v, _, _ = self.at(t)
+        deepest = self.deepest_until(t)
+        memory = self.law.remember(deepest, self.memory)
+        given = 0.5 * self.mu * (self.u - v) * (self.u + v)
+        before = self.law.stored(self.d0, self.u, self.memory)
+        return [
+            Part(
+                d,
+                v,
+                self.mu * (self.u - v),
+                given + before - self.law.stored(d, v, memory),
+                deepest,
+                (self.peak_until(t),) if peaks else (),
+            )
+        ]
+
+    def peak_until(self, t: float) -> PeakSoFar:
+        """The greatest force of the first t seconds."""
+        when, force, rate = self.peak()
+        if when > t:
+            _, rate, a, _ = self.at(t)
+            when, force = t, -self.mu * a
+        change = self.u - rate
+        left, right = self.bodies
+        a, b = self.shares
+        return when, force, self.mu * change, (left.v - a * change, right.v + b * change)
 
     def peak(self) -> tuple[float, float, float]:
         """Time after the beginning, N, and d' of the greatest force."""

@@ -8,13 +8,9 @@ they are judged together. Next to a wall a locked group cannot slide at all.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from sim.dynamics.motion import guards as watch
+from sim.dynamics.motion.guards import push_now
+from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
-
-if TYPE_CHECKING:
-    from sim.dynamics.state.chain import Body, Gap
 
 SAME_GRIP = 1e-12
 """Relative. At the onset of sliding the other forces equal μ_s N; where that is μ N too, friction
@@ -26,7 +22,7 @@ def decide(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> None:
 
     `bodies` and `gaps` run from left to right; walls among the bodies are left alone.
     """
-    pushes = [watch.push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
+    pushes = [push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
     group: list[int] = []
     for i in range(len(bodies)):
         group.append(i)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.dynamics.motion.coupled_group import Cluster
+from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.motion.flight import Fading, Flight, Slowing
-from sim.dynamics.motion.linear_pair import PairPhase
+from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.record import Solved
-from sim.dynamics.state.chain import Motion
+from sim.dynamics.state.body import Motion
 from sim.effects.forces import FRICTION
 from sim.scene.model import Scene
 from sim.scene.said import listed, said, template
@@ -33,7 +33,9 @@ PARABOLA = said("constant forces, x = x₀ + v t + ½ a t² is exact")
 def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
     """One sentence per kind of solver at work; `used` are the names of all solvers of the run."""
     sentences = [
-        *_clusters(scene, [p.solver for p in parts if isinstance(p.solver, (Cluster, PairPhase))]),
+        *_clusters(
+            scene, [p.solver for p in parts if isinstance(p.solver, (CoupledGroup, LinearPair))]
+        ),
         *_pairs(scene, [p.solver for p in parts if isinstance(p.solver, PairContact)]),
         *_flights(scene, [p.solver for p in parts if isinstance(p.solver, Flight)]),
     ]
@@ -68,7 +70,7 @@ def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
     ]
 
 
-def _clusters(scene: Scene, solvers: list[Cluster | PairPhase]) -> list[str]:
+def _clusters(scene: Scene, solvers: list[CoupledGroup | LinearPair]) -> list[str]:
     found = []
     for solver in solvers:
         touching = [
@@ -134,10 +136,6 @@ def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
             )
         )
     return found
-
-
-def _form(solver: Flight) -> type | None:
-    return None if solver.course.sparse else type(solver.course)
 
 
 def _carts(scene: Scene, solver: Flight) -> list[str]:

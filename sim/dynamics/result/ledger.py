@@ -14,13 +14,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from sim.scene.effects import kinds
 from sim.scene.model import Scene
-
-if TYPE_CHECKING:
-    from sim.dynamics.state.chain import Chain
 
 
 class Ledger:
@@ -38,7 +34,7 @@ class Ledger:
         self._heights: dict[str, list[float]] = {}
         self._stores = {e.kind for e in scene.effects if kinds()[e.kind].stores == "place"}
 
-    def warm(self, energy: float) -> None:
+    def dissipate(self, energy: float) -> None:
         """A contact kept `energy` [J]."""
         _add(self._warmed, energy)
 
@@ -50,6 +46,11 @@ class Ledger:
         """An effect gave the carts `energy` [J]; what it had stored in their places, or else."""
         totals = self._heights if by in self._stores else self._works
         _add(totals.setdefault(by, [0.0, 0.0]), energy)
+
+    def store(self, by: str, energy: float, *, first: bool) -> None:
+        """A spring or magnets hold `energy` [J] at the start, or at the end."""
+        start, end = self._links.get(by, (0.0, 0.0))
+        self._links[by] = (start + energy, end) if first else (start, end + energy)
 
     @property
     def warmed(self) -> float:
@@ -145,13 +146,3 @@ def kinetic(scene: Scene, v: Sequence[float]) -> float:
 def momentum(scene: Scene, v: Sequence[float]) -> float:
     """N s, + to the right."""
     return math.fsum([c.mass * s for c, s in zip(scene.carts, v, strict=True)])
-
-
-def store(ledger: Ledger, chain: Chain, *, first: bool) -> None:
-    """Energy in springs and magnets, by kind, at the start or at the end."""
-    for gap in chain.gaps:
-        for link in gap.links if gap is not None else ():
-            start, end = ledger._links.get(link.kind, (0.0, 0.0))
-            assert gap is not None
-            energy = link.energy(gap.room)
-            ledger._links[link.kind] = (start + energy, end) if first else (start, end + energy)

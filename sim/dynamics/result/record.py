@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from sim.dynamics.result.events import ORDER, Event
-from sim.dynamics.state.chain import Body, Gap, Motion
+from sim.dynamics.state.body import Body, Gap, Motion
 from sim.dynamics.state.clock import Time
 from sim.scene.model import Scene
 

@@ -13,9 +13,6 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from itertools import pairwise
 
-from sim.dynamics.motion.coupled_group import Cluster
-from sim.dynamics.motion.flight import Flight
-from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result import body_forces as outer_forces
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.record import Piece, Solved
@@ -109,20 +106,14 @@ def _density(contacts: int, columns: int) -> int:
 
 def _times(begin: float, end: float, live: list[Solved], dense: int) -> list[float]:
     """Sample times from begin to end, both included."""
-    live = [p for p in live if not (isinstance(p.solver, Flight) and p.solver.course.sparse)]
+    live = [part for part in live if not part.solver.parabolic]
     if not live:
         return [begin, end]
     count = dense
-    if all(isinstance(part.solver, Cluster) and part.solver.row.nonlinear for part in live):
+    if all(part.solver.short_steps for part in live):
         count = max(2, dense // SHORT_STEPS)
     span = end - begin
-    fade = [
-        swing.rate
-        for part in live
-        if isinstance(part.solver, PairContact)
-        for swing in part.solver.stretches
-        if swing.rate.beta > 0.0
-    ]
+    fade = [rate for part in live for rate in part.solver.fading]
     quick = max((max(rate.w0, rate.beta + rate.w) for rate in fade), default=0.0)
     if quick * span > LONG_TIMES:  # a long fading tail: equal steps first, then longer and longer
         early = LONG_TIMES / quick
@@ -130,7 +121,7 @@ def _times(begin: float, end: float, live: list[Solved], dense: int) -> list[flo
         growth = (span / early) ** (1.0 / dense)
         steps += [early * growth**k for k in range(dense)]
         return [*(begin + s for s in steps if s < span), end]
-    if any(rate.beta > 0.0 for rate in fade):
+    if fade:
         count = 2 * dense  # one stretch covers the whole contact
     return [*(begin + span * k / count for k in range(count)), end]
 

@@ -1,103 +1,15 @@
-"""The moving state of a run: bodies in a row, the gaps between them, contacts in progress.
-
-    gap 0   body 0   gap 1   body 1   ...   body n−1   gap n      a wall is a body of infinite mass
-
-Gaps and closing speeds are the state; positions are carried along for show. A gap of carts at
-x = 1e9 m is as exact as one at the origin. Each body and each gap has its own last time: an event
-touches only its neighbourhood, so the cost of an event does not grow with the number of carts.
-"""
+"""The row of one run: who stands beside whom, who pushes whom, and how far each moves."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable
-from dataclasses import dataclass, field
-from functools import lru_cache
-from typing import TYPE_CHECKING
 
-from sim.dynamics.motion.coupled_group import Cluster
-from sim.dynamics.motion.flight import Flight
-from sim.dynamics.motion.linear_pair import PairPhase
-from sim.dynamics.motion.pair_contact import PairContact
-from sim.dynamics.state.clock import ZERO, Time, elapsed
-from sim.dynamics.state.loads import NO_LOAD, Forces, Load
-from sim.dynamics.state.touching import Touching
-from sim.laws.contact_law import ContactLaw, Figures
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.loads import Forces
+from sim.laws.contact_law import ContactLaw
 from sim.laws.lookup import contact_law
 from sim.scene.model import Contact, Scene
-
-if TYPE_CHECKING:
-    from sim.effects.forces import PairForce
-
-Solver = PairContact | PairPhase | Cluster
-Motion = PairContact | PairPhase | Cluster | Flight
-
-
-@dataclass(slots=True, eq=False)
-class Body:
-    """One cart, several that are stuck together, or a wall. `x` is its state at time `time`."""
-
-    carts: tuple[int, ...]  # indices in the scene; empty: a wall
-    mass: float  # kg
-    x: float  # m, of the first cart's centre
-    v: float  # m/s
-    left: int  # gap on its left
-    right: int  # gap on its right
-    time: Time = ZERO
-    motion: Motion | None = None  # None: free flight
-    load: Load = NO_LOAD  # effects that act on it
-    sliding: int = 0  # direction in which friction sees it slide
-    held: bool = False  # by static friction
-    slips: int = 0  # direction in which it has just overcome static friction
-    turn: int = 0  # counts predictions, as those of gaps
-
-
-@dataclass(slots=True, eq=False)
-class Gap:
-    """The room between two neighbours, edge to edge; negative: their bumpers overlap."""
-
-    index: int
-    left: Body
-    right: Body
-    room: float  # m, at `time`
-    rate: float  # m/s, right velocity minus left
-    contact: Contact
-    law: ContactLaw | None
-    time: Time = ZERO
-    memory: float = 0.0  # m, of the bumper
-    turn: int = 0  # counts predictions: an older one in the calendar is void
-    touching: Touching | None = None
-    links: tuple[PairForce, ...] = ()  # springs and magnets across it
-    solver: Solver | None = None  # what moves it, while it touches or is linked
-    joined: bool = False
-    clear_at: Time | None = None  # when its overlap will have cleared, if that is known
-    _figures: tuple[float, Figures] | None = field(default=None)
-
-    @property
-    def member(self) -> bool:
-        """Do its two bodies push or pull each other?"""
-        return self.touching is not None or (bool(self.links) and not self.joined)
-
-    @property
-    def mu(self) -> float:
-        """Reduced mass in kg."""
-        a, b = self.left.mass, self.right.mass
-        if a == math.inf:
-            return b
-        return a if b == math.inf else a * b / (a + b)
-
-    def figures(self, mu: float) -> Figures:
-        """Those of the gap's law, computed once per reduced mass."""
-        if self._figures is None or self._figures[0] != mu:
-            assert self.law is not None
-            self._figures = (mu, figures_of(self.law, mu))  # type: ignore[arg-type]
-        return self._figures[1]
-
-
-@lru_cache(maxsize=4096)
-def figures_of(law: Hashable, mu: float) -> Figures:
-    """The same pair meets again and again, in this run and in the next."""
-    return law.figures(mu)  # type: ignore[attr-defined, no-any-return]
 
 
 class Chain:

@@ -100,7 +100,7 @@ class _Recorder:
             for (kind, k), force in detail.outside.items():
                 ledger.push_from_outside(weight * force, kind)
                 ledger.work(kind, weight * force * detail.v[k])
-            ledger.warm(weight * detail.warming)
+            ledger.dissipate(weight * detail.warming)
             for kind, power in detail.damped.items():
                 if power:
                     ledger.work(kind, -weight * power)
@@ -113,7 +113,7 @@ class _Recorder:
             if blow.release:
                 ledger.work(blow.release, -blow.warmed)
             else:
-                ledger.warm(blow.warmed)
+                ledger.dissipate(blow.warmed)
         run.impacts.blows.clear()
         self.v = list(run.v)
         self.count += 1
@@ -132,7 +132,7 @@ class _Recorder:
                     self.held.get(gap, 0.0), push[gap], field.memory[gap], stored
                 )
                 if warm:
-                    self.ledger.warm(warm)
+                    self.ledger.dissipate(warm)
 
     def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
         if impulse and (left is None or right is None):
@@ -171,13 +171,11 @@ class _Recorder:
         )
 
     def _links(self, *, first: bool) -> None:
-        field, links = self.run.field, self.ledger._links
+        field = self.run.field
         for pair in field.pairs:
             for link in pair.links:
                 d, _ = field.overlap(pair, self.run.s, self.run.v)
-                start, end = links.get(link.kind, (0.0, 0.0))
-                energy = link.energy(-d)
-                links[link.kind] = (start + energy, end) if first else (start, end + energy)
+                self.ledger.store(link.kind, link.energy(-d), first=first)
 
     def finish(self) -> SteppedRun:
         """Drive it to the end, and settle the accounts."""
