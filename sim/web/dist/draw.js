@@ -3519,7 +3519,6 @@
   }
   var DOMEventTarget = class {
     constructor() {
-      wm.set(this, /* @__PURE__ */ new Map());
     }
     /**
      * @protected
@@ -3527,7 +3526,9 @@
     _getParent() {
       return null;
     }
-    addEventListener(type, listener, options) {
+    addEventListener() {
+    }
+    _listen(type, listener, options) {
       const map = wm.get(this);
       if (!map.has(type))
         map.set(type, /* @__PURE__ */ new Map());
@@ -13633,7 +13634,6 @@ ${found && html`<p class="carts-found" hidden></p>`}
 
   // src/draw-main.js
   var { document: document2 } = parseHTML("<!doctype html><html><body></body></html>");
-  globalThis.document = document2;
   var KINDS2 = { scene };
   function scene({ baked: raw, found }) {
     const baked = bakedOf(raw);
@@ -13649,6 +13649,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
   globalThis.cartsDraw = (kind, values) => {
     const draw = KINDS2[kind];
+    globalThis.document = document2;
     if (!draw) throw new Error(`nothing draws “${kind}”`);
     return draw(values);
   };

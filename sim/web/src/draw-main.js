@@ -9,7 +9,6 @@ import { bakedOf } from "./scene/baked.js";
 import { Drawing } from "./scene/drawing.js";
 
 const { document } = parseHTML("<!doctype html><html><body></body></html>");
-/** @type {any} */ (globalThis).document = document;
 
 /** @type {Record<string, (values: any) => string>} */
 const KINDS = { scene };
@@ -33,6 +32,7 @@ function scene({ baked: raw, found }) {
   /** @type {any} */ values,
 ) => {
   const draw = KINDS[kind];
+  /** @type {any} */ (globalThis).document = document; // for functions that make elements
   if (!draw) throw new Error(`nothing draws “${kind}”`);
   return draw(values);
 };
