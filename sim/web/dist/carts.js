@@ -55,10 +55,13 @@
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
       const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
-      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+      return `${mantissa} × 10${superscript(power)}`;
     }
     return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
+  }
+  function superscript(power) {
+    const digits = String(Math.abs(power)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
+    return power < 0 ? `⁻${digits}` : digits;
   }
   function decimalsOf(value, figures2 = 6) {
     const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
@@ -74,6 +77,86 @@
     const factor = 10 ** decimals;
     const rounded = Math.floor(value * factor + 0.5) / factor;
     return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // ../view/cost/methods.js
+  var METHODS = {
+    exact: {
+      label: "exact, closed form",
+      mark: "M0-6L1.6-2 6-2 2.5 1 4 6 0 3-4 6-2.5 1-6-2-1.6-2Z",
+      colour: "#0072b2"
+    },
+    "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
+    "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
+    verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
+    "rk4-events": {
+      label: "RK4 + located touches",
+      mark: "M-5-1.5H-1.5V-5H1.5V-1.5H5V1.5H1.5V5H-1.5V1.5H-5Z",
+      colour: "#2779a7"
+    },
+    rk45: {
+      label: "adaptive RK45 + located touches",
+      mark: "M-5-3.5H5L0 0L5 3.5H-5L0 0Z",
+      colour: "#6b3f7d"
+    },
+    adaptive: {
+      label: "adaptive DOP853 + located touches",
+      mark: "M-5 0L-1.5-4H1.5L5 0 1.5 4H-1.5Z",
+      colour: "#555"
+    }
+  };
+
+  // ../view/cost/words.js
+  var [MANY, HUGE] = [1e3, 1e4];
+  var ENDLESS = "beyond all numbers";
+  function percent(part2, whole) {
+    return `${plain(whole ? 100 * part2 / whole : 100, 1)} %`;
+  }
+  function plain(value, decimals) {
+    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
+  }
+  function told({ v: v2, energy, evaluations }) {
+    const speeds = Object.entries(v2.stepped).map(([name2, speed]) => {
+      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
+      return (
+        /** @type {[string, string, string]} */
+        [
+          `velocity of ${name2} at the end`,
+          got,
+          `${plain(Number(v2.exact[name2]), 4)} m/s`
+        ]
+      );
+    });
+    const { initial, stepped, exact, imbalance } = energy;
+    return [
+      ...speeds,
+      [
+        "energy at the end, of that at the start",
+        stepped === null ? ENDLESS : percent(stepped, initial),
+        percent(exact, initial)
+      ],
+      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+      ["times that all forces were computed", String(evaluations), "0"]
+    ];
+  }
+  function toleranceText(rtol) {
+    return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+  }
+  function cells(row, until) {
+    let size = "–";
+    if (row.rtol) size = toleranceText(row.rtol);
+    else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
+    const ratio = row.time_ratio;
+    return [
+      METHODS[row.method]?.label ?? row.method,
+      size,
+      String(row.evaluations),
+      ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
+      row.error_v === null ? "–" : short(row.error_v, 2),
+      row.energy_error === null ? "–" : short(row.energy_error, 2)
+    ];
   }
 
   // src/scene/slow.js
@@ -271,7 +354,103 @@
     if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
   }
 
-  // src/cost/figure.js
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence2, values = {}) {
+    const said = catalogue[sentence2] ?? sentence2;
+    return said.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
+  }
+  var forms = null;
+  var ENOUGH = 2;
+  function heard(english) {
+    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a2, b2) => b2.own.length - a2.own.length || (a2.key < b2.key ? -1 : 1));
+    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  }
+  function part(english) {
+    const said = catalogue[english] ?? filled(english, large(forms ?? []));
+    if (said) return said;
+    const listed2 = english.split(", ");
+    if (listed2.length > 1) return listed2.map(part).join(", ");
+    return filled(english, forms ?? []) || english;
+  }
+  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
+  function filled(english, some) {
+    for (const { key, pattern: form } of some) {
+      const found2 = form.exec(english);
+      if (!found2) continue;
+      const parts2 = Object.entries(found2.groups ?? {}).map(([name2, said]) => [name2, part(said)]);
+      return tr(key, Object.fromEntries(parts2));
+    }
+    return "";
+  }
+  var PLACE = /\{\w+\}/;
+  function pattern(key) {
+    const named = /* @__PURE__ */ new Set();
+    const parts2 = key.split(/\{(\w+)\}/).map((piece, k) => {
+      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+      if (named.has(piece)) return `\\k<${piece}>`;
+      named.add(piece);
+      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
+    });
+    return new RegExp(`^${parts2.join("")}$`, "su");
+  }
+
+  // src/shared/waiting.js
+  function frame() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  var MEASURES = 200;
+  function waited(name2, at2) {
+    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
+    performance.measure(name2, { start: at2, end: performance.now() });
+  }
+  async function drawn(scene, at2, detail) {
+    await frame();
+    waited("carts:update", at2);
+    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+  }
+  function deferred() {
+    const made3 = {};
+    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
+    return made3;
+  }
+  function refusal(problems) {
+    const [first] = problems;
+    if (!first) return new Error(tr("This value does not work."));
+    const message = heard(first.message);
+    return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
+  }
+
+  // ../view/markup.js
+  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+  var Markup = class {
+    /** @param {string} text */
+    constructor(text) {
+      this.text = text;
+    }
+    toString() {
+      return this.text;
+    }
+  };
+  function html2(strings, ...values) {
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
+  }
+  function asText(value) {
+    if (Array.isArray(value)) return value.map(asText).join("");
+    if (value instanceof Markup) return value.text;
+    if (value === false || value === null || value === void 0) return "";
+    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
+  }
+
+  // ../view/cost/figure.js
   var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
   var FLOOR = 1e-17;
   var [LOW_X, HIGH_X] = [0.5, 1e6];
@@ -287,26 +466,28 @@
   function errorOf(row) {
     return row.error_v ?? (row.method === "exact" ? 0 : null);
   }
+  function lineOf(rows, method) {
+    const points = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
+    return { line: points.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join(""), points };
+  }
+
+  // src/cost/figure.js
   var CostFigure = class {
     /** @param {HTMLElement} root */
     constructor(root) {
+      this.root = root;
       this.ring = need(root, ".carts-cost-ring");
-      this.groups = /* @__PURE__ */ new Map();
-      const marks3 = [...root.querySelectorAll(".carts-cost-key .carts-cost-point")];
-      for (const [k, group2] of [...root.querySelectorAll("[data-method]")].entries()) {
-        const mark2 = marks3[k]?.getAttribute("d") ?? "";
-        this.groups.set(group2.getAttribute("data-method") ?? "", { group: group2, mark: mark2 });
-      }
     }
     /** @param {CostRow[]} rows */
     show(rows) {
-      for (const [method, { group: group2, mark: mark2 }] of this.groups) {
-        const places = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
-        const line = places.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join("");
+      for (const group2 of this.root.querySelectorAll("[data-method]")) {
+        const method = group2.getAttribute("data-method") ?? "";
+        const { line, points } = lineOf(rows, method);
+        const d2 = METHODS[method]?.mark ?? "";
         group2.replaceChildren(
           svg("path", { class: "carts-cost-line", d: line }),
-          ...places.map(
-            ([x2, y2]) => svg("path", { class: "carts-cost-point", transform: `translate(${x2} ${y2})`, d: mark2 })
+          ...points.map(
+            ([x2, y2]) => svg("path", { class: "carts-cost-point", transform: `translate(${x2} ${y2})`, d: d2 })
           )
         );
       }
@@ -497,52 +678,6 @@
   };
 
   // src/cost/table.js
-  var [MANY, HUGE] = [1e3, 1e4];
-  var ENDLESS = "beyond all numbers";
-  function percent(part2, whole) {
-    return `${plain(whole ? 100 * part2 / whole : 100, 1)} %`;
-  }
-  function plain(value, decimals) {
-    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
-  }
-  function told({ v: v2, energy, evaluations }) {
-    const speeds = Object.entries(v2.stepped).map(([name2, speed]) => {
-      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
-      return (
-        /** @type {[string, string, string]} */
-        [
-          `velocity of ${name2} at the end`,
-          got,
-          `${plain(Number(v2.exact[name2]), 4)} m/s`
-        ]
-      );
-    });
-    const { initial, stepped, exact, imbalance } = energy;
-    return [
-      ...speeds,
-      [
-        "energy at the end, of that at the start",
-        stepped === null ? ENDLESS : percent(stepped, initial),
-        percent(exact, initial)
-      ],
-      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
-      ["times that all forces were computed", String(evaluations), "0"]
-    ];
-  }
-  function cells(row, until, labels2) {
-    let size = "–";
-    if (row.rtol) size = `tolerance 1e${Math.round(Math.log10(row.rtol))}`;
-    else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
-    const ratio = row.time_ratio;
-    return [
-      labels2[row.method] ?? row.method,
-      size,
-      String(row.evaluations),
-      ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
-      row.error_v === null ? "–" : short(row.error_v, 2),
-      row.energy_error === null ? "–" : short(row.energy_error, 2)
-    ];
-  }
   function fill(table, lines2) {
     const body2 = lines2.map(([head = "", ...values]) => {
       const line = html("tr");
@@ -640,7 +775,7 @@
             ...size
           }));
           if (generation !== this.#generation) return;
-          if (!header.ok) throw refusal(header);
+          if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();
           this.#note("");
           this.#show({ header: (
@@ -685,7 +820,7 @@
               row
             }));
             if (this.#measuring !== turn) return;
-            if (!header.ok) throw refusal(header);
+            if (!header.ok) throw refusal(header.problems ?? []);
             this.#live();
             const answer = (
               /** @type {any} */
@@ -739,7 +874,7 @@
         this.#figure?.show(rows);
         this.#mark();
         const until = Number(this.run?.header.until);
-        const lines2 = rows.map((row) => cells(row, until, this.#facts?.labels ?? {}));
+        const lines2 = rows.map((row) => cells(row, until));
         fill(need(this, ".carts-cost-table table"), lines2);
       }
       /** The ring stands where the chosen method and step were measured. */
@@ -794,83 +929,8 @@
       }
     };
   }
-  function refusal({ problems }) {
-    const first = problems?.[0];
-    if (!first) return new Error("This does not work.");
-    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
-  }
 
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence2, values = {}) {
-    const said = catalogue[sentence2] ?? sentence2;
-    return said.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
-  }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a2, b2) => b2.own.length - a2.own.length || (a2.key < b2.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
-  }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key, pattern: form } of some) {
-      const found2 = form.exec(english);
-      if (!found2) continue;
-      const parts2 = Object.entries(found2.groups ?? {}).map(([name2, said]) => [name2, part(said)]);
-      return tr(key, Object.fromEntries(parts2));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key) {
-    const named = /* @__PURE__ */ new Set();
-    const parts2 = key.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named.has(piece)) return `\\k<${piece}>`;
-      named.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts2.join("")}$`, "su");
-  }
-
-  // src/shared/waiting.js
-  function frame() {
-    return new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  var MEASURES = 200;
-  function waited(name2, at2) {
-    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
-    performance.measure(name2, { start: at2, end: performance.now() });
-  }
-  async function drawn(scene, at2, detail) {
-    await frame();
-    waited("carts:update", at2);
-    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
-  }
-  function deferred() {
-    const made3 = {};
-    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
-    return made3;
-  }
-  function refusal2(problems) {
-    const [first] = problems;
-    if (!first) return new Error(tr("This value does not work."));
-    const message = heard(first.message);
-    return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
-  }
-
-  // src/hard/words.js
+  // ../view/hard/words.js
   var VERDICTS = {
     right: "right",
     "blows-up": "blows up",
@@ -977,7 +1037,7 @@
             if (this.#turn !== turn) return;
             const { header } = await client2.ask(this, () => ({ kind: "hard", ...asked(one) }));
             if (this.#turn !== turn) return;
-            if (!header.ok) throw refusal2(header.problems ?? []);
+            if (!header.ok) throw refusal(header.problems ?? []);
             this.#live();
             const answer = (
               /** @type {any} */
@@ -2197,7 +2257,7 @@
         const generation = this.#generation;
         const first = await this.#ask(settings, 0);
         if (generation !== this.#generation) return;
-        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
+        if (!first.header.ok) throw refusal(first.header.problems ?? []);
         this.#settings = settings;
         showSettings(this, this.#facts?.controls ?? [], settings);
         const { axes, rows, columns, why, runs } = first.header;
@@ -4568,7 +4628,7 @@
   var TOLERANCE = tr("tolerance");
   var EXACT = tr("exact (as always)");
   var FAILED = tr("The exact run is shown.");
-  var METHODS = {
+  var METHODS2 = {
     euler: "Euler",
     "semi-implicit": tr("semi-implicit Euler"),
     verlet: tr("velocity Verlet"),
@@ -4630,7 +4690,7 @@
   }
   function signWords(how) {
     return tr("Step by step: {method}, {size}. Not exact. Dashed: exact.", {
-      method: String(METHODS[how.method]),
+      method: String(METHODS2[how.method]),
       size: sizeWords(how)
     });
   }
@@ -4695,7 +4755,7 @@
       this.method = document.createElement("select");
       this.method.className = "carts-how-method";
       this.method.append(option(EXACT2, EXACT));
-      for (const [name2, label] of Object.entries(METHODS)) {
+      for (const [name2, label] of Object.entries(METHODS2)) {
         if (scipy || !ADAPTIVE2.includes(name2)) this.method.append(option(name2, label));
       }
       this.slider = document.createElement("input");
@@ -4905,7 +4965,7 @@
           () => this.message({ ...panel.choice })
         );
         if (turn !== this.#turn) return;
-        if (!header.ok) throw refusal2(header.problems ?? []);
+        if (!header.ok) throw refusal(header.problems ?? []);
         const how = (
           /** @type {any} */
           header.how
@@ -5706,7 +5766,7 @@ ${lines2.join("\n")}
     const program = async () => {
       const set = { ...acts.settings() };
       const { header } = await client2.ask(writing, () => ({ kind: "model", scene, set }));
-      if (!header.ok) throw refusal2(header.problems ?? []);
+      if (!header.ok) throw refusal(header.problems ?? []);
       return String(
         /** @type {any} */
         header.text
@@ -5884,7 +5944,7 @@ ${lines2.join("\n")}
       });
       if (!header.ok) {
         this.values.giveUp(changes2);
-        throw refusal2(header.problems ?? []);
+        throw refusal(header.problems ?? []);
       }
       if (generation !== this.#generation) return null;
       this.values.good = sent.set;
@@ -7899,32 +7959,6 @@ ${lines2.join("\n")}
       this.zoom.selectedIndex = chosen <= options.length ? chosen : 0;
     }
   };
-
-  // ../view/markup.js
-  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
-  var Markup = class {
-    /** @param {string} text */
-    constructor(text) {
-      this.text = text;
-    }
-    toString() {
-      return this.text;
-    }
-  };
-  function html2(strings, ...values) {
-    let written = strings[0] ?? "";
-    values.forEach((value, k) => {
-      const quote = strings[k]?.endsWith("=") ? '"' : "";
-      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
-    });
-    return new Markup(written);
-  }
-  function asText(value) {
-    if (Array.isArray(value)) return value.map(asText).join("");
-    if (value instanceof Markup) return value.text;
-    if (value === false || value === null || value === void 0) return "";
-    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
-  }
 
   // ../view/skeleton/graph.js
   var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;

@@ -10260,50 +10260,6 @@
   }
   setPrototypeOf(Document4, Document$1).prototype = Document$1.prototype;
 
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence2, values = {}) {
-    const said = catalogue[sentence2] ?? sentence2;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key2) => PLACE.test(key2)).map((key2) => ({ key: key2, pattern: pattern(key2), own: key2.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
-  }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key: key2, pattern: form } of some) {
-      const found = form.exec(english);
-      if (!found) continue;
-      const parts = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
-      return tr(key2, Object.fromEntries(parts));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key2) {
-    const named = /* @__PURE__ */ new Set();
-    const parts = key2.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named.has(piece)) return `\\k<${piece}>`;
-      named.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts.join("")}$`, "su");
-  }
-
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
@@ -10346,13 +10302,16 @@
     return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
   }
   function short(value, figures = 3) {
-    const power = exponent(value);
-    if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
-      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+    const power2 = exponent(value);
+    if (value && (power2 <= -4 || power2 >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power2}`), figures - 1));
+      return `${mantissa} × 10${superscript(power2)}`;
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures - 1 - power2)));
+  }
+  function superscript(power2) {
+    const digits = String(Math.abs(power2)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power2 < 0 ? `⁻${digits}` : digits;
   }
   function decimalsOf(value, figures = 6) {
     const text2 = Math.abs(value).toFixed(decimalsFor(value, figures));
@@ -10368,6 +10327,353 @@
     const factor = 10 ** decimals;
     const rounded = Math.floor(value * factor + 0.5) / factor;
     return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // ../view/cost/methods.js
+  var METHODS = {
+    exact: {
+      label: "exact, closed form",
+      mark: "M0-6L1.6-2 6-2 2.5 1 4 6 0 3-4 6-2.5 1-6-2-1.6-2Z",
+      colour: "#0072b2"
+    },
+    "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
+    "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
+    verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
+    "rk4-events": {
+      label: "RK4 + located touches",
+      mark: "M-5-1.5H-1.5V-5H1.5V-1.5H5V1.5H1.5V5H-1.5V1.5H-5Z",
+      colour: "#2779a7"
+    },
+    rk45: {
+      label: "adaptive RK45 + located touches",
+      mark: "M-5-3.5H5L0 0L5 3.5H-5L0 0Z",
+      colour: "#6b3f7d"
+    },
+    adaptive: {
+      label: "adaptive DOP853 + located touches",
+      mark: "M-5 0L-1.5-4H1.5L5 0 1.5 4H-1.5Z",
+      colour: "#555"
+    }
+  };
+  var stepping = () => Object.keys(METHODS).filter((name) => !name.startsWith("exact"));
+
+  // ../view/cost/figure.js
+  var [WIDTH, HEIGHT] = [520, 380];
+  var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
+  var FLOOR = 1e-17;
+  var [LOW_X, HIGH_X] = [0.5, 1e6];
+  var HIGH_Y = 10;
+  var TIMES = [0, 1, 2, 3, 4, 5, 6];
+  var ERRORS = [-17, -15, -13, -11, -9, -7, -5, -3, -1, 1];
+  var LEGEND = 18;
+  function xAt(ratio) {
+    const part2 = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
+    return LEFT + Math.min(1, part2) * (RIGHT - LEFT);
+  }
+  function yAt(error) {
+    const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
+    return BOTTOM - Math.log(seen / FLOOR) / Math.log(HIGH_Y / FLOOR) * (BOTTOM - TOP);
+  }
+  function errorOf(row2) {
+    return row2.error_v ?? (row2.method === "exact" ? 0 : null);
+  }
+  function lineOf(rows, method) {
+    const points = rows.filter((row2) => row2.method === method && errorOf(row2) !== null).map((row2) => [px(xAt(row2.time_ratio)), px(yAt(Number(errorOf(row2))))]);
+    return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
+  }
+  function grid() {
+    return {
+      x: TIMES.map((k) => [px(xAt(10 ** k)), power(k)]),
+      y: ERRORS.map((k) => [px(yAt(10 ** k)), 10 ** k > FLOOR ? power(k) : "0"])
+    };
+  }
+  function power(exponent2) {
+    if (exponent2 === 0 || exponent2 === 1) return exponent2 ? "10" : "1";
+    return `10${superscript(exponent2)}`;
+  }
+  function standalone({ title, rows }) {
+    const lines = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name) })).filter(({ points }) => points.length);
+    const height = HEIGHT + LEGEND * Math.ceil(lines.length / 2) + 8;
+    const { x, y } = grid();
+    const series = lines.map(({ line, points, mark, colour, label }, k) => {
+      const legend2 = [px(LEFT + 240 * (k % 2)), px(HEIGHT + 8 + LEGEND * Math.floor(k / 2))];
+      const marks3 = [...points, legend2].map(
+        ([across, down]) => html`<path transform="translate(${across} ${down})" d=${mark} fill=${colour}/>`
+      );
+      return html`<path d=${line} fill="none" stroke=${colour}/>${marks3}<text x=${legend2[0]} y=${legend2[1]} dx="12" dy="4">${label}</text>`;
+    });
+    return html`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${px(height)}" width=${WIDTH} height=${px(height)} font-family="sans-serif" font-size="12"><title>${title}: error against time</title><rect width="100%" height="100%" fill="#fff"/><rect x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP} fill="none" stroke="#55585e"/>${x.map(
+      ([at, text2]) => html`<path d="M${at} ${TOP}V${BOTTOM}" stroke="#e4e6e9"/><text x=${at} y=${BOTTOM + 16} text-anchor="middle">${text2}</text>`
+    )}${y.map(
+      ([at, text2]) => html`<path d="M${LEFT} ${at}H${RIGHT}" stroke="#e4e6e9"/><text x=${LEFT - 7} y=${at} dy="4" text-anchor="end">${text2}</text>`
+    )}<text x=${RIGHT} y=${BOTTOM + 34} text-anchor="end">time, as a multiple of the exact outcome’s</text><text transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>${series}</svg>
+`;
+  }
+
+  // ../view/cost/words.js
+  var [MANY, HUGE] = [1e3, 1e4];
+  var FIRST = { method: "euler", parts: 103 };
+  var ENDLESS = "beyond all numbers";
+  function percent(part2, whole) {
+    return `${plain(whole ? 100 * part2 / whole : 100, 1)} %`;
+  }
+  function plain(value, decimals) {
+    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
+  }
+  function told({ v, energy, evaluations }) {
+    const speeds = Object.entries(v.stepped).map(([name, speed]) => {
+      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
+      return (
+        /** @type {[string, string, string]} */
+        [
+          `velocity of ${name} at the end`,
+          got,
+          `${plain(Number(v.exact[name]), 4)} m/s`
+        ]
+      );
+    });
+    const { initial, stepped, exact, imbalance } = energy;
+    return [
+      ...speeds,
+      [
+        "energy at the end, of that at the start",
+        stepped === null ? ENDLESS : percent(stepped, initial),
+        percent(exact, initial)
+      ],
+      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+      ["times that all forces were computed", String(evaluations), "0"]
+    ];
+  }
+  function toleranceText(rtol) {
+    return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+  }
+  function cells(row2, until) {
+    let size = "–";
+    if (row2.rtol) size = toleranceText(row2.rtol);
+    else if (row2.step) size = `${short(until)} s / ${Math.round(until / row2.step)}`;
+    const ratio = row2.time_ratio;
+    return [
+      METHODS[row2.method]?.label ?? row2.method,
+      size,
+      String(row2.evaluations),
+      ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
+      row2.error_v === null ? "–" : short(row2.error_v, 2),
+      row2.energy_error === null ? "–" : short(row2.energy_error, 2)
+    ];
+  }
+
+  // ../view/cost/skeleton.js
+  var PARTS = [19, 61, 103, 211, 499, 997, 9973];
+  var TOLERANCES = [1e-6, 1e-9, 1e-12];
+  function inside({ id, title, names, measured, rows, run }) {
+    const told3 = told(run.header).map(
+      ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
+    );
+    const said = measured && `Measured ${measured}.`;
+    return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+${choice(names)}
+<div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label="the carts as stepped, and exactly as dashed outlines"></svg></div>
+<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>Play</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label="time" disabled><output class="carts-cost-clock">0.00 s</output></div>
+<p class="carts-cost-legend"><span class="carts-cost-solid"></span> as stepped <span class="carts-cost-dashed"></span> exactly</p>
+<div class="carts-cost-body">
+<div><p class="carts-heading">Energy of motion</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label="energy of motion against time, as stepped and exactly"></svg></div>
+<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told3}</tbody></table></div>
+</div>
+<div class="carts-cost-measure">
+<p class="carts-heading">Error against time</p>
+<p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>Measure on this computer</button> <button type="button" class="carts-button carts-cost-stop" hidden>Stop</button> <progress class="carts-cost-progress" max="1" value="0" aria-label="methods measured" hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
+${figure(rows)}
+</div>
+${table(rows, run.header.until)}
+<noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
+</div>`;
+  }
+  function choice(names) {
+    const scenes = Object.entries(names).map(
+      ([name, text2]) => html`<option value=${name}>${text2}</option>`
+    );
+    const methods = stepping().map(
+      (name) => html`<option value=${name}${name === FIRST.method && html` selected`}>${METHODS[name]?.label}</option>`
+    );
+    const parts2 = PARTS.map(
+      (n) => html`<option value=${n}${n === FIRST.parts && html` selected`}>run / ${n}</option>`
+    );
+    const tolerances = TOLERANCES.map(
+      (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`
+    );
+    return html`<div class="carts-cost-choice">
+<label>scene <select class="carts-cost-scene" disabled>${scenes}</select></label>
+<label>method <select class="carts-cost-method" disabled>${methods}</select></label>
+<label>step <select class="carts-cost-step" disabled>${parts2}</select><select class="carts-cost-rtol" aria-label="tolerance" disabled hidden>${tolerances}</select></label>
+</div>`;
+  }
+  function figure(rows) {
+    const { x, y } = grid();
+    const methods = Object.entries(METHODS);
+    const series = methods.map(([name, { mark }], k) => {
+      const { line, points } = lineOf(rows, name);
+      const marks3 = points.map(
+        ([across, down]) => html`<path class="carts-cost-point" transform="translate(${across} ${down})" d=${mark}/>`
+      );
+      return html`<g class="carts-cost-s${k}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks3}</g>`;
+    });
+    const key2 = methods.map(
+      ([, { mark, label }], k) => html`<li class="carts-cost-s${k}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label}</li>`
+    );
+    return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
+${x.map(([at, text2]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text2}</text>`)}
+${y.map(([at, text2]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text2}</text>`)}
+<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
+<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
+<g class="carts-cost-series">${series}</g>
+<circle class="carts-cost-ring" r="9" visibility="hidden"/>
+</svg>
+<ul class="carts-cost-key">${key2}</ul>`;
+  }
+  function table(rows, until) {
+    const lines = rows.map((row2) => {
+      const [head, ...values] = cells(row2, until);
+      return html`<tr><th scope="row">${head}</th>${values.map((value) => html`<td>${value}</td>`)}</tr>`;
+    });
+    return html`<details class="carts-more carts-cost-table"><summary>Table of all measurements</summary><div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">method</th><th scope="col">step</th><th scope="col">forces computed</th><th scope="col">time</th><th scope="col">error of v in m/s</th><th scope="col">error of energy, of that at the start</th></tr></thead><tbody>${lines}</tbody></table></div></details>`;
+  }
+
+  // ../view/hard/words.js
+  var VERDICTS = {
+    right: "right",
+    "blows-up": "blows up",
+    "passes-through": "carts pass through each other",
+    misses: "misses contacts",
+    "makes-energy": "makes energy from nothing",
+    "loses-energy": "loses energy",
+    sticks: "carts stick together",
+    wrong: "wrong"
+  };
+  var UNITS = { v: " m/s", x: " m", last: " s", count: "" };
+  var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
+  function measure(what) {
+    const { kind, name } = parts(what);
+    if (kind === "v" || kind === "x") {
+      const [last, first] = name.split("-");
+      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name}`;
+    }
+    return NAMES[kind] ?? (kind === "work" ? `work of ${name}` : kind);
+  }
+  function parts(what) {
+    const [kind = "", ...rest] = what.split(".");
+    return { kind, name: rest.join(".") };
+  }
+  function amount(what, value, figures) {
+    const { kind } = parts(what);
+    if (kind === "count") return String(Math.round(value));
+    return short(value, figures) + (UNITS[kind] ?? " J");
+  }
+  function cameOut(wanted, got, figures) {
+    let worst = "";
+    let [error, came] = [0, 0];
+    for (const [k, [what, right]] of wanted.entries()) {
+      const value = got[k];
+      if (value === null || value === void 0) return "";
+      const distance = Math.abs(value - right);
+      if (!worst || distance > error) [worst, error, came] = [what, distance, value];
+    }
+    const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
+    return `${measure(worst)}: ${amount(worst, came, figures)}, ${off}`;
+  }
+  function exactCell(wanted, { got }) {
+    return cameOut(wanted, got, 6);
+  }
+  function steppedCell(wanted, { verdict, got }) {
+    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
+  }
+  var METHODS2 = { euler: "Euler", "semi-implicit": "semi-implicit Euler", rk4: "RK4" };
+  var MOST_TOLD = 3;
+  function expectedLines(wanted) {
+    const lines = wanted.slice(0, MOST_TOLD).map(([what, value]) => `${measure(what)}: ${amount(what, value, 6)}`);
+    const more = wanted.length - lines.length;
+    return more ? [...lines, `and ${more} more`] : lines;
+  }
+
+  // ../view/hard/skeleton.js
+  var COLUMNS = 3 + Object.keys(METHODS2).length;
+  function inside2({ id, title, groups }) {
+    const count = groups.reduce((sum, { rows }) => sum + rows.length, 0);
+    const methods = Object.values(METHODS2).map((name) => html`<th scope="col">${name}</th>`);
+    return html`<div class="carts-hard-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+<p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>Run all ${count} here</button> <button type="button" class="carts-button carts-hard-stop" hidden>Stop</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label="cases run" hidden></progress> <span class="carts-hard-say" role="status"></span></p>
+<table class="carts-hard-table">
+<thead><tr><th scope="col">case</th><th scope="col">must come out</th><th scope="col">exact</th>${methods}</tr></thead>
+${groups.map(
+      ({ name, rows }) => html`<tbody>
+<tr class="carts-hard-group"><th scope="colgroup" colspan=${COLUMNS}>${name}</th></tr>
+${rows.map(row)}</tbody>
+`
+    )}</table>
+<noscript><p class="carts-noscript">The table shows what came out when this page was made. Running the cases here needs JavaScript.</p></noscript>
+</div>`;
+  }
+  function row({ name, sentence: sentence2, why, wanted, known: known2, yaml, commands }) {
+    const lines = expectedLines(wanted).map((line, k) => html`${k > 0 && html`<br>`}${line}`);
+    const heads = Object.values(METHODS2);
+    const cells2 = known2.stepped.map((one, k) => {
+      const [verdict, off] = steppedCell(wanted, one);
+      return html`<td data-head=${heads[k]} data-part="stepped" data-verdict=${one.verdict}><b>${verdict}</b> <span>${off}</span></td>`;
+    });
+    const step = short(known2.stepped[0]?.step ?? 0, 3);
+    return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence2}</th>
+<td data-head="must come out">${lines}</td><td data-head="exact" data-part="exact">${exactCell(wanted, known2.exact)}</td>${cells2}</tr>
+<tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>Why, and the scene</summary><p>${why} The methods took steps of ${step} s.</p><pre tabindex="0">${yaml}</pre><p>Save this as ${name}.yml, then:</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
+`;
+  }
+
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence2, values = {}) {
+    const said = catalogue[sentence2] ?? sentence2;
+    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+  var forms = null;
+  var ENOUGH = 2;
+  function heard(english) {
+    forms ??= Object.keys(catalogue).filter((key2) => PLACE.test(key2)).map((key2) => ({ key: key2, pattern: pattern(key2), own: key2.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
+    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  }
+  function part(english) {
+    const said = catalogue[english] ?? filled(english, large(forms ?? []));
+    if (said) return said;
+    const listed2 = english.split(", ");
+    if (listed2.length > 1) return listed2.map(part).join(", ");
+    return filled(english, forms ?? []) || english;
+  }
+  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
+  function filled(english, some) {
+    for (const { key: key2, pattern: form } of some) {
+      const found = form.exec(english);
+      if (!found) continue;
+      const parts2 = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
+      return tr(key2, Object.fromEntries(parts2));
+    }
+    return "";
+  }
+  var PLACE = /\{\w+\}/;
+  function pattern(key2) {
+    const named = /* @__PURE__ */ new Set();
+    const parts2 = key2.split(/\{(\w+)\}/).map((piece, k) => {
+      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+      if (named.has(piece)) return `\\k<${piece}>`;
+      named.add(piece);
+      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
+    });
+    return new RegExp(`^${parts2.join("")}$`, "su");
   }
 
   // ../view/bodies.js
@@ -10464,7 +10770,7 @@
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
-    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
+    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -10669,9 +10975,9 @@
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key: key2, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end !== void 0 && from < end && end <= until) {
         marks3.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -10738,10 +11044,10 @@
       const middle = (start + end) / 2;
       const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
       const y = layout.track - PUSH - COIL - 5;
-      const measure = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
+      const measure2 = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
       return [
         { key: key2, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
-        { key: `${key2} natural`, cls: "carts-natural", d: measure }
+        { key: `${key2} natural`, cls: "carts-natural", d: measure2 }
       ];
     }
   };
@@ -10829,15 +11135,15 @@
     const after2 = speeds.length ? `${speeds.join(". ")}.` : "";
     const size = `${short(impulse)} N s`;
     const shown = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told2 = (...sentences) => sentences.filter(Boolean).join(" ");
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return told2(tr("{pair} hit and stay together.", { pair }), shown, after2);
+          return told3(tr("{pair} hit and stay together.", { pair }), shown, after2);
         }
-        if (impulse && joined(event, scale)) return told2(...hitAndGoOn(event, telling, pair), shown);
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown);
         if (impulse) {
-          return told2(tr("{pair} hit each other and part at once.", { pair }), shown, after2);
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown, after2);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
@@ -10849,23 +11155,23 @@
         }
         return tr("{pair}: bumpers squeezed the most.", { pair });
       case "separate": {
-        if (!joined(event, scale)) return told2(tr("{pair} separate.", { pair }), shown, after2);
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown, after2);
         const ended = { pair: listed(names.map(body)) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
           const stay = tr("The push between {pair} has ended; they stay together.", ended);
-          return told2(stay, shown, after2);
+          return told3(stay, shown, after2);
         }
-        return told2(pushEnded(event, telling, ended.pair), shown);
+        return told3(pushEnded(event, telling, ended.pair), shown);
       }
       case "stick":
-        return told2(tr("{pair} stay together.", { pair }), after2);
+        return told3(tr("{pair} stay together.", { pair }), after2);
       case "stop":
         return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
       case "start":
         return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
       case "release":
-        return told2(tr("The exploder between {pair} releases.", { pair }), shown, after2);
+        return told3(tr("The exploder between {pair} releases.", { pair }), shown, after2);
       case "end":
         return tr("End of the run.");
       default:
@@ -10904,7 +11210,7 @@
     return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
   function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(told(phase.why))))];
+    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
     const open = header.plan.length > 0;
     if (open && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
     const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
@@ -10913,7 +11219,7 @@
     }
     return sentences;
   }
-  function told(why) {
+  function told2(why) {
     return why.split("; ").map(heard).join("; ");
   }
   function lower(name) {
@@ -10929,17 +11235,17 @@
 
   // ../view/trajectory.js
   function fromBaked(numbers, events) {
-    const parts = { t: Float64Array.from(numbers.t), events };
+    const parts2 = { t: Float64Array.from(numbers.t), events };
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts[quantity] = {};
+      parts2[quantity] = {};
       for (const [key2, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key2] = Float64Array.from(
+        parts2[quantity][key2] = Float64Array.from(
           /** @type {number[]} */
           column
         );
       }
     }
-    return parts;
+    return parts2;
   }
   function isTold({ trajectory }) {
     return trajectory.t.length > 1;
@@ -10999,10 +11305,10 @@
     return found;
   }
   function labels({ kind, on, by, size }) {
-    const told2 = { on, by, size };
-    const brief2 = { ...told2, by: by.replaceAll("the ", "") };
+    const told3 = { on, by, size };
+    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
+      viewOf(kind).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -11018,8 +11324,8 @@
       return typeof around === "function" ? around(effect, agent(effect)) : "";
     });
     const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
-    const parts = [walls ? tr("wall") : "", ...media, ...others, earth];
-    return [...new Set(parts.filter(Boolean))].join(" + ");
+    const parts2 = [walls ? tr("wall") : "", ...media, ...others, earth];
+    return [...new Set(parts2.filter(Boolean))].join(" + ");
   }
   var known = /* @__PURE__ */ new WeakMap();
   function greatest(column) {
@@ -11119,9 +11425,9 @@ ${rows}</tbody></table></div>
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
-    const inside2 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
+    const inside4 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
     const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
-    const model = tr("In this model: {effects}.", { effects: inside2 });
+    const model = tr("In this model: {effects}.", { effects: inside4 });
     if (!leftOut.length) return model;
     const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
     return `${model} ${outside2}`;
@@ -11129,15 +11435,15 @@ ${rows}</tbody></table></div>
   function phrase(effect, header, numbers) {
     const { kind, carts, between } = effect;
     const view = viewOf(kind);
-    const told2 = {
+    const told3 = {
       everyone: carts.length === header.bodies.length,
       on: listed(carts),
       both: listed((between ?? carts).map(body)),
       agent: agent(effect),
       seen: (text2) => numbers ? text2 : ""
     };
-    const parts = view.phrase?.(effect, told2) ?? [view.name];
-    return parts.filter(Boolean).join(", ");
+    const parts2 = view.phrase?.(effect, told3) ?? [view.name];
+    return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {
     return effects.some(isLink) ? tr("Force between them") : tr("Contact force");
@@ -11163,11 +11469,11 @@ ${rows}</tbody></table></div>
     return found;
   }
   function niceAbove(value) {
-    const power = Number(`1e${exponent(value)}`);
+    const power2 = Number(`1e${exponent(value)}`);
     for (const factor of [1, 2, 5]) {
-      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+      if (value <= factor * power2 * (1 + STEP_SLACK)) return factor * power2;
     }
-    return 10 * power;
+    return 10 * power2;
   }
   function axis(low, high, count) {
     const bottom = Math.min(0, low);
@@ -11180,20 +11486,20 @@ ${rows}</tbody></table></div>
   }
 
   // ../view/graph.js
-  var LEFT = 46;
-  var RIGHT = 350;
-  var TOP = 8;
-  var BOTTOM = 142;
-  var WIDTH = 360;
-  var HEIGHT = 172;
+  var LEFT2 = 46;
+  var RIGHT2 = 350;
+  var TOP2 = 8;
+  var BOTTOM2 = 142;
+  var WIDTH2 = 360;
+  var HEIGHT2 = 172;
   var BELOW_LINE = 4;
   var NEAR = 0.7;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
-    return LEFT + (t - plane.time.low) * ((RIGHT - LEFT) / (plane.time.high - plane.time.low));
+    return LEFT2 + (t - plane.time.low) * ((RIGHT2 - LEFT2) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM - (value - plane.value.low) * ((BOTTOM - TOP) / (plane.value.high - plane.value.low));
+    return BOTTOM2 - (value - plane.value.low) * ((BOTTOM2 - TOP2) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -11221,8 +11527,8 @@ ${rows}</tbody></table></div>
   }
   function path(curve2, times2, plane) {
     const { values, slopes } = curve2;
-    const kx = (RIGHT - LEFT) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM - TOP) / (plane.value.high - plane.value.low);
+    const kx = (RIGHT2 - LEFT2) / (plane.time.high - plane.time.low);
+    const ky = (BOTTOM2 - TOP2) / (plane.value.high - plane.value.low);
     const last = times2.length - 1;
     let drawn = 0;
     let x0 = timeX(plane, Number(times2[0]));
@@ -11273,27 +11579,27 @@ ${rows}</tbody></table></div>
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
     const label = tr("{quantity} against time", { quantity: name });
-    const table = tr("Table: {quantity}", { quantity: lower(name) });
+    const table2 = tr("Table: {quantity}", { quantity: lower(name) });
     return html`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${table}</summary>
+<details class="carts-more"><summary>${table2}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
   function plot(clip, isForce) {
-    const inside2 = html`clip-path="url(#${clip})"`;
+    const inside4 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
-    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
+    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside2}>${isForce && [shade, shade]}</g>
-<g data-part="curves" ${inside2}></g>
-<g data-part="cursor" ${inside2}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>
+<text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
+<g data-part="areas" ${inside4}>${isForce && [shade, shade]}</g>
+<g data-part="curves" ${inside4}></g>
+<g data-part="cursor" ${inside4}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM2}" transform="translate(${LEFT2} 0)"/></g>
 </svg>`;
   }
 
@@ -11396,7 +11702,7 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   // ../view/skeleton/predict.js
   var FULL = 10;
   var KNOBS = [0, 1, 2, 3, 4];
-  var FORMS = { arrows, curve, choice, text };
+  var FORMS = { arrows, curve, choice: choice2, text };
   function predict(baked, spec) {
     const { id } = baked.fence;
     const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
@@ -11450,7 +11756,7 @@ ${rows}</div>`;
 <div class="carts-heights"><p>${tr("Move the five points, or type heights from 0 to 10.")}</p>${heights}</div>
 </div>`;
   }
-  function choice({ fence: { id } }, { options }) {
+  function choice2({ fence: { id } }, { options }) {
     const rows = options.map(
       (option, k) => html`<label><input type="radio" autocomplete="off" name="${id}-predict" value=${k} disabled> <span>${option}</span></label>`
     );
@@ -11522,8 +11828,8 @@ ${legend(baked, layout)}
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
     const numbers = { low: first, high: last, step };
-    const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
-    const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
+    const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
+    const fine = ticks({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
     const wall = (edge, from) => {
       const box2 = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
@@ -11596,7 +11902,7 @@ ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="car
 
   // ../view/skeleton/scene.js
   var FORCE_QUANTITIES = ["F", "a"];
-  function inside(baked, found = false) {
+  function inside3(baked, found = false) {
     const { fence, view, run } = baked;
     const { id, predict: asked } = fence;
     const quantities = fence.show.filter(
@@ -11645,11 +11951,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told2 = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told2);
+      const told3 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told3);
       const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told2,
+        ...told3,
         velocity: seen
       });
     });
@@ -11692,6 +11998,151 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function onResize(element, act) {
     if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
   }
+
+  // src/cost/stage.js
+  var [WIDTH3, FLOOR_Y, SIDE] = [640, 84, 20];
+  var [LOWEST, TALLEST2] = [16, 58];
+  var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
+  var MOST = 3;
+  var CostStage = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.stage = need(root, ".carts-cost-stage");
+      this.energy = need(root, ".carts-cost-energy");
+      this.carts = [];
+      this.ghosts = [];
+      this.cursor = null;
+    }
+    /** @param {CostHeader} header @param {ArrayLike<number>} numbers columns as `cost_answer.py` says */
+    show(header, numbers) {
+      this.header = header;
+      const { rows, bodies } = header;
+      const column = (k) => Array.from({ length: rows }, (_, row2) => Number(numbers[k * rows + row2]));
+      this.t = column(0);
+      const count = bodies.length;
+      this.x = bodies.map((_, k) => column(1 + k));
+      this.exact = bodies.map((_, k) => column(1 + count + k));
+      this.#lay();
+      this.#plot(column(1 + 2 * count), column(2 + 2 * count));
+      this.at(0);
+    }
+    /** The room that the exact run takes, and some more; the stepped one may leave the picture. */
+    #lay() {
+      const { bodies, track } = (
+        /** @type {CostHeader} */
+        this.header
+      );
+      const paths = this.exact ?? [];
+      const ends = bodies.flatMap(({ length }, k) => {
+        const all = paths[k] ?? [0];
+        return [Math.min(...all) - length, Math.max(...all) + length];
+      });
+      const left = track.left === "wall" ? 0 : Math.min(...ends);
+      const right = track.right === "wall" ? Number(track.length) : Math.max(...ends);
+      this.scale = (WIDTH3 - 2 * SIDE) / (right - left);
+      this.left = left;
+      const heaviest = Math.max(...bodies.map(({ mass }) => mass));
+      const shape = (k, name) => {
+        const { mass, length } = (
+          /** @type {CostHeader["bodies"][0]} */
+          bodies[k]
+        );
+        const height = LOWEST + (TALLEST2 - LOWEST) * mass / heaviest;
+        const width = length * Number(this.scale);
+        const box2 = {
+          x: px(-width / 2),
+          y: px(FLOOR_Y - height),
+          width: px(width),
+          height: px(height)
+        };
+        return svg("rect", { class: name, rx: 3, ...box2 });
+      };
+      const group = (k) => {
+        const made = svg("g", { class: `carts-b${k % 8}` });
+        const name = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
+        name.textContent = bodies[k]?.name ?? "";
+        made.append(shape(k, "carts-box"), name);
+        return made;
+      };
+      this.carts = bodies.map((_, k) => group(k));
+      this.ghosts = bodies.map((_, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
+      const floor = svg("path", { class: "carts-rule", d: `M0 ${FLOOR_Y}H${WIDTH3}` });
+      const walls = [];
+      if (track.left === "wall") walls.push(this.#place(0));
+      if (track.right === "wall") walls.push(this.#place(Number(track.length)));
+      this.stage.replaceChildren(
+        floor,
+        ...walls.map((x) => svg("path", { class: "carts-wall-face", d: `M${px(x)} 14V${FLOOR_Y}` })),
+        ...this.carts,
+        ...this.ghosts
+      );
+    }
+    /** @param {number} x in m */
+    #place(x) {
+      return SIDE + (x - Number(this.left)) * Number(this.scale);
+    }
+    /** @param {number[]} stepped @param {number[]} exact J */
+    #plot(stepped, exact) {
+      const { until } = (
+        /** @type {CostHeader} */
+        this.header
+      );
+      const start = exact[0] || 1;
+      const { left, top, right, bottom } = ENERGY;
+      const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
+      const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
+      const scale = axis(0, 100 * high, 4);
+      const y = (part2) => bottom - 100 * Math.min(part2, high) / scale.high * (bottom - top);
+      const x = (t) => left + t / until * (right - left);
+      const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
+      const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
+        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
+        label.textContent = `${short(tick)} %`;
+        return [
+          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / 100))}H${right}` }),
+          label
+        ];
+      });
+      const last = svg("text", { class: "carts-tick-x", x: right, y: bottom + 20 });
+      last.textContent = `${short(until)} s`;
+      const first = svg("text", { class: "carts-tick-x", x: left, y: bottom + 20 });
+      first.textContent = "0";
+      this.cursor = svg("path", { class: "carts-cost-cursor" });
+      this.energy.replaceChildren(
+        ...parts2,
+        first,
+        last,
+        svg("path", {
+          class: "carts-cost-line carts-cost-true",
+          d: path2(exact.map((e) => e / start))
+        }),
+        svg("path", { class: "carts-cost-line carts-cost-made", d: path2(finite) }),
+        this.cursor
+      );
+    }
+    /** Draw the carts at a time, between the samples on straight lines. @param {number} time s */
+    at(time) {
+      const times2 = this.t ?? [];
+      let k = times2.findLastIndex((t) => t <= time);
+      k = Math.min(Math.max(k, 0), Math.max(0, times2.length - 2));
+      const [a, b] = [Number(times2[k]), Number(times2[k + 1])];
+      const part2 = b > a ? Math.min(1, (time - a) / (b - a)) : 0;
+      const between = (xs) => {
+        const here = Number(xs?.[k]);
+        const x2 = this.#place(here + part2 * (Number(xs?.[k + 1] ?? here) - here));
+        return Number.isFinite(x2) ? Math.min(5e3, Math.max(-5e3, x2)) : 5e3;
+      };
+      for (const [cart2, shape] of this.carts.entries()) {
+        put(shape, "transform", `translate(${px(between(this.x?.[cart2]), 2)} 0)`);
+      }
+      for (const [cart2, shape] of this.ghosts.entries()) {
+        put(shape, "transform", `translate(${px(between(this.exact?.[cart2]), 2)} 0)`);
+      }
+      const { left, top, right, bottom } = ENERGY;
+      const x = left + time / Number(this.header?.until ?? 1) * (right - left);
+      if (this.cursor) put(this.cursor, "d", `M${px(x)} ${top}V${bottom}`);
+    }
+  };
 
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
@@ -11863,22 +12314,22 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (!run) return;
       const start = latestTouch(this.#windows, t)?.start ?? 0;
       say(this.since, tr("at {time} s", { time: fixed(start, 2) }));
-      this.rows.forEach((row, k) => {
+      this.rows.forEach((row2, k) => {
         const curve2 = this.#curves[k];
-        row.hidden = !curve2;
+        row2.hidden = !curve2;
         if (!curve2) return;
         const at = (when) => {
           const value = valueAt(run.trajectory.t, curve2.values, curve2.slopes, when);
           return Math.abs(value) < NOISE * this.#full ? 0 : value;
         };
         const [before2, now] = [at(start), at(t)];
-        say(need(row, "th"), curve2.label);
+        say(need(row2, "th"), curve2.label);
         const texts = [before2, now, now - before2].map((value) => fixed(value, this.decimals));
-        row.querySelectorAll("td[data-when]").forEach((cell, i) => {
+        row2.querySelectorAll("td[data-when]").forEach((cell, i) => {
           say(cell, texts[i] ?? "");
         });
-        bar(need(row, '[data-part="before"]'), before2 / this.#full);
-        bar(need(row, '[data-part="now"]'), now / this.#full);
+        bar(need(row2, '[data-part="before"]'), before2 / this.#full);
+        bar(need(row2, '[data-part="now"]'), now / this.#full);
       });
     }
   };
@@ -11947,11 +12398,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/beside/free-body.js
-  var WIDTH2 = 260;
-  var HEIGHT2 = 60;
+  var WIDTH4 = 260;
+  var HEIGHT3 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE = WIDTH2 / 2;
+  var MIDDLE = WIDTH4 / 2;
   var APART = 8;
   var FULL2 = 95;
   var FreeBody = class {
@@ -12043,14 +12494,14 @@ ${found && html`<p class="carts-found" hidden></p>`}
         );
       });
       const picture = need(card, "svg");
-      put(picture, "viewBox", `0 ${-room} ${WIDTH2} ${HEIGHT2 + 2 * room}`);
-      put(picture, "height", String(HEIGHT2 + 2 * room));
+      put(picture, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT3 + 2 * room}`);
+      put(picture, "height", String(HEIGHT3 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told2 = { name, size };
-      const ways = way === "up" ? [tr("{name}: {size} down", told2), tr("{name}: {size} up", told2)] : [tr("{name}: {size} to the left", told2), tr("{name}: {size} to the right", told2)];
+      const told3 = { name, size };
+      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
       const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
@@ -12067,8 +12518,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/beside/lens.js
-  var TIMES = 10;
-  var WIDTH3 = 360;
+  var TIMES2 = 10;
+  var WIDTH5 = 360;
   var TRACK = 96;
   var BAR = 70;
   var SCALE = 3;
@@ -12101,8 +12552,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const stage2 = this.scene.querySelector(`.carts-stage-${layout.kind}`);
         const [shown, own] = [stage2?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown || !own) continue;
-        const unit = shown / layout.width * (WIDTH3 / own);
-        this.#perMetre = TIMES * layout.scale * unit;
+        const unit = shown / layout.width * (WIDTH5 / own);
+        this.#perMetre = TIMES2 * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
       const length = niceAbove(BAR / this.#perMetre / 2.5);
@@ -12161,22 +12612,22 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
-      const at = (x) => WIDTH3 / 2 + (x - middle) * this.#perMetre;
+      const at = (x) => WIDTH5 / 2 + (x - middle) * this.#perMetre;
       const group = need(this.root, `[data-side="${k}"]`);
       const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side.name) ?? -1;
       put(group, "class", index2 < 0 ? "carts-wall" : `carts-b${index2 % 8}`);
       const way = k === 0 ? 1 : -1;
       const [edge, end] = [at(side.edge), at(face)];
       const rect = need(group, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH3 : edge));
+      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH5 : edge));
       const bent = need(group, '[data-part="spring"]');
       put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name = need(group, '[data-part="name"]');
-      const inside2 = Math.min(WIDTH3 - 34, Math.max(34, edge - 22 * way));
-      put(name, "x", px(inside2));
+      const inside4 = Math.min(WIDTH5 - 34, Math.max(34, edge - 22 * way));
+      put(name, "x", px(inside4));
       say(name, index2 < 0 ? tr("wall") : side.name);
       const arrow = need(group, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
@@ -12265,10 +12716,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
         times2[i]
       );
       put(line, "class", "carts-grid");
-      put(line, "d", `M${at} ${TOP}V${BOTTOM}`);
+      put(line, "d", `M${at} ${TOP2}V${BOTTOM2}`);
       put(text2, "class", "carts-tick-x");
       put(text2, "x", at);
-      put(text2, "y", String(BOTTOM + 14));
+      put(text2, "y", String(BOTTOM2 + 14));
       say(text2, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line, text2, i) => {
@@ -12277,9 +12728,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         rows[i]
       );
       put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${LEFT} ${at}H${RIGHT}`);
+      put(line, "d", `M${LEFT2} ${at}H${RIGHT2}`);
       put(text2, "class", "carts-tick-y");
-      put(text2, "x", String(LEFT - 5));
+      put(text2, "x", String(LEFT2 - 5));
       put(text2, "y", textY);
       say(text2, label);
     });
@@ -12373,12 +12824,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
         outline(-1)
       );
       const impulse = area(run, touch.pair, touch.start, end);
-      const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
-      const parts = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(
+      const [names, amount2] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const parts2 = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(
         ({ name, change }) => tr("m Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) })
       );
-      const shaded = t >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount }) : tr("{names}, shaded area so far: {amount}", { names, amount });
-      say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts].join("; ") }));
+      const shaded = t >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount2 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount2 });
+      say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
     }
   };
 
@@ -12482,19 +12933,19 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (!detail.heard) resolve(null);
     });
   }
-  function ledgerWithEffects({ header, trajectory }, parts) {
+  function ledgerWithEffects({ header, trajectory }, parts2) {
     const times2 = trajectory.t;
     const moving = seriesOf("energy", header, trajectory, 0).filter((c) => c.style !== "total");
     const column = (name) => {
-      const values = parts.columns[parts.names.indexOf(name)] ?? new Float64Array(times2.length);
+      const values = parts2.columns[parts2.names.indexOf(name)] ?? new Float64Array(times2.length);
       if (values.length === times2.length) return values;
-      return Float64Array.from(times2, (t) => valueAt(parts.t, values, null, Number(t)));
+      return Float64Array.from(times2, (t) => valueAt(parts2.t, values, null, Number(t)));
     };
     const bands = moving.map((curve2) => ({
       ...curve2,
       label: tr("motion of {cart}", { cart: curve2.label })
     }));
-    for (const name of parts.names.filter((one) => one !== WARMED)) {
+    for (const name of parts2.names.filter((one) => one !== WARMED)) {
       const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name).stored ?? "", "stored"];
       if (!label) continue;
       const values = column(name);
@@ -12550,9 +13001,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         this.#take(run, ledger(run, touches(events, until), this.camera));
       } else if (open && this.#of !== run) {
         this.#of = run;
-        void askParts(this.root).then((parts) => {
+        void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
-          this.#take(run, parts ? ledgerWithEffects(run, parts) : []);
+          this.#take(run, parts2 ? ledgerWithEffects(run, parts2) : []);
           changed();
         });
       }
@@ -12652,13 +13103,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const decimals = this.view.decimals[this.quantity] ?? 3;
       const scale = greatest2(curves);
       const rows = tableTimes(run).map((t) => {
-        const row = html2("tr");
-        row.append(html2("td", "", fixed(t, this.view.decimals.t ?? 3)));
+        const row2 = html2("tr");
+        row2.append(html2("td", "", fixed(t, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
           const value = valueAt(run.trajectory.t, values, slopes, t);
-          row.append(html2("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
+          row2.append(html2("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
         }
-        return row;
+        return row2;
       });
       need(this.details, "tbody").replaceChildren(...rows);
     }
@@ -12728,8 +13179,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame.left) / frame.width * WIDTH;
-        const part2 = Math.min(1, Math.max(0, (x - LEFT) / (RIGHT - LEFT)));
+        const x = (event.clientX - frame.left) / frame.width * WIDTH2;
+        const part2 = Math.min(1, Math.max(0, (x - LEFT2) / (RIGHT2 - LEFT2)));
         const { low, high } = this.#plane.time;
         seek(low + part2 * (high - low));
       };
@@ -12878,10 +13329,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const run = this.#run;
       if (!run) return;
       const { t: times2, x, v, a } = run.trajectory;
-      const told2 = isTold(run);
+      const told3 = isTold(run);
       for (const { name, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
-        const acceleration = told2 ? valueAt(times2, a[name] ?? [], null, t) : null;
+        const acceleration = told3 ? valueAt(times2, a[name] ?? [], null, t) : null;
         const values = /* @__PURE__ */ new Map([
           ["x", valueAt(times2, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
           ["v", (valueAt(times2, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
@@ -12987,16 +13438,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
       lowest.set(force.on, Math.max(y, lowest.get(force.on) ?? y));
       const d = (cut ? cutArrow : blockArrow)(x, y, length);
       pieces.push({ key: `arrow ${key2}`, cls: `carts-block-arrow carts-acts ${style}`, d });
-      const row = `row ${force.kind}`;
+      const row2 = `row ${force.kind}`;
       if (named) {
-        const told2 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
-        const text2 = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
+        const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text2 = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
         const [at, anchor] = beside(x, length, text2.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key2}`, cls, text: text2, x: px(at), y: px(y + 4), anchor });
-      } else if (!pieces.some((piece) => piece.key === row)) {
+      } else if (!pieces.some((piece) => piece.key === row2)) {
         const text2 = tr("by {by}", { by: force.by });
-        pieces.push({ key: row, cls: "carts-acts-row", text: text2, x: "6", y: px(y + 4), anchor: "start" });
+        pieces.push({ key: row2, cls: "carts-acts-row", text: text2, x: "6", y: px(y + 4), anchor: "start" });
       }
     }
     const leaders = [...lowest].map(([name, y]) => ({
@@ -13048,11 +13499,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
           (name) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name}"]`)
         );
         if (groups[0] && groups[1]) {
-          const row = this.layout.rows[k] ?? 0;
+          const row2 = this.layout.rows[k] ?? 0;
           this.#pushes.push({
             pair: contact.pair,
             bodies: contact.bodies,
-            row,
+            row: row2,
             groups: [groups[0], groups[1]]
           });
         }
@@ -13063,7 +13514,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told2 = [];
+      const told3 = [];
       for (const push2 of this.#pushes) {
         const { t: times2, F, dF } = run.trajectory;
         const [column, slopes] = [F[push2.pair], dF[push2.pair]];
@@ -13084,31 +13535,31 @@ ${found && html`<p class="carts-found" hidden></p>`}
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
-          told2.push({ push: push2, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told3.push({ push: push2, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
-      this.#names(told2);
+      this.#names(told3);
     }
     /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
-    #names(told2) {
-      const [only] = told2;
+    #names(told3) {
+      const [only] = told3;
       for (const { pair, groups } of this.#pushes) {
-        const on = told2.some(({ push: push2 }) => push2.pair === pair);
+        const on = told3.some(({ push: push2 }) => push2.pair === pair);
         for (const group of groups) {
           put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told2.length === 1 && only && this.#inFull(only)) return;
+      if (told3.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push: push2, size, x } of told2) {
+      for (const { push: push2, size, x } of told3) {
         const [text2, other] = push2.groups.map((group) => need(group, '[data-part="text"]'));
         if (!text2 || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
         const half = label.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
-          (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
+          (y) => taken.every(([row2, from, to]) => row2 !== y || at + half < from || at - half > to)
         );
         put(other, "visibility", "hidden");
         if (free === void 0) put(text2, "visibility", "hidden");
@@ -13119,8 +13570,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-    #inFull(told2) {
-      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    #inFull(told3) {
+      return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
     /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push: push2, size, x }, through) {
@@ -13386,10 +13837,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const half = length / 2;
       const place = (t) => valueAt(times2, places[name] ?? [], v[name] ?? [], t) - camera * t;
       const isOut = (t) => Math.max(place(t) - half - high, low - place(t) - half) > 0;
-      const row = Array.prototype.findIndex.call(times2, isOut);
-      if (row < 1) continue;
-      let before2 = Number(times2[row - 1]);
-      let after2 = Number(times2[row]);
+      const row2 = Array.prototype.findIndex.call(times2, isOut);
+      if (row2 < 1) continue;
+      let before2 = Number(times2[row2 - 1]);
+      let after2 = Number(times2[row2]);
       for (let k = 0; k < HALVINGS; k += 1) {
         const middle = (before2 + after2) / 2;
         if (isOut(middle)) after2 = middle;
@@ -13634,18 +14085,34 @@ ${found && html`<p class="carts-found" hidden></p>`}
 
   // src/draw-main.js
   var { document: document2 } = parseHTML("<!doctype html><html><body></body></html>");
-  var KINDS2 = { scene };
+  var KINDS2 = {
+    scene,
+    cost,
+    "cost-file": (values) => standalone(values).text,
+    hard: (values) => inside2(values).text
+  };
   function scene({ baked: raw, found }) {
     const baked = bakedOf(raw);
-    const root = document2.createElement("carts-scene");
-    root.innerHTML = inside(baked, found).text;
-    document2.body.replaceChildren(root);
+    const root = filled2("carts-scene", inside3(baked, found).text);
     const drawing = new Drawing(root, baked);
     drawing.show(baked.run, 0);
     drawing.at(0);
-    for (const { table } of drawing.graphs) table.fill();
+    for (const { table: table2 } of drawing.graphs) table2.fill();
     for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", "");
     return root.innerHTML.replaceAll("&#160;", " ");
+  }
+  function cost(values) {
+    const root = filled2("carts-cost", inside(values).text);
+    const stage2 = new CostStage(root);
+    stage2.show(values.run.header, values.run.numbers);
+    stage2.at(values.run.header.until);
+    return root.innerHTML;
+  }
+  function filled2(name, markup) {
+    const root = document2.createElement(name);
+    root.innerHTML = markup;
+    document2.body.replaceChildren(root);
+    return root;
   }
   globalThis.cartsDraw = (kind, values) => {
     const draw = KINDS2[kind];

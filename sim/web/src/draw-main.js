@@ -4,27 +4,51 @@
  */
 
 import { parseHTML } from "linkedom/worker";
+import { standalone } from "../../view/cost/figure.js";
+import { inside as costInside } from "../../view/cost/skeleton.js";
+import { inside as hardInside } from "../../view/hard/skeleton.js";
 import { inside } from "../../view/skeleton/scene.js";
+import { CostStage } from "./cost/stage.js";
 import { bakedOf } from "./scene/baked.js";
 import { Drawing } from "./scene/drawing.js";
 
 const { document } = parseHTML("<!doctype html><html><body></body></html>");
 
 /** @type {Record<string, (values: any) => string>} */
-const KINDS = { scene };
+const KINDS = {
+  scene,
+  cost,
+  "cost-file": (values) => standalone(values).text,
+  hard: (values) => hardInside(values).text,
+};
 
 /** @param {{baked: Record<string, any>, found: boolean}} values @returns {string} the inside of `<carts-scene>` */
 function scene({ baked: raw, found }) {
   const baked = bakedOf(raw);
-  const root = document.createElement("carts-scene");
-  root.innerHTML = inside(baked, found).text;
-  document.body.replaceChildren(root);
+  const root = filled("carts-scene", inside(baked, found).text);
   const drawing = new Drawing(root, baked);
   drawing.show(baked.run, 0);
   drawing.at(0);
   for (const { table } of drawing.graphs) table.fill();
   for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", ""); // until a script answers
   return root.innerHTML.replaceAll("&#160;", "\u00a0");
+}
+
+/** @param {import("../../view/cost/skeleton.js").Values} values @returns {string} the inside of `<carts-cost>`, at the end of its run */
+function cost(values) {
+  const root = filled("carts-cost", costInside(values).text);
+  const stage = new CostStage(root);
+  stage.show(values.run.header, values.run.numbers);
+  stage.at(values.run.header.until);
+  return root.innerHTML;
+}
+
+/** @param {string} name of the element @param {string} markup of its inside */
+function filled(name, markup) {
+  const root = document.createElement(name);
+  root.innerHTML = markup;
+  document.body.replaceChildren(root);
+  return root;
 }
 
 /** @type {any} */ (globalThis).cartsDraw = (
