@@ -7,6 +7,9 @@ import { parseHTML } from "linkedom/worker";
 import { standalone } from "../../view/cost/figure.js";
 import { inside as costInside } from "../../view/cost/skeleton.js";
 import { inside as hardInside } from "../../view/hard/skeleton.js";
+import { scaleFor } from "../../view/map/bands.js";
+import { palette, pixels } from "../../view/map/pixels.js";
+import { inside as mapInside } from "../../view/map/skeleton.js";
 import { inside } from "../../view/skeleton/scene.js";
 import { CostStage } from "./cost/stage.js";
 import { bakedOf } from "./scene/baked.js";
@@ -20,6 +23,8 @@ const KINDS = {
   cost,
   "cost-file": (values) => standalone(values).text,
   hard: (values) => hardInside(values).text,
+  map: ({ facts, draw, picture }) => mapInside(facts, draw, picture).text,
+  "map-picture": mapPicture,
 };
 
 /** @param {{baked: Record<string, any>, found: boolean}} values @returns {string} the inside of `<carts-scene>` */
@@ -41,6 +46,18 @@ function cost(values) {
   stage.show(values.run.header, values.run.numbers);
   stage.at(values.run.header.until);
   return root.innerHTML;
+}
+
+/**
+ * The picture of a map for Python, which can pack a PNG file: a letter for each pixel, from “0” on.
+ * @param {{low: number, high: number, columns: number, values: (number | null)[]}} values @returns {string} JSON
+ */
+function mapPicture({ low, high, columns, values }) {
+  const scale = scaleFor(low, high);
+  const known = Float64Array.from(values, (value) => value ?? Number.NaN);
+  const { places, width, height } = pixels(known, columns, scale);
+  const letters = Array.from(places, (place) => String.fromCharCode(48 + place)).join("");
+  return JSON.stringify({ width, height, letters, palette: palette(scale) });
 }
 
 /** @param {string} name of the element @param {string} markup of its inside */
