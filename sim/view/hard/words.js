@@ -1,6 +1,6 @@
-/** The cells of the table of hard cases, in words. Twin of `sim/pages/hard_cases/words.py`. */
+/** The cells of the table of hard cases, in words. */
 
-import { short } from "../../../view/numbers.js";
+import { short } from "../numbers.js";
 
 /** @typedef {[string, number][]} Wanted what, and how much it must be */
 /** @typedef {(number | null)[]} Got */
@@ -81,4 +81,17 @@ export function exactCell(wanted, { got }) {
 /** @param {Wanted} wanted @param {{verdict: string, got: Got}} stepped @returns {[string, string]} verdict, distance */
 export function steppedCell(wanted, { verdict, got }) {
   return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
+}
+
+/** @type {Record<string, string>} stepping methods, in the order of the table's columns */
+export const METHODS = { euler: "Euler", "semi-implicit": "semi-implicit Euler", rk4: "RK4" };
+const MOST_TOLD = 3; // expected numbers told one by one; of fifty carts nobody reads all
+
+/** @param {Wanted} wanted @returns {string[]} what must come out */
+export function expectedLines(wanted) {
+  const lines = wanted
+    .slice(0, MOST_TOLD)
+    .map(([what, value]) => `${measure(what)}: ${amount(what, value, 6)}`);
+  const more = wanted.length - lines.length;
+  return more ? [...lines, `and ${more} more`] : lines;
 }
