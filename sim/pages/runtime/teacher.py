@@ -23,6 +23,7 @@ LAYERS = (
 MODULES = (
     *("__init__", "bake", "effect_pages", "fence_scan", "findings", "lesson_text", "map_block"),
     "scene_block",
+    "yaml_loader",
     *("templates", "yaml_errors", "yaml_source"),
 )
 """Of `sim/pages`."""

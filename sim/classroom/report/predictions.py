@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from sim.classroom.marked import Marked
+from sim.classroom.report.marked import Marked
 from sim.lesson.answer_file import PREDICTIONS, Item
 from sim.lesson.mark import is_empty
 

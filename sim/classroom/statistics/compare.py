@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
-from sim.classroom.spread import Spread, differences, spread
-from sim.classroom.tails import normal_inside, normal_two_sided, t_quantile, t_two_sided
+from sim.classroom.statistics.spread import Spread, differences, spread
+from sim.classroom.statistics.tails import normal_inside, normal_two_sided, t_quantile, t_two_sided
 
 ALL_EQUAL = "all the differences are equal: there is no spread to compare them with"
 

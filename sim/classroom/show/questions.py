@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sim.classroom.html_parts import listed, table, text, who
-from sim.classroom.sentences import number, signed
-from sim.classroom.show_predictions import predictions_html
+from sim.classroom.report.sentences import number, signed
+from sim.classroom.show.html_parts import listed, table, text, who
+from sim.classroom.show.predictions import predictions_html
 
 Row = Mapping[str, Any]
 TITLES = {"pre": "before (pre)", "post": "after (post)", "delayed": "later (delayed)",

@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from sim.classroom.archive import shown
-from sim.classroom.keyed import KeyedForm
-from sim.classroom.reading import Read, Refused
+from sim.classroom.files.archive import shown
+from sim.classroom.files.keyed import KeyedForm
+from sim.classroom.files.reading import Read, Refused
 from sim.lesson.answer_file import AnswerFile, Item
 from sim.lesson.handin import HandInError, decode
 from sim.lesson.opening import FORMS

@@ -9,20 +9,21 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from sim.classroom import sentences as say
-from sim.classroom.flags import ORDER, sort_out
-from sim.classroom.gain_report import comparison_table, gain_table, only_after_table
-from sim.classroom.item_report import belief_rows, item_rows, word_rows
-from sim.classroom.keyed import KeyedForm
-from sim.classroom.marked import Marked, counted_items, mark_file, worth
-from sim.classroom.marks_file import Given
-from sim.classroom.pairing import Pairs, pair_up
-from sim.classroom.predictions import prediction_rows
-from sim.classroom.reading import MOST_NAMED, Read, Refused
+from sim.classroom.files.keyed import KeyedForm
+from sim.classroom.files.marks_file import Given
+from sim.classroom.files.reading import MOST_NAMED, Read, Refused
 from sim.classroom.refusal import FEWEST
-from sim.classroom.spread import Spread, median, spread
-from sim.classroom.talk import talk_rows
-from sim.classroom.topics import topic_rows
+from sim.classroom.report import sentences as say
+from sim.classroom.report.beliefs import belief_rows, word_rows
+from sim.classroom.report.flags import ORDER, sort_out
+from sim.classroom.report.gain_report import comparison_table, gain_table, only_after_table
+from sim.classroom.report.item_report import item_rows
+from sim.classroom.report.marked import Marked, counted_items, mark_file, worth
+from sim.classroom.report.pairing import Pairs, pair_up
+from sim.classroom.report.predictions import prediction_rows
+from sim.classroom.report.talk import talk_rows
+from sim.classroom.report.topics import topic_rows
+from sim.classroom.statistics.spread import Spread, median, spread
 
 FORMAT = 1
 KIND = "newtons-carts-class"

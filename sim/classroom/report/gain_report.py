@@ -9,9 +9,11 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any
 
-from sim.classroom import sentences as say
-from sim.classroom.adjusted import adjusted, pairs_of
-from sim.classroom.compare import (
+from sim.classroom.refusal import FEWEST, RefusalError, at_least
+from sim.classroom.report import sentences as say
+from sim.classroom.report.pairing import Pairs
+from sim.classroom.statistics.adjusted import adjusted, pairs_of
+from sim.classroom.statistics.compare import (
     TTest,
     cohen_d,
     cohen_d_within,
@@ -19,11 +21,9 @@ from sim.classroom.compare import (
     paper_z,
     welch,
 )
-from sim.classroom.gain import at_the_edges, hake_gain
-from sim.classroom.pairing import Pairs
-from sim.classroom.ranks import wilcoxon
-from sim.classroom.refusal import FEWEST, RefusalError, at_least
-from sim.classroom.spread import Spread, differences, spread
+from sim.classroom.statistics.gain import at_the_edges, hake_gain
+from sim.classroom.statistics.ranks import wilcoxon
+from sim.classroom.statistics.spread import Spread, differences, spread
 
 D_WITHIN = "the gain divided by √((s₁² + s₂²)/2) of the two tests"
 D_BETWEEN = "the difference of the mean gains divided by their pooled standard deviation"

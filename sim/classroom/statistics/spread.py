@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from sim.classroom.refusal import RefusalError, at_least, numbers
-from sim.classroom.tails import t_quantile
+from sim.classroom.statistics.tails import t_quantile
 
 
 @dataclass(frozen=True, slots=True)

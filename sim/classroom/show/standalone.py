@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from sim.classroom.escaped import escape
-from sim.classroom.show import report_html
+from sim.classroom.show.escaped import escape
+from sim.classroom.show.report_page import report_html
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 _PAGE = (

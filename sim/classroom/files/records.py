@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sim.classroom.reading import Read
+from sim.classroom.files.reading import Read
 from sim.lesson.answer_file import AnswerFile, Item
 
 

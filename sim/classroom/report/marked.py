@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.classroom.keyed import KeyedForm, KeyedItem
-from sim.classroom.marks_file import Given, pseudonym
-from sim.classroom.reading import Read
+from sim.classroom.files.keyed import KeyedForm, KeyedItem
+from sim.classroom.files.marks_file import Given, pseudonym
+from sim.classroom.files.reading import Read
 from sim.lesson.answer_file import AnswerFile, Item
 from sim.lesson.mark import Mark, Verdict, is_empty
 

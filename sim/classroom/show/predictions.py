@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sim.classroom.drawing import curves
-from sim.classroom.html_parts import table, text, who
+from sim.classroom.show.drawing import curves
+from sim.classroom.show.html_parts import table, text, who
 
 Row = Mapping[str, Any]
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sim.classroom import sentences as say
-from sim.classroom.drawing import bars, dots
-from sim.classroom.html_parts import listed, table, text, who
-from sim.classroom.sentences import number, signed, unmarked
-from sim.classroom.show_items import TITLES, form_html
+from sim.classroom.report import sentences as say
+from sim.classroom.report.sentences import number, signed, unmarked
+from sim.classroom.show.drawing import bars, dots
+from sim.classroom.show.html_parts import listed, table, text, who
+from sim.classroom.show.questions import TITLES, form_html
 
 Row = Mapping[str, Any]
 

@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 from sys import intern
 from typing import TypeGuard
 
-from sim.classroom.archive import entries, is_zip, shown
-from sim.classroom.keyed import KeyedForm, KeyFileError, read_key_file
-from sim.classroom.marks_file import KIND as MARKS
-from sim.classroom.marks_file import Given, MarksFileError, read_marks
+from sim.classroom.files.archive import entries, is_zip, shown
+from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
+from sim.classroom.files.marks_file import KIND as MARKS
+from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
 from sim.lesson.answer_file import (
     MOST_BYTES,
     PREDICTIONS,

@@ -6,10 +6,10 @@ is not said to be equal.
 
 from __future__ import annotations
 
-from sim.classroom.compare import PaperZ, TTest
-from sim.classroom.gain import EDGE
-from sim.classroom.ranks import SignedRanks
-from sim.classroom.spread import Spread
+from sim.classroom.statistics.compare import PaperZ, TTest
+from sim.classroom.statistics.gain import EDGE
+from sim.classroom.statistics.ranks import SignedRanks
+from sim.classroom.statistics.spread import Spread
 
 ONE_CLASS = (
     "Each group is one class here. 30 students in one room are not 30 independent experiments: "

@@ -10,9 +10,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim.classroom.compare import TTest, t_test
 from sim.classroom.refusal import FEWEST, RefusalError, at_least, numbers
-from sim.classroom.spread import Spread, moments, spread
+from sim.classroom.statistics.compare import TTest, t_test
+from sim.classroom.statistics.spread import Spread, moments, spread
 
 NO_SPREAD = "everybody in a group had the same marks before: there is nothing to adjust for"
 

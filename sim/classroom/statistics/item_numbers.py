@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from sim.classroom.refusal import ENOUGH_FOR_ITEMS, RefusalError, at_least, numbers
-from sim.classroom.spread import moments, root
+from sim.classroom.statistics.spread import moments, root
 
 OUTER = Fraction(27, 100)
 """The share of a class at its upper and at its lower end (Kelley 1939: it tells them best)."""

@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from sim.classroom.gain import hake_gain
-from sim.classroom.keyed import KeyedForm
-from sim.classroom.marked import Marked
-from sim.classroom.pairing import pair_up
+from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.refusal import FEWEST, RefusalError
-from sim.classroom.spread import spread
+from sim.classroom.report.marked import Marked
+from sim.classroom.report.pairing import pair_up
+from sim.classroom.statistics.gain import hake_gain
+from sim.classroom.statistics.spread import spread
 
 FEWEST_ITEMS = 3
 """Questions of a topic; with fewer a single one would decide."""

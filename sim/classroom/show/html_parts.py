@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from sim.classroom.escaped import escape
+from sim.classroom.show.escaped import escape
 
 _MARKDOWN = re.compile(r"\*\*|__|`|\\[()]")
 LONGEST = 2000

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from sim.classroom.marked import Marked, counted_items, worth
+from sim.classroom.report.marked import Marked, counted_items, worth
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.classroom.escaped import escape
+from sim.classroom.show.escaped import escape
 
 WIDTH = 620
 _LEFT, _RIGHT = 150, 24

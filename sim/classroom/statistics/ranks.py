@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from sim.classroom.refusal import RefusalError, at_least
-from sim.classroom.spread import differences
-from sim.classroom.tails import normal_two_sided
+from sim.classroom.statistics.spread import differences
+from sim.classroom.statistics.tails import normal_two_sided
 
 MOST_COUNTED = 50
 FEWEST_CHANGED = 5  # with four, even “all went up” has p = 0.125
