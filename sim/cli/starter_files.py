@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import re
 import unicodedata
 from pathlib import Path
 
 from sim import __version__
+from sim.scene.schema import scene_schema
 
 STARTER = Path(__file__).parent / "starter"
 
@@ -18,15 +20,25 @@ SITE = {
 }
 """Name in the starter -> name in a new site. Its lessons come on top."""
 
+EDITOR_SETTINGS, EDITOR_SCHEMA = ".vscode/settings.json", ".vscode/scene.schema.json"
+
 
 def site_files(title: str, site_id: str) -> dict[str, str]:
     """The texts of a new site by path, without lessons."""
     series = ".".join(__version__.split(".")[:2])
     words = {"SITE_ID": site_id, "VERSION": __version__, "SERIES": series}
-    return {
+    filled = {
         path: _filled(name, title if name == "README.md" else quoted(title), words)
         for name, path in SITE.items()
     }
+    return filled | editor_files()
+
+
+def editor_files() -> dict[str, str]:
+    """What lets an editor complete and check scene files as somebody types."""
+    settings = {"yaml.schemas": {EDITOR_SCHEMA: ["worksheets/scenes/*.yml", "*.scene.yml"]}}
+    made = {EDITOR_SETTINGS: settings, EDITOR_SCHEMA: scene_schema()}
+    return {path: json.dumps(of, ensure_ascii=False, indent=1) + "\n" for path, of in made.items()}
 
 
 def lesson_text(name: str, title: str, order: int) -> str:

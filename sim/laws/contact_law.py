@@ -9,11 +9,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Protocol
+from typing import TYPE_CHECKING, ClassVar, Protocol
 
 from sim.laws.branch import Branch, Guard
 from sim.laws.damped_oscillation import Swing
-from sim.laws.stepping import SteppedContact
+
+if TYPE_CHECKING:
+    from sim.laws.stepping import SteppedContact
 
 Memory = float
 """m. The greatest overlap that a bumper has seen since it was last clear; 0 for other laws."""

@@ -1,6 +1,6 @@
 """The field table: every key of a scene that holds a number, with kind, default, range and meaning.
 
-Validation, JSON Schemas and the reference page are all made from it.
+Validation and the JSON Schema (`sim.scene.schema`) are made from it; effects and laws add theirs.
 """
 
 from __future__ import annotations

@@ -18,12 +18,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from sim.laws.branch import APART_AT_NO_FORCE, LOCKED, Branch, Guard
-from sim.laws.bumper.stepping import BumperForce
 from sim.laws.contact_law import Figures, Memory
 from sim.laws.damped_oscillation import Swing, undamped
+
+if TYPE_CHECKING:
+    from sim.laws.stepping import SteppedContact
 
 RIGID = 1e-7
 """Restitution. In a group of contacts, a bumper that springs back less than this is held at its
@@ -164,8 +166,10 @@ class Bumper:
         kept = 0.5 * self.stiffness * (1.0 - self.e) * (1.0 + self.e)
         return kept * (end - start) * (end + start)
 
-    def stepping(self, mu: float) -> BumperForce:
+    def stepping(self, mu: float) -> SteppedContact:
         """Its two lines."""
+        from sim.laws.bumper.stepping import BumperForce  # only where a method steps
+
         return BumperForce(self.stiffness, self.e)
 
 

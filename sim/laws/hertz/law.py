@@ -16,13 +16,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from sim.laws.branch import APART_AT_NO_OVERLAP, CURVED, Branch, Guard
 from sim.laws.contact_law import Figures, Memory
 from sim.laws.damped_oscillation import Swing
 from sim.laws.dashpot import damping_to_zero_overlap
-from sim.laws.hertz.stepping import HertzForce
+
+if TYPE_CHECKING:
+    from sim.laws.stepping import SteppedContact
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,8 +106,10 @@ class Hertz:
         """Its damper takes, nothing else."""
         return 0.0
 
-    def stepping(self, mu: float) -> HertzForce:
+    def stepping(self, mu: float) -> SteppedContact:
         """Its own formula."""
+        from sim.laws.hertz.stepping import HertzForce  # only where a method steps
+
         return HertzForce(self, mu)
 
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from sim.laws.branch import APART_AT_NO_FORCE, Branch, Guard
 from sim.laws.contact_law import Figures, Memory
 from sim.laws.damped_oscillation import Swing, first_zero
 from sim.laws.dashpot import Dashpot, damping_to_zero_force
-from sim.laws.dashpot_stepping import DashpotForce
+
+if TYPE_CHECKING:
+    from sim.laws.stepping import SteppedContact
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,8 +56,10 @@ class PushOnly(Dashpot):
         """It ends where there is none."""
         return 0.0
 
-    def stepping(self, mu: float) -> DashpotForce:
+    def stepping(self, mu: float) -> SteppedContact:
         """Spring and damper while they push."""
+        from sim.laws.dashpot_stepping import DashpotForce  # only where a method steps
+
         return DashpotForce(self.stiffness, self.damper(mu), pulls=False)
 
 
