@@ -26,6 +26,7 @@ from sim.dynamics.result.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.effects import kinds
 from sim.scene.read_effects import listed_effects
+from sim.scene.said import wire as said_by
 
 PROTOCOL = 1
 MOST_STEPS_DRAWN = 2_500
@@ -95,7 +96,12 @@ def _other(request: Mapping[str, Any]) -> Answer:
 def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> Answer:
     """The answer to a request that cannot be run."""
     listed = [
-        {"path": list(p.path), "code": p.code, "message": p.message, "hint": p.hint}
+        {
+            "path": list(p.path),
+            "code": p.code,
+            "message": said_by(p.message),
+            "hint": said_by(p.hint),
+        }
         for p in problems
     ]
     return {"id": identity, "ok": False, "problems": listed}, array("d")
@@ -127,6 +133,8 @@ def wire(finished: Run, samples: Trajectory, told: dict[str, Any]) -> Answer:
         "columns": [list(name) for name in samples.columns],
         "notSimulated": list(not_simulated(scene)),
         **told,
+        "plan": [{**phase, "why": said_by(phase["why"])} for phase in told["plan"]],
+        "warnings": [{**row, "message": said_by(row["message"])} for row in told["warnings"]],
     }
     return header, numbers
 

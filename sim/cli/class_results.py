@@ -10,11 +10,11 @@ from typing import Any
 
 import click
 
-from sim.classroom.class_csv import items_csv, students_csv
-from sim.classroom.codes import read_codes
-from sim.classroom.reading import Read, Reading, Refused, outcomes
-from sim.classroom.report import WHOLE, Asked, class_report
-from sim.classroom.standalone import standalone
+from sim.classroom.files.codes import read_codes
+from sim.classroom.files.reading import Read, Reading, Refused, outcomes
+from sim.classroom.report.class_csv import items_csv, students_csv
+from sim.classroom.report.report import WHOLE, Asked, class_report
+from sim.classroom.show.standalone import standalone
 from sim.cli.class_files import group_of, sources
 from sim.cli.class_text import report_as_text
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sim.classroom.sentences import number, unmarked
+from sim.classroom.report.sentences import number, unmarked
 from sim.cli.tables import table
 
 

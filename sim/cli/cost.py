@@ -13,7 +13,7 @@ from sim.cli.tables import table
 from sim.dynamics.cost.measure import CostRow, cost, ways
 from sim.dynamics.cost.report import cost_report
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.pages.cost.figure import standalone
+from sim.pages.drawing import DrawingError, draw
 from sim.pages.findings import Finding
 from sim.scene import Scene
 
@@ -49,7 +49,11 @@ def command(scene: str, as_json: bool, picture: Path | None) -> None:
     title = description.title or scene
     document = cost_report(title, rows)
     if picture is not None:
-        picture.write_text(standalone(title, document["rows"]), encoding="utf-8")
+        try:
+            drawn = draw("cost-file", {"title": title, "rows": document["rows"]})
+        except DrawingError as error:
+            raise click.ClickException(str(error)) from error
+        picture.write_text(drawn, encoding="utf-8")
     if as_json:
         click.echo(json.dumps(document, allow_nan=False, ensure_ascii=False))
     else:

@@ -1,7 +1,8 @@
 """Figures drawn when a site is built, by the page's own script: V8 from pip runs it.
 
 `draw("scene", values)` gives the HTML that the page's script would make of the same values in the
-same language. A context of V8 takes a tenth of a second to start, so there is one per language.
+same language. V8 takes a tenth of a second to start, once; the script is read once per language,
+since it looks its sentences up when it is read.
 """
 
 from __future__ import annotations
@@ -26,7 +27,8 @@ MISSING = (
 )
 
 _lock = threading.Lock()
-_drawers: dict[int, tuple[Mapping[str, str], MiniRacer]] = {}
+_started: list[MiniRacer] = []
+_read: dict[int, Mapping[str, str]] = {}  # words that there is a script for, by their identity
 
 
 class DrawingError(Exception):
@@ -35,35 +37,32 @@ class DrawingError(Exception):
 
 def draw(kind: str, values: Mapping[str, Any]) -> str:
     """The HTML of a figure in the language that is being written; raises DrawingError."""
-    context = _drawer(spoken())
     text = json.dumps(values, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    try:
-        return str(context.eval(f"cartsDraw({json.dumps(kind)}, {text})"))
-    except Exception as error:
-        if type(error).__module__.partition(".")[0] != "py_mini_racer":
-            raise
-        raise DrawingError(f"a figure ({kind}) could not be drawn: {error}") from error
-
-
-def _drawer(words: Mapping[str, str]) -> MiniRacer:
-    """V8 with the script, for readers of these words."""
     with _lock:
-        if id(words) not in _drawers:
-            _drawers[id(words)] = words, _started(words)
-        return _drawers[id(words)][1]
+        v8, words = _v8(), spoken()
+        try:
+            if id(words) not in _read:
+                v8.eval(f"globalThis.cartsWords={json.dumps(dict(words), ensure_ascii=False)};")
+                v8.eval(SCRIPT.read_text(encoding="utf-8"))
+                v8.eval(f"globalThis.cartsDraw{id(words)} = cartsDraw;")
+                _read[id(words)] = words  # kept: another mapping must not get its identity
+            return str(v8.eval(f"cartsDraw{id(words)}({json.dumps(kind)}, {text})"))
+        except Exception as error:
+            if type(error).__module__.partition(".")[0] != "py_mini_racer":
+                raise
+            raise DrawingError(f"a figure ({kind}) could not be drawn: {error}") from error
 
 
-def _started(words: Mapping[str, str]) -> MiniRacer:
-    try:
-        from py_mini_racer import MiniRacer, init_mini_racer
+def _v8() -> MiniRacer:
+    if not _started:
+        try:
+            from py_mini_racer import MiniRacer, init_mini_racer
 
-        init_mini_racer(ignore_duplicate_init=True)
-    except (ImportError, OSError) as error:
-        raise DrawingError(MISSING) from error
-    # From a thread of its own: where an event loop runs, the context would wait for that one.
-    with ThreadPoolExecutor(1) as pool:
-        context = pool.submit(MiniRacer).result()
-    atexit.register(context.close)  # else Python waits for V8's thread for ever
-    context.eval(f"globalThis.cartsWords={json.dumps(dict(words), ensure_ascii=False)};")
-    context.eval(SCRIPT.read_text(encoding="utf-8"))
-    return context
+            init_mini_racer(ignore_duplicate_init=True)
+        except (ImportError, OSError) as error:
+            raise DrawingError(MISSING) from error
+        # From a thread of its own: where an event loop runs, V8 would wait for that one.
+        with ThreadPoolExecutor(1) as pool:
+            _started.append(pool.submit(MiniRacer).result())
+        atexit.register(_started[0].close)  # else Python waits for V8's thread for ever
+    return _started[0]

@@ -9,7 +9,6 @@ swallow an exception and show the block as code.
 from __future__ import annotations
 
 import hashlib
-import html
 import re
 from collections.abc import Callable
 from contextvars import ContextVar
@@ -21,7 +20,7 @@ from markdown.preprocessors import Preprocessor
 
 from sim.pages.bake import bake
 from sim.pages.fence_scan import Block, scan
-from sim.pages.findings import AuthorError, Finding
+from sim.pages.findings import AuthorError, Finding, error_box
 from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.map_block import read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
@@ -239,13 +238,3 @@ def _widget(block: SceneBlock, page: Page) -> str:
     # Readings of a run are no words to search for, and must not give an answer away. The theme
     # leaves out an element with this mark; it must be one that does not occur inside itself.
     return made.replace("<carts-scene", "<carts-scene data-search-exclude", 1)
-
-
-def error_box(findings: tuple[Finding, ...], title: str = "This block cannot be shown") -> str:
-    """What a reader of the preview sees in the place of a block with mistakes."""
-    text = html.escape("\n".join(map(str, findings)))
-    return (
-        '<div class="admonition failure carts-author-error">'
-        f'<p class="admonition-title">{title}</p>'
-        f"<pre><code>{text}</code></pre></div>"
-    )

@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from sim.pages.language import tr_html
 
@@ -28,6 +28,15 @@ def templates(package: str) -> Environment:
     made.globals["tr"] = tr_html
     made.filters["lower_first"] = lambda text: text[:1].lower() + text[1:]
     return made
+
+
+def element(name: str, identity: str, inside: str, facts: Mapping[str, Any]) -> str:
+    """`<carts-name>` with what stands in it, and what its script knows."""
+    return (
+        f'<carts-{name} id="{escape(identity)}" class="carts carts-{name}" data-state="still">\n'
+        f'{inside}\n<script type="application/json" class="carts-{name}-baked">'
+        f"{script_json(facts)}</script>\n</carts-{name}>"
+    )
 
 
 def script_json(value: Mapping[str, Any]) -> Markup:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from sim.scene.effects import Effect, kinds
 from sim.scene.fields import Field
 from sim.scene.problem import Path, Problem, nearest
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,7 +44,7 @@ def effect_number(target: str, effects: Sequence[Effect]) -> tuple[Field, str, f
         return None
     kind = kinds()[effect.kind]
     field = next(field for field in kind.fields if field.key == key)
-    return field, kind.label_of(field) + _whose(effect, effects), effect.numbers[key]
+    return field, _whose(kind.label_of(field), effect, effects), effect.numbers[key]
 
 
 def is_switch(entry: object) -> bool:
@@ -75,7 +76,7 @@ def read_switches(
         if effect is None:
             problems.append(_unknown((*path, "switch"), target, effects))
             continue
-        label = kinds()[effect.kind].label + _whose(effect, effects)
+        label = _whose(kinds()[effect.kind].label, effect, effects)
         switches.append(Switch(set=f"{target}.active", label=label, value=effect.active))
     return tuple(switches)
 
@@ -106,9 +107,13 @@ def _with_kind(owner: str, effects: Sequence[Effect]) -> Effect | None:
     return effect if effect is not None and effect.kind == kind else None
 
 
-def _whose(effect: Effect, effects: Sequence[Effect]) -> str:
-    """Who pushes whom, or the place among several of one kind."""
+def _whose(label: str, effect: Effect, effects: Sequence[Effect]) -> str:
+    """The label, with who pushes whom, or with the place among several of one kind."""
     if effect.by is not None:
-        return f" on {effect.carts[0]} by {effect.by}"
+        return said(
+            "{label} on {cart} by {agent}", label=label, cart=effect.carts[0], agent=effect.by
+        )
     same = [other.index for other in effects if other.kind == effect.kind]
-    return f" ({same.index(effect.index) + 1})" if len(same) > 1 else ""
+    if len(same) < 2:
+        return label
+    return said("{label} ({number})", label=label, number=str(same.index(effect.index) + 1))

@@ -15,6 +15,7 @@ from typing import Literal
 
 from sim.scene.fields import Field
 from sim.scene.problem import Problem
+from sim.scene.said import said
 
 FOLDER = "sim.effects"
 
@@ -73,11 +74,12 @@ class EffectKind:
     @property
     def label(self) -> str:
         """What its switch is called."""
-        return self.switch or self.called or self.name
+        return self.switch or self.called or said(self.name)
 
     def label_of(self, field: Field) -> str:
         """What the slider of one of its numbers is called."""
-        return field.label or f"{self.called or self.name}: {field.says}"
+        named = said("{effect}: {what}", effect=self.called or self.name, what=field.says)
+        return field.label or named
 
 
 class BrokenFolderError(ImportError):

@@ -14,6 +14,7 @@ from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import check_effects, check_room, read_effects
+from sim.scene.said import said
 from sim.scene.tables import mapping, number, unknown_keys
 
 SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
@@ -231,16 +232,24 @@ def _overlap(
     if frozenset((left, right)) in released:
         return
     cart = right if k < len(names) else left
-    what = f"{left} and {right} overlap"
-    hint = "move them apart: a position is that of the cart's centre"
-    if k in (0, len(names)):
-        what = f"{cart} reaches into the {'left' if k == 0 else 'right'} wall"
-        hint = "move it away from the wall: a position is that of the cart's centre"
-    problems.append(
-        Problem(
-            ("carts", cart, "position"),
-            "overlap",
-            f"{what} by {float(-gap):.3g} m at the start",
-            hint if at_once else f"{hint}; start: {{overlap: true}} allows it",
+    length = f"{float(-gap):.3g} m"
+    hint = said("move it away from the wall: a position is that of the cart's centre")
+    if k == 0:
+        what = said(
+            "{cart} reaches into the left wall by {length} at the start", cart=cart, length=length
         )
-    )
+    elif k == len(names):
+        what = said(
+            "{cart} reaches into the right wall by {length} at the start", cart=cart, length=length
+        )
+    else:
+        what = said(
+            "{one} and {other} overlap by {length} at the start",
+            one=left,
+            other=right,
+            length=length,
+        )
+        hint = said("move them apart: a position is that of the cart's centre")
+    if not at_once:
+        hint = said("{advice}; start: {overlap: true} allows it", advice=hint)
+    problems.append(Problem(("carts", cart, "position"), "overlap", what, hint))

@@ -10,6 +10,7 @@ from sim.scene.fields import Field
 from sim.scene.laws import laws
 from sim.scene.model import Contact, Track
 from sim.scene.problem import Path, Problem, nearest
+from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
 KEYS = ("law", "restitution", "stiffness")
@@ -73,8 +74,11 @@ def _gap_named(key: str, bodies: list[str]) -> int | None:
 def _unknown_pair(key: str, bodies: list[str], path: Path, problems: list[Problem]) -> None:
     pairs = [f"{a}-{b}" for a, b in itertools.pairwise(bodies)]
     close = nearest(key, pairs)
-    hint = f"did you mean “{close}”?" if close else f"neighbours: {', '.join(pairs[:12])}"
-    problems.append(Problem(path, "unknown-pair", f"“{key}” are not two neighbours", hint))
+    hint = f"neighbours: {', '.join(pairs[:12])}"
+    if close:
+        hint = said("did you mean {name}?", name=f"“{close}”")
+    message = said("{pair} are not two neighbours", pair=f"“{key}”")
+    problems.append(Problem(path, "unknown-pair", message, hint))
 
 
 def _contact(

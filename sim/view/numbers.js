@@ -27,10 +27,15 @@ export function short(value, figures = 3) {
   const power = exponent(value);
   if (value && (power <= -4 || power >= 6)) {
     const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
-    const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
-    return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+    return `${mantissa} × 10${superscript(power)}`;
   }
   return trim(fixed(value, Math.max(0, figures - 1 - power)));
+}
+
+/** @param {number} power a whole number @returns {string} ⁻³ */
+export function superscript(power) {
+  const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+  return power < 0 ? `⁻${digits}` : digits;
 }
 
 /** @param {number} value @returns {number} decimals that show up to so many figures, without trailing zeros */

@@ -2,7 +2,7 @@
 
 import { exponent } from "./numbers.js";
 
-const STEP_SLACK = 1e-9; // of a step; nearer to a round number is rounding noise
+export const STEP_SLACK = 1e-9; // of a step; nearer to a round number is rounding noise
 const HEADROOM = 0.05; // of the values, above and below: no curve lies on the frame
 
 /** @typedef {{low: number, high: number, step: number}} Axis */

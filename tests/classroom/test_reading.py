@@ -12,9 +12,9 @@ from collections.abc import Callable
 
 import pytest
 
-from sim.classroom.archive import MOST_ENTRIES, is_zip
-from sim.classroom.reading import MOST_NAMED, Reading, Source
-from sim.classroom.report import Asked, class_report
+from sim.classroom.files.archive import MOST_ENTRIES, is_zip
+from sim.classroom.files.reading import MOST_NAMED, Reading, Source
+from sim.classroom.report.report import Asked, class_report
 from sim.lesson.answer_file import read_answer_file
 from tests.classroom.makers import answers, bank, keys, random_class, sources, zipped
 

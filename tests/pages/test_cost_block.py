@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from sim.bridge.protocol import answer
 from sim.pages.cost.block import CostBlock, read_cost_block
-from sim.pages.cost.figure import LABELS, METHODS, figure, x_at, y_at
-from sim.pages.cost.render import MEASURED, cells, render_cost, told
+from sim.pages.cost.render import MEASURED, render_cost
 from sim.pages.fence_scan import scan
 from sim.pages.findings import AuthorError
 from sim.pages.scene_block import Lesson, SiteIds
@@ -68,24 +68,32 @@ def test_an_author_is_told_what_is_wrong(text: str, said: str) -> None:
 
 
 def test_every_method_has_a_name_a_mark_and_a_place() -> None:
-    assert set(LABELS) == set(METHODS)
-    marks = [one["mark"] for one in figure(rows())["series"]]
-    assert len(set(marks)) == len(METHODS)
+    methods = in_node('give((await import(view + "/cost/methods.js")).METHODS);', None)
+    marks = [one["mark"] for one in methods.values()]
+    assert len({*marks}) == len({one["label"] for one in methods.values()}) == len(methods)
+    assert {row["method"] for row in rows()} <= set(methods)
 
 
-def test_the_page_writes_and_draws_what_the_generator_does() -> None:
+def test_axes_are_logarithmic_and_nought_has_a_place_below_them() -> None:
+    x, y, floor, nought = in_node(
+        """const { xAt, yAt } = await import(view + "/cost/figure.js");
+        give([data.map(xAt), data.map((k) => yAt(k / 1e6)), yAt(1e-17), yAt(0)]);""",
+        [1, 10, 100, 1000, 1e6],
+    )
+    steps = [b - a for a, b in pairwise(x)]
+    assert steps == pytest.approx([steps[0]] * 3 + [3 * steps[0]])
+    falls = [a - b for a, b in pairwise(y)]
+    assert falls == pytest.approx([falls[0]] * 3 + [3 * falls[0]])
+    assert floor == nought > max(y)
+
+
+def test_the_numbers_beside_a_run_are_those_of_the_run() -> None:
     plain = registry.plain("paper-two-carts")
     header, _ = answer({"id": 1, "kind": "cost", "scene": plain, "method": "rk4", "parts": 61})
-    numbers = [0.3, 1.0, 208.6, 3e4, 1e9]
-    errors = [0.0, 3e-16, 0.0141, 40.0]
-    seen = in_node(
-        "const { xAt, yAt } = await import(`${source}/cost/figure.js`);\n"
-        "const { cells, told } = await import(`${source}/cost/table.js`);\n"
-        "give({ x: data.numbers.map(xAt), y: data.errors.map(yAt), told: told(data.header),\n"
-        "  cells: data.rows.map((row) => cells(row, 1, data.labels)) });",
-        {"numbers": numbers, "errors": errors, "header": header, "rows": rows(), "labels": LABELS},
-    )
-    assert seen["x"] == pytest.approx([x_at(n) for n in numbers])
-    assert seen["y"] == pytest.approx([y_at(e) for e in errors])
-    assert seen["told"] == [list(line) for line in told(header)]
-    assert seen["cells"] == [cells(row, 1.0) for row in rows()]
+    lines = in_node('give((await import(view + "/cost/words.js")).told(data));', header)
+    assert lines[0][0] == "velocity of A at the end"
+    for line, name in zip(lines, header["v"]["stepped"], strict=False):
+        got, exact = (float(text.removesuffix(" m/s").replace("−", "-")) for text in line[1:])
+        assert got == pytest.approx(header["v"]["stepped"][name], abs=5e-5)
+        assert exact == pytest.approx(header["v"]["exact"][name], abs=5e-5)
+    assert lines[-1] == ["times that all forces were computed", str(header["evaluations"]), "0"]

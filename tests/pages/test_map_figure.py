@@ -8,7 +8,6 @@ import math
 import re
 import struct
 import zlib
-from array import array
 from base64 import b64decode
 from typing import Any
 
@@ -17,13 +16,11 @@ import pytest
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import Finding
 from sim.pages.map.bake import MapRun, bake_map
-from sim.pages.map.figure import value_text
-from sim.pages.map.palette import NONE, ZERO, diverging, edge, sequential
-from sim.pages.map.render import render_map, spread
-from sim.pages.map.scale import pixels, scale_for
+from sim.pages.map.render import render_map
 from sim.pages.scene_block import Lesson
 from sim.scene.map import read_map
 from tests import registry
+from tests.web.widget_site import in_node
 
 MAP: dict[str, Any] = {
     **registry.plain("light-meets-heavy"),
@@ -35,6 +32,33 @@ MAP: dict[str, Any] = {
     "show": "v.A",
     "points": 21,
 }
+
+
+NONE, ZERO = [176, 176, 176], [32, 32, 32]
+
+
+def view(script: str, data: object = None) -> Any:
+    """What the functions that draw maps give."""
+    names = ("palette", "bands", "pixels", "table", "words")
+    imports = "".join(f'const {n} = await import(view + "/map/{n}.js");\n' for n in names)
+    return in_node(imports + script, data)
+
+
+def scale_of(low: float, high: float) -> dict[str, Any]:
+    made: dict[str, Any] = view("give(bands.scaleFor(...data));", [low, high])
+    return made
+
+
+def pixels(values: list[float | None], columns: int, scale: dict[str, Any]) -> list[list[int]]:
+    """Colour numbers of the picture, row after row from the top."""
+    made = view(
+        """const values = Float64Array.from(data[0], (value) => value ?? NaN);
+        const { places, width } = pixels.pixels(values, data[1], data[2]);
+        give([[...places], width]);""",
+        [values, columns, scale],
+    )
+    places, width = made
+    return [places[k : k + width] for k in range(0, len(places), width)]
 
 
 def rendered(**changes: Any) -> str:
@@ -76,25 +100,27 @@ def test_the_picture_has_the_colour_of_each_value() -> None:
     described = read_map(MAP)
     run = bake_map(described, MAP)
     assert isinstance(run, MapRun)
-    scale = scale_for(run.low, run.high)
+    scale = scale_of(run.low, run.high)
+    shades = [tuple(c) for c in view("give(pixels.palette(data));", scale)]
     step = (width - 1) // 20
     assert width == height == 20 * step + 1 >= 401
     for row in range(0, 21, 5):
         for column in range(0, 21, 5):
             value = run.values[row * 21 + column]
-            place = (value - scale.low) / scale.step + 1e-9  # rounding below an edge is on it
-            own = scale.colours[min(scale.count - 1, math.floor(place))]
+            place = (value - scale["low"]) / scale["step"] + 1e-9  # rounding below an edge is on it
+            own = min(scale["count"] - 1, math.floor(place))
             seen = picture[(height - 1 - row * step) * width + column * step]
-            assert seen in (own, edge(own), ZERO), (row, column, value)
+            edge = shades[scale["count"] + 1 + own]
+            assert seen in (shades[own], edge, tuple(ZERO)), (row, column, value)
 
 
 def test_lightness_alone_tells_the_order_of_the_colours() -> None:
-    for count in range(2, 14):
-        light = [luminance(colour) for colour in sequential(count)]
+    counts = range(2, 14)
+    for colours in view("give(data.map((n) => palette.sequential(n)));", list(counts)):
+        light = [luminance(colour) for colour in colours]
         assert light == sorted(light)
         assert all(b > 1.12 * a for a, b in itertools.pairwise(light))
-    centres = [-5.0, -3.0, -1.0, 1.0, 3.0, 5.0]
-    colours = diverging(centres)
+    colours = view("give(palette.diverging(data));", [-5.0, -3.0, -1.0, 1.0, 3.0, 5.0])
     light = [luminance(colour) for colour in colours]
     assert light[0] < light[1] < light[2] and light[3] > light[4] > light[5]
     assert all(red > blue for red, _, blue in colours[3:])  # orange is to the right
@@ -102,38 +128,40 @@ def test_lightness_alone_tells_the_order_of_the_colours() -> None:
 
 
 def test_bands_begin_and_end_at_round_numbers_and_zero_is_between_two() -> None:
-    scale = scale_for(-0.34, 0.83)
-    assert scale.edges == pytest.approx([-0.4 + 0.1 * k for k in range(14)], abs=1e-12)
-    assert 0.0 in scale.edges
-    assert scale_for(0.0, 18.3).low == 0.0
+    edges = view("give(bands.edges(bands.scaleFor(-0.34, 0.83)));")
+    assert edges == pytest.approx([-0.4 + 0.1 * k for k in range(14)], abs=1e-12)
+    assert 0.0 in edges
+    assert scale_of(0.0, 18.3)["low"] == 0.0
     for flat in (0.0, 1.0, -2.0):
-        assert scale_for(flat, flat).count >= 1
+        assert scale_of(flat, flat)["count"] >= 1
 
 
 def test_where_there_is_no_value_there_is_no_band() -> None:
-    scale = scale_for(0.0, 1.0)
-    nothing = pixels([0.1, math.nan, 0.2, 0.3], 2, scale)
-    assert (nothing == scale.count).any()
-    assert nothing[-1, 0] in (1, scale.count + 2)
-    assert NONE not in scale.colours
+    scale = scale_of(0.0, 1.0)
+    nothing = pixels([0.1, None, 0.2, 0.3], 2, scale)
+    assert any(scale["count"] in row for row in nothing)
+    assert nothing[-1][0] in (1, scale["count"] + 2)
+    assert NONE not in scale["colours"]
 
 
 def test_the_line_of_zero_is_drawn_where_the_sign_changes() -> None:
-    scale = scale_for(-1.0, 1.0)
+    scale = scale_of(-1.0, 1.0)
     drawn = pixels([x / 10 for x in range(-9, 10)] * 2, 19, scale)
-    line = 2 * scale.count + 1
-    places = sorted({int(x) for x in (drawn == line).nonzero()[1]})
-    zero = (drawn.shape[1] - 1) // 2
+    line = 2 * scale["count"] + 1
+    places = sorted({x for row in drawn for x, place in enumerate(row) if place == line})
+    zero = (len(drawn[0]) - 1) // 2
     assert places == [zero - 1, zero]
-    one_sign = scale_for(0.0, 1.0)
-    assert not (pixels([0.0, 0.5, 1.0, 0.2], 2, one_sign) == 2 * one_sign.count + 1).any()
+    one_sign = scale_of(0.0, 1.0)
+    last = 2 * one_sign["count"] + 1
+    assert not any(last in row for row in pixels([0.0, 0.5, 1.0, 0.2], 2, one_sign))
 
 
 def test_the_scale_reaches_as_far_as_the_sliders() -> None:
     slider = {"set": "A.velocity", "from": "0.1 m/s", "to": "3 m/s", "step": "0.1 m/s"}
     ends = []
     for html in (rendered(), rendered(controls=[slider])):
-        scale = json.loads(re.findall(r'carts-map-baked">(.*?)</script>', html)[0])["scale"]
+        facts = json.loads(re.findall(r'carts-map-baked">(.*?)</script>', html)[0])
+        scale = scale_of(facts["low"], facts["high"])
         ends.append(scale["low"] + scale["count"] * scale["step"])
     assert ends[0] < 0.7
     assert ends[1] > 2.0
@@ -152,13 +180,17 @@ def test_the_table_holds_values_of_runs() -> None:
     html = rendered()
     assert html.count("<tr>") == 2 + 11
     assert "−0.120" in html  # at 0.5 kg and e = 0.8, as in the scene
-    assert spread(21, 11) == list(range(0, 21, 2))
-    assert spread(4, 11) == [0, 1, 2, 3]
+    spread = view(
+        "give(data.map(([count, most]) => table.spread(count, most)));", [[21, 11], [4, 11]]
+    )
+    assert spread == [list(range(0, 21, 2)), [0, 1, 2, 3]]
 
 
 def test_values_have_three_figures_and_rounding_is_nought() -> None:
-    run = MapRun([[0.0, 1.0]], array("d", [0.0, 6.93]), -3.0, 6.93, "")
-    texts = [value_text(v, run) for v in (6.928, 0.0346, -1e-17, math.nan, -2.5)]
+    texts = view(
+        """give(data.map((v) => words.valueText(v ?? NaN, { low: -3, high: 6.93 })));""",
+        [6.928, 0.0346, -1e-17, None, -2.5],
+    )
     assert texts == ["6.93", "0.0346", "0.00", "no value", "−2.50"]
 
 

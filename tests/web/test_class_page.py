@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import FilePayload, Page, expect
 
-from sim.classroom.reading import Source
+from sim.classroom.files.reading import Source
 from sim.pages.runtime import CLASSROOM, default_cache, pack
 from tests.classroom.makers import answers, bank, form, keys, random_class, sources, zipped
 from tests.web.boot_site import ROOT, STRICT, bundle
@@ -39,7 +39,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     pack(site, packages=packages, cache=default_cache(ROOT), report=lambda _: None)
     web = ROOT / "sim" / "web"
     sheets = [web / "css" / "carts.css", web / "css" / "class.css"]
-    sheets.append(ROOT / "sim" / "classroom" / "report.css")
+    sheets.append(ROOT / "sim" / "classroom" / "show" / "report.css")
     (assets / "carts.css").write_bytes(b"\n".join(sheet.read_bytes() for sheet in sheets))
     bundle(web / "src" / "class-main.js", assets / "class.js")
     (site / "class.html").write_text(PAGE, encoding="utf-8")

@@ -13,12 +13,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.bridge.protocol import answer
-from sim.pages.map.bake import MapRun
-from sim.pages.map.figure import value_text
-from sim.pages.map.render import spread
-from sim.pages.map.scale import pixels, scale_for
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import LIVE, in_node
+from tests.web.widget_site import LIVE
 
 
 def facts(site: Path, name: str) -> dict[str, Any]:
@@ -130,35 +126,3 @@ def test_a_map_of_runs_fills_while_the_reader_watches(site: Path, open_page: Ope
     )
     assert masses[max(range(len(late)), key=late.__getitem__)] == 3.0
     assert not any(map(math.isnan, late))
-
-
-def test_the_page_paints_what_the_generator_draws() -> None:
-    columns, values = 5, [0.07 * k - 0.4 if k != 12 else math.nan for k in range(20)]
-    scale = scale_for(-0.4, 0.93)
-    drawn = pixels(values, columns, scale)
-    numbers = [-0.12, 0.0216, 1e-17, -2.345, 0.0]
-    painted = in_node(
-        "const { pixels } = await import(`${source}/map/paint.js`);\n"
-        "const { spread } = await import(`${source}/map/table.js`);\n"
-        "const { figures } = await import(`${source}/map/figures.js`);\n"
-        "const values = Float64Array.from(data.values, (v) => v ?? NaN);\n"
-        "const { places, width, height } = pixels(values, data.columns, data.scale);\n"
-        "give({ places: [...places], width, height, spread: spread(181, 6),\n"
-        "  texts: data.numbers.map((v) => figures(v, 4)) });",
-        {
-            "values": [None if math.isnan(v) else v for v in values],
-            "columns": columns,
-            "scale": {
-                "low": scale.low,
-                "step": scale.step,
-                "count": scale.count,
-                "zero": scale.zero,
-            },
-            "numbers": numbers,
-        },
-    )
-    assert (painted["height"], painted["width"]) == drawn.shape
-    assert painted["places"] == drawn.ravel().tolist()
-    assert painted["spread"] == spread(181, 6)
-    run = MapRun([[0.0]], None, -2.345, 2.0, "")  # type: ignore[arg-type]
-    assert painted["texts"] == [value_text(v, run) for v in numbers]

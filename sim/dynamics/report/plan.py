@@ -16,12 +16,13 @@ from sim.dynamics.result.finished import Run
 from sim.dynamics.result.record import Solved
 from sim.scene.effects import kinds
 from sim.scene.model import Scene
+from sim.scene.said import said
 
 MOST_PHASES = 60
 """Phases told one by one. A longer plan ends in one entry for the rest: nobody reads a thousand."""
 
 SOLVERS = ("free-flight", "pair-contact", "power-series", "adaptive")
-REST = "further flights and contacts of the same kinds"
+REST = said("further flights and contacts of the same kinds")
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.motion.flight import Fading, Flight, Slowing
 from sim.dynamics.motion.linear_pair import LinearPair
@@ -10,17 +12,22 @@ from sim.dynamics.result.record import Solved
 from sim.dynamics.state.body import Motion
 from sim.effects.forces import FRICTION
 from sim.scene.model import Scene
+from sim.scene.said import listed, said, template
 
-FLIGHT = "nothing touches and no effect acts: every cart keeps its velocity, x = x₀ + v t is exact"
-NOTHING_CHANGES = "nothing touches and no force is left over: every cart keeps its velocity, exact"
-AT_ONCE = "; an impact takes no time, it is one formula"
-STUCK = "; carts that stick together move as one"
+FLIGHT = said(
+    "nothing touches and no effect acts: every cart keeps its velocity, x = x₀ + v t is exact"
+)
+NOTHING_CHANGES = said(
+    "nothing touches and no force is left over: every cart keeps its velocity, exact"
+)
+AT_ONCE = said("an impact takes no time, it is one formula")
+STUCK = said("carts that stick together move as one")
 
 FORMS: dict[type, str] = {
-    Fading: "linear drag fades exponentially, exact",
-    Slowing: "quadratic drag slows as 1/t, x is a logarithm, exact",
+    Fading: said("linear drag fades exponentially, exact"),
+    Slowing: said("quadratic drag slows as 1/t, x is a logarithm, exact"),
 }
-PARABOLA = "constant forces, x = x₀ + v t + ½ a t² is exact"
+PARABOLA = said("constant forces, x = x₀ + v t + ½ a t² is exact")
 
 
 def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
@@ -33,11 +40,19 @@ def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
         *_flights(scene, [p.solver for p in parts if isinstance(p.solver, Flight)]),
     ]
     if sentences:
-        return "; ".join(sentences)
-    text = NOTHING_CHANGES if scene.effects else FLIGHT
+        return _one_after_the_other(sentences)
     sudden = [contact for contact in scene.contacts if contact is not None and contact.law in used]
-    text += AT_ONCE if any(not contact.joins for contact in sudden) else ""
-    return text + (STUCK if any(contact.joins for contact in sudden) else "")
+    sentences = [NOTHING_CHANGES if scene.effects else FLIGHT]
+    sentences += [AT_ONCE] if any(not contact.joins for contact in sudden) else []
+    sentences += [STUCK] if any(contact.joins for contact in sudden) else []
+    return _one_after_the_other(sentences)
+
+
+def _one_after_the_other(sentences: Sequence[str]) -> str:
+    *first, last = sentences
+    if not first:
+        return last
+    return said("{first}; {last}", first=_one_after_the_other(first), last=last)
 
 
 def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
@@ -46,8 +61,12 @@ def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
     gaps = sorted(solver.gap for solver in solvers)
     laws = sorted({contact.law for gap in gaps if (contact := scene.contacts[gap]) is not None})
     return [
-        f"only {_names(scene, gaps)} in contact, and nobody else can reach them before it ends: "
-        f"the law {' and '.join(laws)} has a closed form, exact"
+        said(
+            "only {pairs} in contact, and nobody else can reach them before it ends: "
+            "the law {law} has a closed form, exact",
+            pairs=_names(scene, gaps),
+            law=listed(laws),
+        )
     ]
 
 
@@ -62,28 +81,43 @@ def _clusters(scene: Scene, solvers: list[CoupledGroup | LinearPair]) -> list[st
         linked = [gap.index for gap in solver.members if gap.links]
         acting = sorted({force.kind for load in solver.loads for force in load.forces})
         acting += [FRICTION] if any(load.grips for load in solver.loads) else []
-        causes = []
+        causes: list[str] = []
         if touching:
-            causes.append(f"{_names(scene, touching)} in contact")
+            causes.append(said("{pairs} in contact", pairs=_names(scene, touching)))
         if linked:
             kinds = sorted({link.kind for gap in solver.members for link in gap.links})
-            causes.append(f"{' and '.join(kinds)} between {_names(scene, linked)}")
+            pairs = _names(scene, linked)
+            causes.append(said("{links} between {pairs}", links=_effects(kinds), pairs=pairs))
         if acting:
-            causes.append(f"{' and '.join(acting)}")
-        at_once = " at the same time" if len(causes) > 1 or len(touching) > 1 else ""
-        found.append(f"{', '.join(causes)}{at_once}: {METHODS[solver.tier]}")
+            causes.append(_effects(acting))
+        together = _with_commas(causes)
+        if len(causes) > 1 or len(touching) > 1:
+            together = said("{causes} at the same time", causes=together)
+        found.append(said(METHODS[solver.tier], causes=together))
     return list(dict.fromkeys(found))
 
 
 METHODS = {
-    1: "all of it is linear, an oscillation about its place of rest, exact",
-    2: "a power series of order 26 in short steps, exact to rounding",
-    3: "an adaptive method of order 8 with located events, because this law has no series",
+    1: template("{causes}: all of it is linear, an oscillation about its place of rest, exact"),
+    2: template("{causes}: a power series of order 26 in short steps, exact to rounding"),
+    3: template(
+        "{causes}: an adaptive method of order 8 with located events, "
+        "because this law has no series"
+    ),
 }
 
 
+def _with_commas(causes: Sequence[str]) -> str:
+    *first, last = causes
+    return said("{first}, {last}", first=_with_commas(first), last=last) if first else last
+
+
+def _effects(names: Sequence[str]) -> str:
+    return listed([said(name) for name in names])
+
+
 def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
-    found = []
+    found: list[str] = []
     for form in (None, Fading, Slowing):
         own = [
             s for s in solvers if (s.course.sparse if form is None else isinstance(s.course, form))
@@ -92,9 +126,15 @@ def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
             continue
         kinds = sorted({force.kind for solver in own for force in solver.load.forces})
         kinds += [FRICTION] if any(solver.load.grips for solver in own) else []
-        names = " and ".join(dict.fromkeys(n for s in own for n in _carts(scene, s)))
-        text = PARABOLA if form is None else FORMS[form]
-        found.append(f"{' and '.join(kinds)} on {names}, touched by nobody: {text}")
+        names = dict.fromkeys(n for s in own for n in _carts(scene, s))
+        found.append(
+            said(
+                "{forces} on {carts}, touched by nobody: {how}",
+                forces=_effects(kinds),
+                carts=listed(list(names)),
+                how=PARABOLA if form is None else FORMS[form],
+            )
+        )
     return found
 
 
@@ -103,7 +143,13 @@ def _carts(scene: Scene, solver: Flight) -> list[str]:
 
 
 def _names(scene: Scene, gaps: list[int]) -> str:
-    return " and ".join(f"{a} with {b}" for a, b in map(scene.names_at, gaps))
+    pairs = map(scene.names_at, gaps)
+    return listed([said("{a} with {b}", a=_body(a), b=_body(b)) for a, b in pairs])
+
+
+def _body(name: str) -> str:
+    """A cart is called by its name; the two ends of the track have words of their own."""
+    return {"left": said("left"), "right": said("right")}.get(name, name)
 
 
 def packages(solver: Motion) -> tuple[str, ...]:

@@ -7,6 +7,33 @@ from dataclasses import dataclass
 from sim.dynamics.result.finished import Run
 from sim.laws.lookup import contact_law
 from sim.scene.laws import laws
+from sim.scene.said import said, template
+
+BOTH = (
+    template(
+        "The bumpers between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}."
+    ),
+    template(
+        "The bumpers between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
+        "or let them meet at {speed} or less."
+    ),
+)
+"""Of two carts: what happens, and the same with what would help."""
+
+ALONE = (
+    template(
+        "The bumper between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}."
+    ),
+    template(
+        "The bumper between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
+        "or let them meet at {speed} or less."
+    ),
+)
+"""The same of a cart at a wall."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +59,11 @@ def warnings(run: Run) -> tuple[Warning, ...]:
         room = sum(bumpers)
         if deepest <= room:
             continue
-        pair = " and ".join("the wall" if name in ("left", "right") else name for name in names)
-        owner = "bumper" if len(bumpers) == 1 else "bumpers"
-        message = (
-            f"The {owner} between {pair} would be squeezed by {100 * deepest:.3g} cm, but there is "
-            f"room for {100 * room:.3g} cm."
-        )
+        one, other = (said("the wall") if name in ("left", "right") else name for name in names)
+        squeezed, advised = ALONE if len(bumpers) == 1 else BOTH
+        told = {"one": one, "other": other, "depth": f"{100 * deepest:.3g} cm"}
+        told["room"] = f"{100 * room:.3g} cm"
+        message = said(squeezed, **told)
         contact = scene.contacts[gap]
         law = None if contact is None else contact_law(contact)
         field = None if contact is None else laws()[contact.law].stiffness
@@ -45,10 +71,8 @@ def warnings(run: Run) -> tuple[Warning, ...]:
             harder, faster = law.grows
             stiffness = law.stiffness * (deepest / room) ** harder
             slower = speed * (room / deepest) ** faster
-            message += (
-                f" Raise the stiffness to at least {_up(stiffness)} {field.dimension.si}, "
-                f"or let them meet at {_down(slower)} m/s or less."
-            )
+            told["stiffness"] = f"{_up(stiffness)} {field.dimension.si}"
+            message = said(advised, **told, speed=f"{_down(slower)} m/s")
         found.append((deepest - room, Warning("bumper-bottoms", message)))
     found = sorted(found, key=lambda item: -item[0])
     return (*(warning for _, warning in found), *_idle(run), *_nearly_rigid(run))
@@ -63,22 +87,30 @@ def _nearly_rigid(run: Run) -> list[Warning]:
     return [
         Warning(
             "nearly-rigid",
-            f"Several contacts held at once: there a bumper with a restitution of {min(tiny):g} "
-            "counts as one with 0, which changes velocities by less than that part of them.",
+            said(
+                "Several contacts held at once: there a bumper with a restitution of {e} "
+                "counts as one with 0, which changes velocities by less than that part of them.",
+                e=f"{min(tiny):g}",
+            ),
         )
     ]
 
 
 def _idle(run: Run) -> list[Warning]:
     """Exploders whose carts had parted."""
-    return [
-        Warning(
-            "release-apart",
-            f"The release between {' and '.join(run.scene.names_at(gap))} at {t:.6g} s did "
-            f"nothing: there were {100 * room:.3g} cm between them. Let them touch at that time.",
+    found = []
+    for gap, t, room in run.record.idle_bursts:
+        one, other = run.scene.names_at(gap)
+        message = said(
+            "The release between {one} and {other} at {time} did nothing: "
+            "there were {gap} between them. Let them touch at that time.",
+            one=one,
+            other=other,
+            time=f"{t:.6g} s",
+            gap=f"{100 * room:.3g} cm",
         )
-        for gap, t, room in run.record.idle_bursts
-    ]
+        found.append(Warning("release-apart", message))
+    return found
 
 
 def _up(value: float) -> str:

@@ -26,6 +26,7 @@ from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
+from sim.scene.said import said
 
 MOST_ROWS = 20_000
 """Samples kept; of a longer run every so many steps one."""
@@ -228,14 +229,18 @@ def stepped_report(result: SteppedRun) -> dict[str, Any]:
     """What `carts run --method … --json` prints: format 1, the plan and the imbalance its own."""
     run, way = result.run, result.way
     document = report(run)
-    asked = f"step {way.step:.6g} s" if way.step else f"relative tolerance {way.rtol:.3g}"
+    asked = (
+        said("asked for: step {size}, for the whole run", size=f"{way.step:.6g} s")
+        if way.step
+        else said("asked for: relative tolerance {size}, for the whole run", size=f"{way.rtol:.3g}")
+    )
     document["plan"] = [
         {
             "from": 0.0,
             "until": run.t,
             "tier": None,
             "solver": way.method,
-            "why": f"asked for: {asked}, for the whole run; it is not exact",
+            "why": said("{first}; {last}", first=asked, last=said("it is not exact")),
             "packages": ["numpy", "scipy"] if way.method in ADAPTIVE else [],
         }
     ]

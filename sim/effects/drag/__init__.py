@@ -5,9 +5,10 @@ from __future__ import annotations
 from sim.scene import quantity
 from sim.scene.effects import EffectKind
 from sim.scene.fields import Field
+from sim.scene.said import said, template
 
 KIND = EffectKind(
-    name="drag",
+    name=template("drag"),
     says="air resistance against the motion",
     place=30,
     fields=(
@@ -17,7 +18,7 @@ KIND = EffectKind(
             "0",
             "force per speed",
             least="0",
-            label="drag, force per speed",
+            label=said("drag, force per speed"),
         ),
         Field(
             "quadratic",
@@ -25,10 +26,10 @@ KIND = EffectKind(
             "0",
             "force per speed squared",
             least="0",
-            label="drag, force per speed squared",
+            label=said("drag, force per speed squared"),
         ),
     ),
     one_of=("linear", "quadratic"),
-    called="air resistance",
-    agent="the air",
+    called=said("air resistance"),
+    agent=said("the air"),
 )

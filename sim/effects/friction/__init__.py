@@ -8,6 +8,7 @@ from sim.scene import quantity
 from sim.scene.effects import Effect, EffectKind
 from sim.scene.fields import Field
 from sim.scene.problem import Problem
+from sim.scene.said import said, template
 
 
 def _static_is_the_greater(listed: Sequence[Effect]) -> Iterator[Problem]:
@@ -17,13 +18,16 @@ def _static_is_the_greater(listed: Sequence[Effect]) -> Iterator[Problem]:
             yield Problem(
                 ("effects", effect.index, effect.kind, "static"),
                 "out-of-range",
-                f"static friction is never less than that of a moving cart, {moving:g}",
-                f"static: {moving:g} or more, or remove it",
+                said(
+                    "static friction is never less than that of a moving cart, {least}",
+                    least=f"{moving:g}",
+                ),
+                said("static: {least} or more, or remove it", least=f"{moving:g}"),
             )
 
 
 KIND = EffectKind(
-    name="friction",
+    name=template("friction"),
     says="Coulomb friction: μ m g against the motion, with stopping and staying",
     place=10,
     fields=(
@@ -33,7 +37,7 @@ KIND = EffectKind(
             None,
             "coefficient of friction",
             least="0",
-            label="friction coefficient μ",
+            label=said("friction coefficient μ"),
         ),
         Field(
             "static",
@@ -42,10 +46,10 @@ KIND = EffectKind(
             "coefficient at rest; left out: the same",
             least="0",
             optional=True,
-            label="friction coefficient at rest",
+            label=said("friction coefficient at rest"),
         ),
     ),
-    called="friction",
-    agent="the track",
+    called=said("friction"),
+    agent=said("the track"),
     rule=_static_is_the_greater,
 )

@@ -9,6 +9,7 @@ from sim.scene.effects import Effect, EffectKind
 from sim.scene.fields import Field
 from sim.scene.model import Scene
 from sim.scene.problem import Problem
+from sim.scene.said import said, template
 
 STEEPEST = 1.5
 """rad. All inclines under one cart together: a track that hangs over carries nothing."""
@@ -23,14 +24,17 @@ def _not_too_steep(listed: Sequence[Effect]) -> Iterator[Problem]:
             yield Problem(
                 ("effects", effect.index, "incline", "angle"),
                 "out-of-range",
-                f"all inclines under one cart together are more than {STEEPEST} rad",
-                "one incline is enough: angle: 2 deg",
+                said(
+                    "all inclines under one cart together are more than {steepest} rad",
+                    steepest=str(STEEPEST),
+                ),
+                said("one incline is enough: angle: 2 deg"),
             )
             return
 
 
 KIND = EffectKind(
-    name="incline",
+    name=template("incline"),
     says="a tilted track: m g sin θ, + drives carts to the right",
     place=20,
     fields=(
@@ -41,13 +45,13 @@ KIND = EffectKind(
             "angle of the track",
             least=f"-{STEEPEST}",
             most=f"{STEEPEST}",
-            label="angle of the track",
+            label=said("angle of the track"),
         ),
     ),
     stores="place",
-    called="a slope",
-    switch="slope",
-    agent="the Earth",
+    called=said("a slope"),
+    switch=said("slope"),
+    agent=said("the Earth"),
     rule=_not_too_steep,
 )
 

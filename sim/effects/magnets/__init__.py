@@ -9,6 +9,7 @@ from sim.scene import quantity
 from sim.scene.effects import Effect, EffectKind
 from sim.scene.fields import Field
 from sim.scene.problem import Problem
+from sim.scene.said import said, template
 
 
 def _apart(effect: Effect, gap: Fraction | None) -> Iterator[Problem]:
@@ -18,13 +19,13 @@ def _apart(effect: Effect, gap: Fraction | None) -> Iterator[Problem]:
         yield Problem(
             ("effects", effect.index, "magnets", "between"),
             "overlap",
-            f"magnets need room between them, but {a} and {b} touch at the start",
-            "move them apart",
+            said("magnets need room between them, but {a} and {b} touch at the start", a=a, b=b),
+            said("move them apart"),
         )
 
 
 KIND = EffectKind(
-    name="magnets",
+    name=template("magnets"),
     says="repelling ends: F = C / r^n, r edge to edge",
     place=60,
     fields=(
@@ -35,7 +36,7 @@ KIND = EffectKind(
             "C, in N m^n",
             least="0",
             above=True,
-            label="strength of the magnets",
+            label=said("strength of the magnets"),
         ),
         Field(
             "power",
@@ -44,12 +45,12 @@ KIND = EffectKind(
             "n",
             least="1",
             most="12",
-            label="power of the distance",
+            label=said("power of the distance"),
         ),
     ),
     needs="between",
     walls=True,
     stores="gap",
-    called="magnets",
+    called=said("magnets"),
     room_rule=_apart,
 )

@@ -9,6 +9,7 @@ from sim.scene import quantity
 from sim.scene.effects import Effect, EffectKind
 from sim.scene.fields import Field
 from sim.scene.problem import Problem
+from sim.scene.said import said, template
 
 
 def _ends_after_it_begins(listed: Sequence[Effect]) -> Iterator[Problem]:
@@ -18,24 +19,30 @@ def _ends_after_it_begins(listed: Sequence[Effect]) -> Iterator[Problem]:
             yield Problem(
                 ("effects", effect.index, effect.kind, "until"),
                 "out-of-range",
-                f"the push ends at {ends:g} s, but begins at {begins:g} s",
-                f"for example until: {begins + 1.0:g} s",
+                said(
+                    "the push ends at {end}, but begins at {begin}",
+                    end=f"{ends:g} s",
+                    begin=f"{begins:g} s",
+                ),
+                said("for example {example}", example=f"until: {begins + 1.0:g} s"),
             )
 
 
 KIND = EffectKind(
-    name="push",
+    name=template("push"),
     says="a force on one cart for a time",
     place=40,
     fields=(
-        Field("force", quantity.FORCE, None, "+ pushes to the right", label="force of the push"),
+        Field(
+            "force", quantity.FORCE, None, "+ pushes to the right", label=said("force of the push")
+        ),
         Field(
             "from",
             quantity.TIME,
             "0",
             "the force begins",
             least="0",
-            label="begin of the push",
+            label=said("begin of the push"),
         ),
         Field(
             "until",
@@ -44,13 +51,13 @@ KIND = EffectKind(
             "the force ends; left out: at the end of the run",
             least="0",
             optional=True,
-            label="end of the push",
+            label=said("end of the push"),
         ),
     ),
     needs="cart",
-    by="hand",
+    by=said("hand"),
     gives=True,
-    called="pushes from outside",
-    switch="push",
+    called=said("pushes from outside"),
+    switch=said("push"),
     rule=_ends_after_it_begins,
 )

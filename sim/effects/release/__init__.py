@@ -5,9 +5,10 @@ from __future__ import annotations
 from sim.scene import quantity
 from sim.scene.effects import EffectKind
 from sim.scene.fields import Field
+from sim.scene.said import said, template
 
 KIND = EffectKind(
-    name="release",
+    name=template("release"),
     says="an exploder between two touching carts: exactly this energy, at one time",
     place=70,
     fields=(
@@ -18,7 +19,7 @@ KIND = EffectKind(
             "energy released",
             least="0",
             above=True,
-            label="energy of the exploder",
+            label=said("energy of the exploder"),
         ),
         Field(
             "at",
@@ -26,12 +27,12 @@ KIND = EffectKind(
             "0",
             "time of the release",
             least="0",
-            label="time of the release",
+            label=said("time of the release"),
         ),
     ),
     needs="between",
     overlap=True,
     gives=True,
-    called="a release between the carts",
-    switch="exploder",
+    called=said("a release between the carts"),
+    switch=said("exploder"),
 )

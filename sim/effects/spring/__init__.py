@@ -5,9 +5,10 @@ from __future__ import annotations
 from sim.scene import quantity
 from sim.scene.effects import EffectKind
 from sim.scene.fields import Field
+from sim.scene.said import said, template
 
 KIND = EffectKind(
-    name="spring",
+    name=template("spring"),
     says="a spring between two carts or to a wall, edge to edge",
     place=50,
     fields=(
@@ -18,7 +19,7 @@ KIND = EffectKind(
             "stiffness",
             least="0",
             above=True,
-            label="stiffness of the spring",
+            label=said("stiffness of the spring"),
         ),
         Field(
             "length",
@@ -26,7 +27,7 @@ KIND = EffectKind(
             None,
             "natural length, edge to edge",
             least="0",
-            label="natural length of the spring",
+            label=said("natural length of the spring"),
         ),
         Field(
             "damping",
@@ -34,12 +35,12 @@ KIND = EffectKind(
             "0",
             "force per relative speed",
             least="0",
-            label="damping of the spring",
+            label=said("damping of the spring"),
         ),
     ),
     needs="between",
     walls=True,
     stores="gap",
-    called="springs between the carts",
-    switch="spring",
+    called=said("springs between the carts"),
+    switch=said("spring"),
 )

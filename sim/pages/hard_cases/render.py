@@ -2,40 +2,29 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import yaml
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
 
+from sim.pages.drawing import draw
 from sim.pages.hard_cases import GROUPS
 from sim.pages.hard_cases.block import HardCasesBlock
 from sim.pages.hard_cases.measured import measured, request
 from sim.pages.hard_cases.row import HardCase
-from sim.pages.hard_cases.words import METHODS, exact_cell, expected_lines, stepped_cell
-from sim.pages.widget.numbers import short
-
-UNSAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
+from sim.pages.templates import element
 
 
 def render_hard_cases(block: HardCasesBlock) -> str:
     """HTML of the element."""
     known = measured()
     facts = {case.name: _facts(case) for _, cases in GROUPS for case in cases}
-    view = {
-        "id": block.id,
-        "title": block.title,
-        "methods": list(METHODS.values()),
-        "groups": [
-            (name, [_row(case, known[case.name]) for case in cases]) for name, cases in GROUPS
-        ],
-        "count": len(facts),
-        "baked": _script_json(facts),
-    }
-    return str(_templates().get_template("hard-cases.html.j2").render(view))
+    groups = [
+        {"name": name, "rows": [_row(case, known[case.name]) for case in cases]}
+        for name, cases in GROUPS
+    ]
+    inside = draw("hard", {"id": block.id, "title": block.title, "groups": groups})
+    return element("hard", block.id, inside, facts)
 
 
 def _facts(case: HardCase) -> dict[str, Any]:
@@ -51,16 +40,13 @@ def _plain_python(case: HardCase) -> bool:
 
 
 def _row(case: HardCase, known: Mapping[str, Any]) -> dict[str, Any]:
-    wanted = request(case)["expected"]
     step = known["stepped"][0]["step"]
     return {
         "name": case.name,
         "sentence": case.sentence,
         "why": case.why,
-        "expected": expected_lines(wanted),
-        "exact": exact_cell(wanted, known["exact"]),
-        "stepped": [(*stepped_cell(wanted, one), one["verdict"]) for one in known["stepped"]],
-        "step": short(step, 3),
+        "wanted": request(case)["expected"],
+        "known": known,
         "yaml": yaml_text(case.plain),
         "commands": [
             f"carts run {case.name}.yml",
@@ -92,19 +78,3 @@ class _Dumper(yaml.SafeDumper):
     def ignore_aliases(self, data: Any) -> bool:
         """Always."""
         return True
-
-
-def _script_json(value: Mapping[str, Any]) -> Markup:
-    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Markup(text.translate(UNSAFE))
-
-
-@cache
-def _templates() -> Environment:
-    return Environment(
-        loader=PackageLoader("sim.pages.hard_cases"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )

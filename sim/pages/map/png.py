@@ -6,24 +6,17 @@ import struct
 import zlib
 from base64 import b64encode
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
-
-from sim.pages.map.palette import Colour
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 EIGHT_BITS, BY_PALETTE = 8, 3
 
 
-def png(pixels: NDArray[np.uint8], palette: Sequence[Colour]) -> bytes:
-    """`pixels`: places in the palette, row after row from the top."""
-    rows, columns = pixels.shape
-    header = struct.pack(">IIBBBBB", columns, rows, EIGHT_BITS, BY_PALETTE, 0, 0, 0)
+def png(width: int, pixels: bytes, palette: Sequence[Sequence[int]]) -> bytes:
+    """`pixels`: places in the palette (red, green, blue), row after row from the top."""
+    rows = [pixels[k : k + width] for k in range(0, len(pixels), width)]
+    header = struct.pack(">IIBBBBB", width, len(rows), EIGHT_BITS, BY_PALETTE, 0, 0, 0)
     no_filter = b"\0"
-    packed = b"".join(no_filter + row.tobytes() for row in pixels)
+    packed = b"".join(no_filter + row for row in rows)
     colours = bytes(part for colour in palette for part in colour)
     return SIGNATURE + b"".join(
         (

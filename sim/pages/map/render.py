@@ -2,46 +2,49 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sim.pages.map import figure as drawing
 from sim.pages.map.bake import MapRun
-from sim.pages.map.palette import NONE, ZERO
-from sim.pages.map.scale import scale_for
-from sim.pages.templates import script_json, templates
-from sim.pages.widget.numbers import decimals_of, fixed, plain
+from sim.pages.templates import element
 from sim.scene.controls import Control
 from sim.scene.map import Map
 
-TABLE_COLUMNS, TABLE_ROWS = 6, 11
+FIRST_LETTER = ord("0")
+"""Of the colours of a picture, as the script that paints it tells them."""
 
 
-def render_map(described: Map, written: Mapping[str, Any], run: MapRun) -> str:
-    """HTML of the element; `written`: the block's values with its scene's, as the page asks."""
-    scale = scale_for(run.low, run.high)
-    here = [nearest(values, c.value) for values, c in zip(run.axes, described.over, strict=True)]
-    at = here[0] + (here[1] * len(run.axes[0]) if len(here) == 2 else 0)
-    made = drawing.figure(described, run, scale)
-    view = {
-        "id": described.id,
-        "of": described.of or "",
-        "title": described.title or sentence_case(described.show.label),
-        "label": described.show.label,
-        "unit": described.show.unit,
-        "value": drawing.value_text(run.values[at], run),
-        "figure": made,
-        "axes": [
-            _axis(control, values, place)
-            for control, values, place in zip(described.over, run.axes, here, strict=True)
-        ],
-        "controls": [_control(control) for control in described.controls],
-        "table": table(described, run),
-        "why": run.why,
-        "baked": script_json(_facts(described, written, run, here, run.values[at])),
-    }
-    return str(templates("sim.pages.map").get_template("map.html.j2").render(view))
+def render_map(
+    described: Map, written: Mapping[str, Any], run: MapRun, *, drawn: bool = True
+) -> str:
+    """HTML of the element; `written`: the block's values with its scene's, as the page asks.
+
+    Not `drawn`: the values stand beside the facts, for a page that draws them itself.
+    """
+    facts = _facts(described, written, run)
+    values = [_known(value) for value in run.values]
+    title = described.title or sentence_case(described.show.label)
+    told = {"id": described.id, "title": title, "values": values, "why": run.why}
+    if not drawn:
+        return element("map", described.id, "", {**facts, "draw": told})
+    from sim.pages.drawing import draw  # V8: only where a site is built
+
+    picture = _picture(run, values) if len(run.axes) == 2 else ""
+    inside = draw("map", {"facts": facts, "draw": told, "picture": picture})
+    return element("map", described.id, inside, facts)
+
+
+def _picture(run: MapRun, values: Sequence[float | None]) -> str:
+    """The bands of the map as an address that holds the picture itself."""
+    from sim.pages.drawing import draw
+    from sim.pages.map.png import data_url, png
+
+    grid = {"low": run.low, "high": run.high, "columns": len(run.axes[0]), "values": values}
+    made = json.loads(draw("map-picture", grid))
+    pixels = bytes(letter - FIRST_LETTER for letter in made["letters"].encode("latin-1"))
+    return data_url(png(made["width"], pixels, made["palette"]))
 
 
 def sentence_case(text: str) -> str:
@@ -54,79 +57,32 @@ def nearest(values: Sequence[float], value: float) -> int:
     return min(range(len(values)), key=lambda k: abs(values[k] - value))
 
 
-def table(described: Map, run: MapRun) -> dict[str, Any]:
-    """A part of the values, evenly spread, for readers who want numbers."""
-    across = described.over[0]
-    if len(run.axes) == 1:
-        rows = spread(len(run.axes[0]), 2 * TABLE_ROWS - 1)
-        return {
-            "head": [described.show.label],
-            "rows": [
-                (axis_text(across, run.axes[0], k), [drawing.value_text(run.values[k], run)])
-                for k in rows
-            ],
-        }
-    columns, rows = spread(len(run.axes[0]), TABLE_COLUMNS), spread(len(run.axes[1]), TABLE_ROWS)
-    wide = len(run.axes[0])
+def _known(value: float) -> float | None:
+    return None if math.isnan(value) else value
+
+
+def _facts(described: Map, written: Mapping[str, Any], run: MapRun) -> dict[str, Any]:
+    """What the page's script needs to know; `at`: the value at the point `here`."""
+    here = [nearest(values, c.value) for values, c in zip(run.axes, described.over, strict=True)]
+    at = here[0] + (here[1] * len(run.axes[0]) if len(here) == 2 else 0)
     return {
-        "head": [axis_text(across, run.axes[0], k) for k in columns],
-        "rows": [
-            (
-                axis_text(described.over[1], run.axes[1], row),
-                [drawing.value_text(run.values[row * wide + k], run) for k in columns],
-            )
-            for row in rows
+        "map": dict(written),
+        "of": described.of,
+        "packages": list(run.packages),
+        "label": described.show.label,
+        "unit": described.show.unit,
+        "low": run.low,
+        "high": run.high,
+        "axes": [
+            {**_range(control), "values": values}
+            for control, values in zip(described.over, run.axes, strict=True)
         ],
-    }
-
-
-def spread(count: int, most: int) -> list[int]:
-    """At most so many of the places 0 to count − 1, both ends among them; see `map-table.js`."""
-    wanted = min(most, count)
-    return [int(k * (count - 1) / (wanted - 1) + 0.5) for k in range(wanted)]
-
-
-def axis_text(control: Control, values: Sequence[float], place: int) -> str:
-    """A point of an axis in the axis's unit, with the decimals that its step needs."""
-    return fixed(control.shown(values[place]), axis_decimals(control, values))
-
-
-def axis_decimals(control: Control, values: Sequence[float]) -> int:
-    """Decimals that tell the points of an axis apart."""
-    shown = [control.shown(value) for value in values]
-    return max(decimals_of(shown[0]), decimals_of(shown[1] - shown[0], 3))
-
-
-def _axis(control: Control, values: Sequence[float], place: int) -> dict[str, Any]:
-    text = axis_text(control, values, place)
-    return {
-        "set": control.set,
-        "key": control.set.replace(".", "-"),
-        "label": control.label,
-        "unit": control.unit,
-        "last": len(values) - 1,
-        "place": place,
-        "text": text.replace("−", "-"),
-        "spoken": f"{text} {control.unit}".strip(),
-    }
-
-
-def _control(control: Control) -> dict[str, Any]:
-    low, high, step, value = map(
-        control.shown, (control.low, control.high, control.step, control.value)
-    )
-    text = fixed(value, max(decimals_of(step), decimals_of(low), decimals_of(value)))
-    return {
-        "set": control.set,
-        "key": control.set.replace(".", "-"),
-        "label": control.label,
-        "unit": control.unit,
-        "low": plain(low),
-        "high": plain(high),
-        "step": plain(step),
-        "value": plain(value),
-        "text": text.replace("−", "-"),
-        "spoken": f"{text} {control.unit}".strip(),
+        "here": here,
+        "at": _known(run.values[at]),
+        "controls": [
+            {**_range(c), "step": c.shown(c.step), "value": c.shown(c.value)}
+            for c in described.controls
+        ],
     }
 
 
@@ -139,50 +95,4 @@ def _range(control: Control) -> dict[str, Any]:
         "per": control.per,
         "low": control.shown(control.low),
         "high": control.shown(control.high),
-    }
-
-
-def _facts(
-    described: Map, written: Mapping[str, Any], run: MapRun, here: Sequence[int], at: float
-) -> dict[str, Any]:
-    """What the page's script needs to know; `at`: the value at the point `here`."""
-    scale = scale_for(run.low, run.high)
-    value = drawing.value_axis(run)
-    return {
-        "map": dict(written),
-        "of": described.of,
-        "packages": list(run.packages),
-        "label": described.show.label,
-        "unit": described.show.unit,
-        "decimals": drawing.most_decimals(run),
-        "axes": [
-            {
-                **_range(c),
-                "decimals": axis_decimals(c, values),
-                "values": values,
-            }
-            for c, values in zip(described.over, run.axes, strict=True)
-        ],
-        "here": list(here),
-        "at": None if math.isnan(at) else at,
-        "controls": [
-            {
-                **_range(c),
-                "step": c.shown(c.step),
-                "value": c.shown(c.value),
-            }
-            for c in described.controls
-        ],
-        "scale": {
-            "low": scale.low,
-            "step": scale.step,
-            "count": scale.count,
-            "colours": [list(colour) for colour in scale.colours],
-            "none": list(NONE),
-            "zero": scale.zero,
-            "line": list(ZERO),
-        },
-        "value": {"low": value.low, "high": value.high, "step": value.step},
-        "plot": [drawing.LEFT, drawing.TOP, drawing.RIGHT, drawing.BOTTOM],
-        "size": [drawing.WIDTH, drawing.HEIGHT_OF_CURVE if len(here) == 1 else drawing.HEIGHT],
     }

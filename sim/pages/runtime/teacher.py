@@ -23,13 +23,14 @@ LAYERS = (
 MODULES = (
     *("__init__", "bake", "effect_pages", "fence_scan", "findings", "lesson_text", "map_block"),
     "scene_block",
+    "yaml_loader",
     *("templates", "yaml_errors", "yaml_source"),
 )
 """Of `sim/pages`."""
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
     *("pages/question/published.py", "pages/question/key_page.py"),
-    *("pages/language/catalogues/", "pages/language/extract.py", "pages/language/from_python.py"),
+    *("pages/language/catalogues/", "pages/language/extract.py"),
 )
 BEGINS = (
     *("sim.pages.teach.answer", "sim.pages.widget", "sim.pages.question.render"),

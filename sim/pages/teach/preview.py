@@ -172,7 +172,9 @@ class Desk:
 
         def make() -> str | list[Problem]:
             run = bake_map(read.map, read.plain)
-            return run if isinstance(run, list) else render_map(read.map, read.plain, run)
+            return (
+                run if isinstance(run, list) else render_map(read.map, read.plain, run, drawn=False)
+            )
 
         made = self._remembered(f"map {block.body}\n{read.plain}", make)
         if isinstance(made, list):

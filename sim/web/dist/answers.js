@@ -42,8 +42,10 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
 
   // src/shared/dom.js
@@ -1531,10 +1533,13 @@
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
       const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
-      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+      return `${mantissa} × 10${superscript(power)}`;
     }
     return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function superscript(power) {
+    const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power < 0 ? `⁻${digits}` : digits;
   }
   function trim(text) {
     return text.includes(".") ? text.replace(/\.?0+$/, "") : text;

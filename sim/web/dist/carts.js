@@ -48,20 +48,23 @@
     const text = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
   }
-  function decimalsFor(scale, figures2 = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
+  function decimalsFor(scale, figures = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
   }
-  function short(value, figures2 = 3) {
+  function short(value, figures = 3) {
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
-      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      return `${mantissa} × 10${superscript(power)}`;
     }
-    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
   }
-  function decimalsOf(value, figures2 = 6) {
-    const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
+  function superscript(power) {
+    const digits = String(Math.abs(power)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
+    return power < 0 ? `⁻${digits}` : digits;
+  }
+  function decimalsOf(value, figures = 6) {
+    const text = Math.abs(value).toFixed(decimalsFor(value, figures));
     return trim(text).split(".")[1]?.length ?? 0;
   }
   function speedUnit(scale) {
@@ -74,6 +77,86 @@
     const factor = 10 ** decimals;
     const rounded = Math.floor(value * factor + 0.5) / factor;
     return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // ../view/cost/methods.js
+  var METHODS = {
+    exact: {
+      label: "exact, closed form",
+      mark: "M0-6L1.6-2 6-2 2.5 1 4 6 0 3-4 6-2.5 1-6-2-1.6-2Z",
+      colour: "#0072b2"
+    },
+    "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
+    "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
+    verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
+    "rk4-events": {
+      label: "RK4 + located touches",
+      mark: "M-5-1.5H-1.5V-5H1.5V-1.5H5V1.5H1.5V5H-1.5V1.5H-5Z",
+      colour: "#2779a7"
+    },
+    rk45: {
+      label: "adaptive RK45 + located touches",
+      mark: "M-5-3.5H5L0 0L5 3.5H-5L0 0Z",
+      colour: "#6b3f7d"
+    },
+    adaptive: {
+      label: "adaptive DOP853 + located touches",
+      mark: "M-5 0L-1.5-4H1.5L5 0 1.5 4H-1.5Z",
+      colour: "#555"
+    }
+  };
+
+  // ../view/cost/words.js
+  var [MANY, HUGE] = [1e3, 1e4];
+  var ENDLESS = "beyond all numbers";
+  function percent(part, whole) {
+    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
+  }
+  function plain(value, decimals) {
+    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
+  }
+  function told({ v: v2, energy, evaluations }) {
+    const speeds = Object.entries(v2.stepped).map(([name2, speed]) => {
+      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
+      return (
+        /** @type {[string, string, string]} */
+        [
+          `velocity of ${name2} at the end`,
+          got,
+          `${plain(Number(v2.exact[name2]), 4)} m/s`
+        ]
+      );
+    });
+    const { initial, stepped, exact, imbalance } = energy;
+    return [
+      ...speeds,
+      [
+        "energy at the end, of that at the start",
+        stepped === null ? ENDLESS : percent(stepped, initial),
+        percent(exact, initial)
+      ],
+      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+      ["times that all forces were computed", String(evaluations), "0"]
+    ];
+  }
+  function toleranceText(rtol) {
+    return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+  }
+  function cells(row, until) {
+    let size = "–";
+    if (row.rtol) size = toleranceText(row.rtol);
+    else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
+    const ratio = row.time_ratio;
+    return [
+      METHODS[row.method]?.label ?? row.method,
+      size,
+      String(row.evaluations),
+      ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
+      row.error_v === null ? "–" : short(row.error_v, 2),
+      row.energy_error === null ? "–" : short(row.energy_error, 2)
+    ];
   }
 
   // src/scene/slow.js
@@ -95,17 +178,17 @@
       const duration2 = end - start;
       const rate = rateFor(duration2);
       if (rate >= 1) continue;
-      const part2 = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
+      const part = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
       const last = parts2.at(-1);
-      if (last && part2.from <= last.to) {
-        last.to = Math.max(last.to, part2.to);
+      if (last && part.from <= last.to) {
+        last.to = Math.max(last.to, part.to);
         last.rate = Math.min(last.rate, rate);
-      } else parts2.push(part2);
+      } else parts2.push(part);
     }
     return parts2;
   }
   function slowAt(parts2, t3) {
-    return parts2.find((part2) => t3 >= part2.from && t3 < part2.to);
+    return parts2.find((part) => t3 >= part.from && t3 < part.to);
   }
   function advance(t3, seconds, speed, parts2, until) {
     let now = t3;
@@ -113,8 +196,8 @@
     while (left > 0 && now < until) {
       const inside = slowAt(parts2, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts2.find((part2) => part2.from > now)?.from ?? until;
-      const next = Math.min(edge, until);
+      const edge2 = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge2, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
       now = next;
@@ -216,9 +299,9 @@
         this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
         return;
       }
-      const shown2 = this.stills ? this.#waited : seconds;
+      const shown3 = this.stills ? this.#waited : seconds;
       this.#waited = 0;
-      let next = advance(before, shown2, this.speed, this.#parts, this.until);
+      let next = advance(before, shown3, this.speed, this.#parts, this.until);
       if (this.stills) next = this.stops.find((t3) => t3 > before + SAME && t3 < next) ?? next;
       const halt = this.halting ? this.halts.find((t3) => t3 > before + SAME && t3 <= next) : void 0;
       this.#move(halt ?? next);
@@ -271,14 +354,83 @@
     if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
   }
 
-  // src/cost/figure.js
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence2, values = {}) {
+    return filled(catalogue[sentence2] ?? sentence2, values);
+  }
+  function told2(sentence2) {
+    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
+    const values = Object.entries(sentence2.values).map(([name2, value]) => [name2, told2(value)]);
+    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
+  }
+
+  // src/shared/waiting.js
+  function frame() {
+    return new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  var MEASURES = 200;
+  function waited(name2, at2) {
+    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
+    performance.measure(name2, { start: at2, end: performance.now() });
+  }
+  async function drawn(scene, at2, detail) {
+    await frame();
+    waited("carts:update", at2);
+    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
+  }
+  function deferred() {
+    const made3 = {};
+    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
+    return made3;
+  }
+  function refusal(problems) {
+    const [first] = problems;
+    if (!first) return new Error(tr("This value does not work."));
+    const message = told2(first.message);
+    return new Error(first.hint ? `${message}: ${told2(first.hint)}` : message);
+  }
+
+  // ../view/markup.js
+  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+  var Markup = class {
+    /** @param {string} text */
+    constructor(text) {
+      this.text = text;
+    }
+    toString() {
+      return this.text;
+    }
+  };
+  function html2(strings, ...values) {
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
+  }
+  function asText(value) {
+    if (Array.isArray(value)) return value.map(asText).join("");
+    if (value instanceof Markup) return value.text;
+    if (value === false || value === null || value === void 0) return "";
+    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
+  }
+
+  // ../view/cost/figure.js
   var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
   var FLOOR = 1e-17;
   var [LOW_X, HIGH_X] = [0.5, 1e6];
   var HIGH_Y = 10;
   function xAt(ratio) {
-    const part2 = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
-    return LEFT + Math.min(1, part2) * (RIGHT - LEFT);
+    const part = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
+    return LEFT + Math.min(1, part) * (RIGHT - LEFT);
   }
   function yAt(error) {
     const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
@@ -287,26 +439,28 @@
   function errorOf(row) {
     return row.error_v ?? (row.method === "exact" ? 0 : null);
   }
+  function lineOf(rows, method) {
+    const points = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
+    return { line: points.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join(""), points };
+  }
+
+  // src/cost/figure.js
   var CostFigure = class {
     /** @param {HTMLElement} root */
     constructor(root) {
+      this.root = root;
       this.ring = need(root, ".carts-cost-ring");
-      this.groups = /* @__PURE__ */ new Map();
-      const marks3 = [...root.querySelectorAll(".carts-cost-key .carts-cost-point")];
-      for (const [k, group2] of [...root.querySelectorAll("[data-method]")].entries()) {
-        const mark2 = marks3[k]?.getAttribute("d") ?? "";
-        this.groups.set(group2.getAttribute("data-method") ?? "", { group: group2, mark: mark2 });
-      }
     }
     /** @param {CostRow[]} rows */
     show(rows) {
-      for (const [method, { group: group2, mark: mark2 }] of this.groups) {
-        const places = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
-        const line = places.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join("");
+      for (const group2 of this.root.querySelectorAll("[data-method]")) {
+        const method = group2.getAttribute("data-method") ?? "";
+        const { line, points } = lineOf(rows, method);
+        const d2 = METHODS[method]?.mark ?? "";
         group2.replaceChildren(
           svg("path", { class: "carts-cost-line", d: line }),
-          ...places.map(
-            ([x2, y2]) => svg("path", { class: "carts-cost-point", transform: `translate(${x2} ${y2})`, d: mark2 })
+          ...points.map(
+            ([x2, y2]) => svg("path", { class: "carts-cost-point", transform: `translate(${x2} ${y2})`, d: d2 })
           )
         );
       }
@@ -444,7 +598,7 @@
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
       const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
       const scale = axis(0, 100 * high, 4);
-      const y2 = (part2) => bottom - 100 * Math.min(part2, high) / scale.high * (bottom - top);
+      const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x2 = (t3) => left + t3 / until * (right - left);
       const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
       const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
@@ -478,10 +632,10 @@
       let k = times2.findLastIndex((t3) => t3 <= time);
       k = Math.min(Math.max(k, 0), Math.max(0, times2.length - 2));
       const [a2, b2] = [Number(times2[k]), Number(times2[k + 1])];
-      const part2 = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
+      const part = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
       const between2 = (xs) => {
         const here = Number(xs?.[k]);
-        const x3 = this.#place(here + part2 * (Number(xs?.[k + 1] ?? here) - here));
+        const x3 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
         return Number.isFinite(x3) ? Math.min(5e3, Math.max(-5e3, x3)) : 5e3;
       };
       for (const [cart, shape] of this.carts.entries()) {
@@ -497,52 +651,6 @@
   };
 
   // src/cost/table.js
-  var [MANY, HUGE] = [1e3, 1e4];
-  var ENDLESS = "beyond all numbers";
-  function percent(part2, whole) {
-    return `${plain(whole ? 100 * part2 / whole : 100, 1)} %`;
-  }
-  function plain(value, decimals) {
-    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
-  }
-  function told({ v: v2, energy, evaluations }) {
-    const speeds = Object.entries(v2.stepped).map(([name2, speed]) => {
-      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
-      return (
-        /** @type {[string, string, string]} */
-        [
-          `velocity of ${name2} at the end`,
-          got,
-          `${plain(Number(v2.exact[name2]), 4)} m/s`
-        ]
-      );
-    });
-    const { initial, stepped, exact, imbalance } = energy;
-    return [
-      ...speeds,
-      [
-        "energy at the end, of that at the start",
-        stepped === null ? ENDLESS : percent(stepped, initial),
-        percent(exact, initial)
-      ],
-      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
-      ["times that all forces were computed", String(evaluations), "0"]
-    ];
-  }
-  function cells(row, until, labels2) {
-    let size = "–";
-    if (row.rtol) size = `tolerance 1e${Math.round(Math.log10(row.rtol))}`;
-    else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
-    const ratio = row.time_ratio;
-    return [
-      labels2[row.method] ?? row.method,
-      size,
-      String(row.evaluations),
-      ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
-      row.error_v === null ? "–" : short(row.error_v, 2),
-      row.energy_error === null ? "–" : short(row.energy_error, 2)
-    ];
-  }
   function fill(table, lines2) {
     const body2 = lines2.map(([head = "", ...values]) => {
       const line = html("tr");
@@ -582,15 +690,15 @@
         this.#stage = new CostStage(this);
         this.#figure = new CostFigure(this);
         this.#player = new Player(() => this.#frame());
-        for (const part2 of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
-          need(this, `.carts-cost-${part2}`).disabled = false;
+        for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
+          need(this, `.carts-cost-${part}`).disabled = false;
         }
         this.rows = facts.rows;
         this.#show(facts.run);
         this.#mark();
         this.#select("scene").addEventListener("change", () => this.#newScene());
-        for (const part2 of ["method", "step", "rtol"]) {
-          this.#select(part2).addEventListener("change", () => void this.compute());
+        for (const part of ["method", "step", "rtol"]) {
+          this.#select(part).addEventListener("change", () => void this.compute());
         }
         need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
         const scrub = (
@@ -609,10 +717,10 @@
         this.stop();
       }
       /** @param {string} part @returns {HTMLSelectElement} */
-      #select(part2) {
+      #select(part) {
         return (
           /** @type {HTMLSelectElement} */
-          need(this, `.carts-cost-${part2}`)
+          need(this, `.carts-cost-${part}`)
         );
       }
       get #scene() {
@@ -640,7 +748,7 @@
             ...size
           }));
           if (generation !== this.#generation) return;
-          if (!header.ok) throw refusal(header);
+          if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();
           this.#note("");
           this.#show({ header: (
@@ -685,7 +793,7 @@
               row
             }));
             if (this.#measuring !== turn) return;
-            if (!header.ok) throw refusal(header);
+            if (!header.ok) throw refusal(header.problems ?? []);
             this.#live();
             const answer = (
               /** @type {any} */
@@ -739,7 +847,7 @@
         this.#figure?.show(rows);
         this.#mark();
         const until = Number(this.run?.header.until);
-        const lines2 = rows.map((row) => cells(row, until, this.#facts?.labels ?? {}));
+        const lines2 = rows.map((row) => cells(row, until));
         fill(need(this, ".carts-cost-table table"), lines2);
       }
       /** The ring stands where the chosen method and step were measured. */
@@ -794,83 +902,8 @@
       }
     };
   }
-  function refusal({ problems }) {
-    const first = problems?.[0];
-    if (!first) return new Error("This does not work.");
-    return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
-  }
 
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence2, values = {}) {
-    const said = catalogue[sentence2] ?? sentence2;
-    return said.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
-  }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a2, b2) => b2.own.length - a2.own.length || (a2.key < b2.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
-  }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key, pattern: form } of some) {
-      const found2 = form.exec(english);
-      if (!found2) continue;
-      const parts2 = Object.entries(found2.groups ?? {}).map(([name2, said]) => [name2, part(said)]);
-      return tr(key, Object.fromEntries(parts2));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key) {
-    const named = /* @__PURE__ */ new Set();
-    const parts2 = key.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named.has(piece)) return `\\k<${piece}>`;
-      named.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts2.join("")}$`, "su");
-  }
-
-  // src/shared/waiting.js
-  function frame() {
-    return new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  var MEASURES = 200;
-  function waited(name2, at2) {
-    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
-    performance.measure(name2, { start: at2, end: performance.now() });
-  }
-  async function drawn(scene, at2, detail) {
-    await frame();
-    waited("carts:update", at2);
-    scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
-  }
-  function deferred() {
-    const made3 = {};
-    made3.promise = new Promise((resolve, reject) => Object.assign(made3, { resolve, reject }));
-    return made3;
-  }
-  function refusal2(problems) {
-    const [first] = problems;
-    if (!first) return new Error(tr("This value does not work."));
-    const message = heard(first.message);
-    return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
-  }
-
-  // src/hard/words.js
+  // ../view/hard/words.js
   var VERDICTS = {
     right: "right",
     "blows-up": "blows up",
@@ -902,12 +935,12 @@
     const [kind = "", ...rest] = what.split(".");
     return { kind, name: rest.join(".") };
   }
-  function amount(what, value, figures2) {
+  function amount(what, value, figures) {
     const { kind } = parts(what);
     if (kind === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS[kind] ?? " J");
+    return short(value, figures) + (UNITS[kind] ?? " J");
   }
-  function cameOut(wanted, got, figures2) {
+  function cameOut(wanted, got, figures) {
     let worst = "";
     let [error, came] = [0, 0];
     for (const [k, [what, right]] of wanted.entries()) {
@@ -917,7 +950,7 @@
       if (!worst || distance > error) [worst, error, came] = [what, distance, value];
     }
     const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
-    return `${measure(worst)}: ${amount(worst, came, figures2)}, ${off}`;
+    return `${measure(worst)}: ${amount(worst, came, figures)}, ${off}`;
   }
   function exactCell(wanted, { got }) {
     return cameOut(wanted, got, 6);
@@ -977,7 +1010,7 @@
             if (this.#turn !== turn) return;
             const { header } = await client2.ask(this, () => ({ kind: "hard", ...asked(one) }));
             if (this.#turn !== turn) return;
-            if (!header.ok) throw refusal2(header.problems ?? []);
+            if (!header.ok) throw refusal(header.problems ?? []);
             this.#live();
             const answer = (
               /** @type {any} */
@@ -1070,6 +1103,23 @@
       if (copied) say(button, COPIED);
     });
     block.before(button);
+  }
+
+  // ../view/map/words.js
+  var SMALLER = 2;
+  var EXACT = 12;
+  function valueText(value, { low, high }) {
+    if (Number.isNaN(value)) return "no value";
+    const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
+    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
+  }
+  function shown(value, { per }) {
+    return Number((value / per).toPrecision(EXACT));
+  }
+  function axisDecimals2(axis2) {
+    const [first = 0, second = 0] = axis2.values.map((value) => shown(value, axis2));
+    return Math.max(decimalsOf(first), decimalsOf(second - first, 3));
   }
 
   // src/question/marking/notation.js
@@ -1301,16 +1351,16 @@
     const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
     const cut = wanted > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST2 * REFERENCE_HEIGHT);
-    const named = height >= NAMED;
+    const named2 = height >= NAMED;
     const mass = `${short(body2.mass)} kg`;
     return {
       x: -width * layout.scale / 2,
       width: width * layout.scale,
       height,
       cut,
-      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
-      label: named ? mass : `${body2.name}: ${mass}`,
-      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+      nameY: named2 ? -(height + FACE) / 2 + 4.5 : null,
+      label: named2 ? mass : `${body2.name}: ${mass}`,
+      labelY: named2 ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
   }
   function bodyWidth(body2) {
@@ -1507,7 +1557,7 @@
   }
   function agent(effect) {
     const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+    return view.agent?.(effect) ?? (effect.by ? told2(effect.by) : view.name);
   }
   function actsAt(effect, t3) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
@@ -1757,6 +1807,7 @@
       this.root = root;
       this.axis = axis2;
       this.values = axis2.values;
+      this.decimals = axisDecimals2(axis2);
       this.slider = /** @type {HTMLInputElement} */
       need(root, ".carts-slider");
       this.box = /** @type {HTMLInputElement} */
@@ -1788,7 +1839,7 @@
     }
     /** @param {number} place @returns {string} in the axis's unit */
     text(place3) {
-      return fixed(this.#shown(Number(this.values[place3])), this.axis.decimals);
+      return fixed(shown(Number(this.values[place3]), this.axis), this.decimals);
     }
     /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
     nearest(value, per = 1) {
@@ -1798,13 +1849,10 @@
       }
       return best;
     }
-    /** @param {number} value SI */
-    #shown(value) {
-      return Number((value / this.axis.per).toPrecision(12));
-    }
     /** @param {(place: number) => void} chosen */
     #typed(chosen) {
-      const { low, high, unit, label, per, decimals } = this.axis;
+      const { low, high, unit, label, per } = this.axis;
+      const { decimals } = this;
       const read = readTyped(this.box.value);
       if ("problem" in read) return this.#complain(read.problem);
       if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);
@@ -1824,18 +1872,105 @@
     }
   };
 
-  // src/map/paint.js
-  var STEP_SLACK2 = 1e-9;
-  var FINE = 400;
+  // ../view/map/palette.js
+  var NONE = [176, 176, 176];
+  var ZERO = [32, 32, 32];
   var EDGE2 = 0.72;
+  function sequential(count2) {
+    return Array.from({ length: count2 }, (_2, k) => {
+      const t3 = k / Math.max(1, count2 - 1);
+      return oklch(0.3 + 0.64 * t3, 0.09 + 0.05 * Math.sin(Math.PI * t3), 268 - 165 * t3);
+    });
+  }
+  function diverging(centres) {
+    const far = Math.max(...centres.map(Math.abs));
+    return centres.map((centre) => {
+      const size = Math.abs(centre / far);
+      return oklch(0.97 - 0.47 * size, 0.145 * size, centre < 0 ? 250 : 52);
+    });
+  }
+  function edge([red, green, blue]) {
+    return [Math.round(EDGE2 * red), Math.round(EDGE2 * green), Math.round(EDGE2 * blue)];
+  }
+  function oklch(lightness, chroma, hue) {
+    const angle = hue * Math.PI / 180;
+    const [a2, b2] = [chroma * Math.cos(angle), chroma * Math.sin(angle)];
+    const long = (lightness + 0.3963377774 * a2 + 0.2158037573 * b2) ** 3;
+    const middle = (lightness - 0.1055613458 * a2 - 0.0638541728 * b2) ** 3;
+    const short2 = (lightness - 0.0894841775 * a2 - 1.291485548 * b2) ** 3;
+    return [
+      channel(4.0767416621 * long - 3.3077115913 * middle + 0.2309699292 * short2),
+      channel(-1.2684380046 * long + 2.6097574011 * middle - 0.3413193965 * short2),
+      channel(-0.0041960863 * long - 0.7034186147 * middle + 1.707614701 * short2)
+    ];
+  }
+  function channel(linear) {
+    const light = Math.min(1, Math.max(0, linear));
+    const coded = light <= 31308e-7 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
+    return Math.round(255 * coded);
+  }
+
+  // ../view/map/bands.js
+  var BANDS = 12;
+  var FLAT = 1e-9;
+  function scaleFor(low, high) {
+    const largest = Math.max(Math.abs(low), Math.abs(high));
+    const flat = high - low <= FLAT * largest || largest === 0;
+    const step = flat ? largest ? niceAbove(largest) : 1 : niceAbove((high - low) / BANDS);
+    const first = Math.floor(low / step + STEP_SLACK);
+    const last = Math.max(first + 1, Math.ceil(high / step - STEP_SLACK));
+    const count2 = last - first;
+    const centres = Array.from({ length: count2 }, (_2, k) => (first + k + 0.5) * step);
+    const around = Number(centres[0]) < 0 && Number(centres.at(-1)) > 0;
+    return {
+      low: first * step,
+      step,
+      count: count2,
+      colours: around ? diverging(centres) : sequential(count2),
+      zero: Math.min(count2, Math.max(0, -first))
+    };
+  }
+
+  // ../view/map/figure.js
+  var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [58, 10, 388, 270];
+  var WIDTH2 = 400;
+  var [HEIGHT, HEIGHT_OF_CURVE] = [370, 312];
+  var TICKS = 5;
+  var heightOf = ({ axes }) => axes.length === 1 ? HEIGHT_OF_CURVE : HEIGHT;
+  var valueAxis = ({ low, high }) => axis(low, high, TICKS);
+  function across(value, { low, high }) {
+    return LEFT2 + (value - low) * ((RIGHT2 - LEFT2) / (high - low));
+  }
+  function up(value, { low, high }) {
+    return BOTTOM2 - (value - low) * ((BOTTOM2 - TOP2) / (high - low));
+  }
+  function curve(facts, points, values) {
+    const along = facts.axes[0];
+    if (!along) return "";
+    const [x2, y2] = [span(along.low, along.high, 1), valueAxis(facts)];
+    let path2 = "";
+    let pen = "M";
+    for (const [k, point] of points.entries()) {
+      const value = Number(values[k]);
+      if (Number.isNaN(value)) pen = "M";
+      else {
+        path2 += `${pen}${px(across(shown(point, along), x2))} ${px(up(value, y2))}`;
+        pen = "L";
+      }
+    }
+    return path2;
+  }
+
+  // ../view/map/pixels.js
+  var FINE = 400;
   function band(value, { low, step, count: count2 }) {
     if (Number.isNaN(value)) return count2;
-    const place3 = Math.floor((value - low) / step + STEP_SLACK2);
+    const place3 = Math.floor((value - low) / step + STEP_SLACK);
     return Math.min(count2 - 1, Math.max(0, place3));
   }
-  function mixed(a2, b2, part2) {
-    if (Number.isNaN(a2) || Number.isNaN(b2)) return part2 < 0.5 ? a2 : b2;
-    return a2 * (1 - part2) + b2 * part2;
+  function mixed(a2, b2, part) {
+    if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
+    return a2 * (1 - part) + b2 * part;
   }
   function between(values, lines2, count2, factor, next, line) {
     const fine = (count2 - 1) * factor + 1;
@@ -1844,8 +1979,8 @@
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
         const at2 = i2 * line + left * next;
-        const part2 = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at2]), Number(values[at2 + next]), part2);
+        const part = (k - left * factor) / factor;
+        found2[i2 * fine + k] = mixed(Number(values[at2]), Number(values[at2 + next]), part);
       }
     }
     return found2;
@@ -1883,6 +2018,11 @@
     }
     return places;
   }
+  function palette({ colours }) {
+    return [...colours, NONE, ...colours.map(edge), ZERO];
+  }
+
+  // src/map/paint.js
   function paint(canvas, { values, columns }, scale) {
     const { places, width, height } = pixels(values, columns, scale);
     if (canvas.width !== width) canvas.width = width;
@@ -1891,14 +2031,12 @@
     if (!context) return;
     const image = context.createImageData(width, height);
     const words = new Uint32Array(image.data.buffer);
-    const colours = palette(scale);
+    const colours = packed(scale);
     for (let at2 = 0; at2 < places.length; at2 += 1) words[at2] = Number(colours[Number(places[at2])]);
     context.putImageData(image, 0, 0);
   }
-  function palette({ colours, none, line }) {
-    const edges = colours.map((colour) => colour.map((part2) => Math.round(EDGE2 * part2)));
-    const all = [...colours, none, ...edges, line];
-    return Uint32Array.from(all, ([r2 = 0, g2 = 0, b2 = 0]) => 255 << 24 | b2 << 16 | g2 << 8 | r2);
+  function packed(scale) {
+    return Uint32Array.from(palette(scale), ([r2, g2, b2]) => 255 << 24 | b2 << 16 | g2 << 8 | r2);
   }
 
   // src/map/figure.js
@@ -1908,6 +2046,8 @@
     /** @param {HTMLElement} root @param {MapFacts} facts @param {(places: number[]) => void} point */
     constructor(root, facts, point) {
       this.facts = facts;
+      this.scale = scaleFor(facts.low, facts.high);
+      this.height = heightOf(facts);
       this.holder = need(root, ".carts-map-figure");
       this.over = need(root, ".carts-map-over");
       this.axes = facts.axes.map(({ values }) => values);
@@ -1924,21 +2064,23 @@
     /** @param {Grid} grid */
     show(grid) {
       this.axes = grid.axes;
-      if (grid.axes.length === 1) return this.#curve(grid);
+      if (grid.axes.length === 1) {
+        const path2 = curve(this.facts, grid.axes[0] ?? [], grid.values);
+        return put(need(this.over, '[data-part="curve"]'), "d", path2);
+      }
       this.#canvas ??= this.#laid();
-      paint(this.#canvas, grid, this.facts.scale);
+      paint(this.#canvas, grid, this.scale);
     }
     /** @param {number[]} places @param {number} value */
     mark(places, value) {
-      const [left, top, right, bottom] = this.facts.plot;
-      const x2 = this.#x(this.#fraction(0, places[0] ?? 0));
+      const x2 = this.#along(0, places[0] ?? 0, across);
       const flat = places.length === 1;
-      const y2 = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
-      const across = flat ? "" : `M${left} ${px(y2)}H${right}`;
-      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x2)} ${top}V${bottom}${across}`);
+      const y2 = flat ? up(value, valueAxis(this.facts)) : this.#along(1, places[1] ?? 0, up);
+      const across2 = flat ? "" : `M${LEFT2} ${px(y2)}H${RIGHT2}`;
+      put(need(this.over, '[data-part="lines"]'), "d", `M${px(x2)} ${TOP2}V${BOTTOM2}${across2}`);
       const point = need(this.over, '[data-part="point"]');
       put(point, "cx", px(x2));
-      put(point, "cy", px(Number.isNaN(y2) ? bottom : y2));
+      put(point, "cy", px(Number.isNaN(y2) ? BOTTOM2 : y2));
       put(point, "visibility", Number.isNaN(y2) ? "hidden" : "visible");
     }
     /** The canvas lies between the picture, which it hides, and the cross. */
@@ -1948,57 +2090,28 @@
         html("canvas", "carts-map-canvas")
       );
       canvas.setAttribute("aria-hidden", "true");
-      const [left, top, right, bottom] = this.facts.plot;
-      const [width, height] = this.facts.size;
-      canvas.style.left = `${100 * left / width}%`;
-      canvas.style.top = `${100 * top / height}%`;
-      canvas.style.width = `${100 * (right - left) / width}%`;
-      canvas.style.height = `${100 * (bottom - top) / height}%`;
+      canvas.style.left = `${100 * LEFT2 / WIDTH2}%`;
+      canvas.style.top = `${100 * TOP2 / this.height}%`;
+      canvas.style.width = `${100 * (RIGHT2 - LEFT2) / WIDTH2}%`;
+      canvas.style.height = `${100 * (BOTTOM2 - TOP2) / this.height}%`;
       this.over.before(canvas);
       return canvas;
     }
-    /** @param {Grid} grid */
-    #curve({ axes, values }) {
-      let path2 = "";
-      let pen = "M";
-      for (const [k, value] of values.entries()) {
-        if (Number.isNaN(value)) pen = "M";
-        else {
-          path2 += `${pen}${px(this.#x(this.#fraction(0, k, axes[0])))} ${px(this.#y(value))}`;
-          pen = "L";
-        }
-      }
-      put(need(this.over, '[data-part="curve"]'), "d", path2);
-    }
-    /** @param {number} k axis @param {number} place @returns {number} 0 to 1 along the axis */
-    #fraction(k, place3, values = this.axes[k] ?? [0]) {
-      const { per, low, high } = (
-        /** @type {import("./types.js").Axis} */
+    /** @param {number} k axis @param {number} place @param {typeof g.across} draw @returns {number} drawing coordinate */
+    #along(k, place3, draw) {
+      const along = (
+        /** @type {import("../../../view/map/types.js").Axis} */
         this.facts.axes[k]
       );
-      const axis2 = span(low, high, 1);
-      const shown2 = Number((Number(values[place3]) / per).toPrecision(12));
-      return (shown2 - axis2.low) / (axis2.high - axis2.low);
-    }
-    /** @param {number} fraction */
-    #x(fraction) {
-      const [left, , right] = this.facts.plot;
-      return left + fraction * (right - left);
-    }
-    /** @param {number} value */
-    #y(value) {
-      const [, top, , bottom] = this.facts.plot;
-      const { low, high } = this.facts.value;
-      return bottom - (value - low) * ((bottom - top) / (high - low));
+      const value = shown(Number(this.axes[k]?.[place3]), along);
+      return draw(value, span(along.low, along.high, 1));
     }
     /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
     #placesAt(event) {
       const box2 = this.over.getBoundingClientRect();
-      const [left, top, right, bottom] = this.facts.plot;
-      const [width, height] = this.facts.size;
-      const x2 = (event.clientX - box2.left) / box2.width * width;
-      const y2 = (event.clientY - box2.top) / box2.height * height;
-      const fractions = [(x2 - left) / (right - left), (bottom - y2) / (bottom - top)];
+      const x2 = (event.clientX - box2.left) / box2.width * WIDTH2;
+      const y2 = (event.clientY - box2.top) / box2.height * this.height;
+      const fractions = [(x2 - LEFT2) / (RIGHT2 - LEFT2), (BOTTOM2 - y2) / (BOTTOM2 - TOP2)];
       return this.axes.map(({ length }, k) => {
         const place3 = Math.round(Number(fractions[k]) * (length - 1));
         return Math.min(length - 1, Math.max(0, place3));
@@ -2006,33 +2119,26 @@
     }
   };
 
-  // src/map/figures.js
-  var SMALLER = 2;
-  function figures(value, most) {
-    const text = fixed(value, Math.min(decimalsFor(value || 1), most));
-    return /[1-9]/.test(text) ? text : fixed(0, most - SMALLER);
-  }
-
   // src/map/settings.js
   function showSettings(map, controls, settings) {
     for (const { set, per, step } of controls) {
       const value = settings[set];
       const root = map.querySelector(`.carts-control[data-set="${CSS.escape(set)}"]`);
       if (typeof value !== "number" || !root) continue;
-      const shown2 = Number((value / per).toPrecision(12));
+      const shown3 = Number((value / per).toPrecision(12));
       const box2 = (
         /** @type {HTMLInputElement} */
         need(root, ".carts-number-box")
       );
-      need(root, ".carts-slider").valueAsNumber = shown2;
+      need(root, ".carts-slider").valueAsNumber = shown3;
       if (box2 !== document.activeElement) {
-        const decimals = Math.max(decimalsOf(shown2), decimalsOf(step));
-        box2.value = fixed(shown2, decimals).replace("−", "-");
+        const decimals = Math.max(decimalsOf(shown3), decimalsOf(step));
+        box2.value = fixed(shown3, decimals).replace("−", "-");
       }
     }
   }
 
-  // src/map/table.js
+  // ../view/map/table.js
   var COLUMNS = 6;
   var ROWS = 11;
   function spread(count2, most) {
@@ -2042,23 +2148,34 @@
       (_2, k) => Math.floor(k * (count2 - 1) / (wanted - 1) + 0.5)
     );
   }
-  function fillTable(table, grid, axisText, valueText) {
-    const flat = grid.axes.length === 1;
-    const columns = flat ? [0] : spread(grid.columns, COLUMNS);
-    const rows = flat ? spread(grid.columns, 2 * ROWS - 1) : spread(grid.rows, ROWS);
-    if (!flat) {
-      const head = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
-      for (const [k, cell] of head.entries()) cell.textContent = axisText(0, Number(columns[k]));
+  function tableOf(columns, rows, axisText, valueText2) {
+    if (rows === 1) {
+      const lines3 = spread(columns, 2 * ROWS - 1).map((k) => [axisText(0, k), valueText2(k)]);
+      return { head: [], lines: lines3 };
     }
-    const body2 = rows.map((row) => {
+    const across2 = spread(columns, COLUMNS);
+    const lines2 = spread(rows, ROWS).map((row) => [
+      axisText(1, row),
+      ...across2.map((k) => valueText2(row * columns + k))
+    ]);
+    return { head: across2.map((k) => axisText(0, k)), lines: lines2 };
+  }
+
+  // src/map/table.js
+  function fillTable(table, grid, axisText, valueText2) {
+    const { head, lines: lines2 } = tableOf(
+      grid.columns,
+      grid.rows,
+      axisText,
+      (place3) => valueText2(Number(grid.values[place3]))
+    );
+    const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
+    for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
+    const body2 = lines2.map(([name2 = "", ...cells2]) => {
       const line = html("tr");
-      const head = html("th", "", axisText(flat ? 0 : 1, row));
-      head.setAttribute("scope", "row");
-      const at2 = (column) => flat ? row : row * grid.columns + column;
-      line.append(
-        head,
-        ...columns.map((column) => html("td", "", valueText(Number(grid.values[at2(column)]))))
-      );
+      const first = html("th", "", name2);
+      first.setAttribute("scope", "row");
+      line.append(first, ...cells2.map((cell) => html("td", "", cell)));
       return line;
     });
     table.querySelector("tbody")?.replaceChildren(...body2);
@@ -2086,7 +2203,12 @@
       #opening = null;
       /** @type {Promise<void>} */
       #filling = Promise.resolve();
+      #leaving = new AbortController();
+      // ends what the element hears of the page
       connectedCallback() {
+        this.#leaving = new AbortController();
+        const { signal } = this.#leaving;
+        addEventListener("beforeprint", () => this.#fillTable(), { signal });
         if (this.#facts) return;
         const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
         this.#facts = facts;
@@ -2098,7 +2220,7 @@
         );
         this.#axes = [...roots].map((root, k) => {
           const axis2 = (
-            /** @type {import("./types.js").Axis} */
+            /** @type {import("../../../view/map/types.js").Axis} */
             facts.axes[k]
           );
           return new AxisControl(root, axis2, (place3) => this.#chooseOn(k, place3));
@@ -2109,11 +2231,13 @@
           });
         });
         this.#figure.mark(facts.here, facts.at ?? Number.NaN);
-        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = false;
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
         need(this, ".carts-map-open").addEventListener("click", () => void this.open());
         this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
-        addEventListener("beforeprint", () => this.#fillTable());
         need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
+      }
+      disconnectedCallback() {
+        this.#leaving.abort();
       }
       /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
       get grid() {
@@ -2162,7 +2286,7 @@
           this.dataset.state = "live";
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
           const focused = button === document.activeElement;
-          for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
+          for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
           for (const control of this.#axes) control.enable(true);
           this.#controls?.enable(true);
           const run = this.querySelector(".carts-map-run");
@@ -2180,7 +2304,7 @@
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
-        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
       }
       /** @param {string} message */
       #tell(message) {
@@ -2197,7 +2321,7 @@
         const generation = this.#generation;
         const first = await this.#ask(settings, 0);
         if (generation !== this.#generation) return;
-        if (!first.header.ok) throw refusal2(first.header.problems ?? []);
+        if (!first.header.ok) throw refusal(first.header.problems ?? []);
         this.#settings = settings;
         showSettings(this, this.#facts?.controls ?? [], settings);
         const { axes, rows, columns, why, runs } = first.header;
@@ -2270,7 +2394,12 @@
         if (!this.#grid) return;
         this.#places = places;
         const value = this.#valueAt(places);
-        const text = this.#valueText(value, true);
+        const facts = (
+          /** @type {MapFacts} */
+          this.#facts
+        );
+        const told3 = valueText(value, facts);
+        const text = Number.isNaN(value) ? told3 : `${told3} ${facts.unit}`;
         for (const [k, control] of this.#axes.entries()) {
           control.show(this.#grid.axes[k] ?? [], Number(places[k]));
           control.speak(Number(places[k]), text);
@@ -2282,20 +2411,18 @@
       #valueAt([column = 0, row = 0]) {
         return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
       }
-      /** @param {number} value @param {boolean} unit */
-      #valueText(value, unit = false) {
-        if (Number.isNaN(value)) return "no value";
-        const text = figures(value, this.#facts?.decimals ?? 3);
-        return unit ? `${text} ${this.#facts?.unit}` : text;
-      }
       #fillTable() {
         if (!this.#grid) return;
         const axisText = (k, place3) => this.#axes[k]?.text(place3) ?? "";
+        const facts = (
+          /** @type {MapFacts} */
+          this.#facts
+        );
         fillTable(
           need(this, ".carts-map-table table"),
           this.#grid,
           axisText,
-          (value) => this.#valueText(value)
+          (value) => valueText(value, facts)
         );
       }
       /** The scene that the map is of runs with the chosen point. */
@@ -2619,16 +2746,16 @@
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name2, number, part2) {
+  async function loadPart(base, name2, number, part) {
     const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(new URL(part2.src, base).href, name2);
+    if (!inside) await runScript(new URL(part.src, base).href, name2);
     const key = `${name2}.${number}`;
     const text = page.__cartsParts?.[key];
-    if (text === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name2);
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name2);
     if (!inside) delete page.__cartsParts[key];
-    const bytes = decode(text, part2.src, name2);
-    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part2.src, name2);
+    const bytes = decode(text, part.src, name2);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name2);
     }
     return bytes;
   }
@@ -2648,7 +2775,7 @@
   async function gunzip(parts2) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts2.map((part2) => writer.write(part2)), writer.close()]);
+    const written = Promise.all([...parts2.map((part) => writer.write(part)), writer.close()]);
     const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
     return bytes;
   }
@@ -2676,7 +2803,7 @@
     return module;
   }
   async function write(writer, parts2) {
-    for (const part2 of parts2) await writer.write(await part2);
+    for (const part of parts2) await writer.write(await part);
     await writer.close();
   }
 
@@ -2706,7 +2833,7 @@
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part2) => sum + part2.size, 0);
+      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part) => sum + part.size, 0);
     }
     /** The files to load, the most urgent first. */
     files() {
@@ -2751,10 +2878,10 @@
      * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
      */
     load(name2, reject) {
-      return this.index.files[name2].parts.map(async (part2, number) => {
+      return this.index.files[name2].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name2, number, part2);
-          this.done += part2.size;
+          const bytes = await loadPart(this.folder, name2, number, part);
+          this.done += part.size;
           this.progress(name2);
           return bytes;
         } catch (error) {
@@ -2827,8 +2954,8 @@
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
     async send(name2, parts2) {
-      for (const [number, part2] of parts2.entries()) {
-        const bytes = await part2;
+      for (const [number, part] of parts2.entries()) {
+        const bytes = await part;
         if (this.over) return;
         const last = number === parts2.length - 1;
         this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);
@@ -3611,28 +3738,28 @@
       const { name: name2, mass } = body2;
       const [x2, v2, a2] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
       const seen = Float64Array.from(v2, (speed) => speed - camera);
-      const curve = { label: name2, style: styleOf(i2), over: false };
+      const curve2 = { label: name2, style: styleOf(i2), over: false };
       switch (quantity) {
         case "x": {
           const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times2[k]));
-          return { ...curve, values, slopes: seen };
+          return { ...curve2, values, slopes: seen };
         }
         case "v":
           return {
-            ...curve,
+            ...curve2,
             values: seen.map((speed) => speed / per),
             slopes: Float64Array.from(a2, (rate) => rate / per)
           };
         case "a":
-          return { ...curve, values: a2, slopes: null };
+          return { ...curve2, values: a2, slopes: null };
         case "p":
           return {
-            ...curve,
+            ...curve2,
             values: seen.map((speed) => mass * speed),
             slopes: Float64Array.from(a2, (value) => mass * value)
           };
         default:
-          return { ...curve, values: seen.map((s3) => mass * s3 * s3 / 2), slopes: null };
+          return { ...curve2, values: seen.map((s3) => mass * s3 * s3 / 2), slopes: null };
       }
     });
     if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
@@ -3723,9 +3850,9 @@
       if (values.length === times2.length) return values;
       return Float64Array.from(times2, (t3) => valueAt(parts2.t, values, null, Number(t3)));
     };
-    const bands = moving.map((curve) => ({
-      ...curve,
-      label: tr("motion of {cart}", { cart: curve.label })
+    const bands = moving.map((curve2) => ({
+      ...curve2,
+      label: tr("motion of {cart}", { cart: curve2.label })
     }));
     for (const name2 of parts2.names.filter((one) => one !== WARMED)) {
       const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name2).stored ?? "", "stored"];
@@ -4006,9 +4133,9 @@
   }
 
   // src/predict/curve.js
-  var LEFT2 = 40;
+  var LEFT3 = 40;
   var STEP2 = 77.5;
-  var BOTTOM2 = 130;
+  var BOTTOM3 = 130;
   var PER_HEIGHT = 12;
   var HIGHEST = 10;
   var FINE2 = 48;
@@ -4075,8 +4202,8 @@
       });
       const top = Math.max(...forces2) || 1;
       const points = forces2.map((force, k) => {
-        const x2 = LEFT2 + 4 * STEP2 * k / FINE2;
-        return `${px(x2)} ${px(BOTTOM2 - HIGHEST * PER_HEIGHT * force / top)}`;
+        const x2 = LEFT3 + 4 * STEP2 * k / FINE2;
+        return `${px(x2)} ${px(BOTTOM3 - HIGHEST * PER_HEIGHT * force / top)}`;
       });
       put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
       const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
@@ -4107,8 +4234,8 @@
     #point(event) {
       const frame2 = this.pad.getBoundingClientRect();
       const scale = 360 / frame2.width;
-      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT2) / STEP2);
-      const height = (BOTTOM2 - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
+      const k = Math.round(((event.clientX - frame2.left) * scale - LEFT3) / STEP2);
+      const height = (BOTTOM3 - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
     /** @param {number} k @param {number} height */
@@ -4119,12 +4246,12 @@
     }
     #draw() {
       const points = this.#heights.map((height, k) => {
-        const y2 = px(BOTTOM2 - PER_HEIGHT * (height ?? 0));
+        const y2 = px(BOTTOM3 - PER_HEIGHT * (height ?? 0));
         const knob = this.pad.querySelector(`[data-index="${k}"]`);
         if (knob) put(knob, "cy", y2);
         const box2 = this.boxes[k];
         if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
-        return `${px(LEFT2 + STEP2 * k)} ${y2}`;
+        return `${px(LEFT3 + STEP2 * k)} ${y2}`;
       });
       put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
     }
@@ -4267,13 +4394,13 @@
         locked: null
       };
       const changed = () => void this.#changed();
-      const forms2 = {
+      const forms = {
         arrows: () => new ArrowsForm(root, baked, draw, changed),
         curve: () => new CurveForm(root, spec, changed),
         choice: () => new ChoiceForm(root, changed),
         text: () => new WordsForm(root, changed)
       };
-      this.form = forms2[spec.kind]();
+      this.form = forms[spec.kind]();
       this.button.addEventListener("click", () => void this.#lock());
       this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
       this.why = new Why(root, (text) => {
@@ -4338,7 +4465,7 @@
       const parts2 = this.root.querySelectorAll(
         ".carts-compared > [aria-label], .carts-compared p, .carts-compared li"
       );
-      const texts = [...parts2].map((part2) => part2.getAttribute("aria-label") ?? part2.textContent);
+      const texts = [...parts2].map((part) => part.getAttribute("aria-label") ?? part.textContent);
       return `${tr("Your prediction.")} ${texts.join(" ")}`;
     }
     /** @param {string} message for the reader; empty: none */
@@ -4419,139 +4546,6 @@
     }
   };
 
-  // ../view/words.js
-  var QUANTITIES = {
-    x: [tr("Position"), "x", "m"],
-    v: [tr("Velocity"), "v", "m/s"],
-    a: [tr("Acceleration"), "a", "m/s²"],
-    F: [tr("Contact force"), "F", "N"],
-    p: [tr("Momentum"), "p", "kg m/s"],
-    energy: [tr("Kinetic energy"), "E", "J"]
-  };
-  var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
-  );
-  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
-  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
-  function motion(velocity2, decimals, scale) {
-    if (isRest(velocity2, scale)) return tr("at rest");
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
-  }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
-  }
-  function isRest(velocity2, scale) {
-    return Math.abs(velocity2) < NOISE * scale;
-  }
-  function eventSentence(event, telling, laws) {
-    const { decimals, scale, camera, forces: forces2 } = telling;
-    const names = event.bodies;
-    const pair = capital(listed(names.map(body)));
-    const impulse = event.impulse ?? 0;
-    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after = speeds.length ? `${speeds.join(". ")}.` : "";
-    const size = `${short(impulse)} N s`;
-    const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
-    switch (event.kind) {
-      case "contact": {
-        if (impulse && laws[names.join("-")] === "velcro") {
-          return told3(tr("{pair} hit and stay together.", { pair }), shown2, after);
-        }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
-        if (impulse) {
-          return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after);
-        }
-        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
-      }
-      case "peak":
-        if (forces2 && event.force) {
-          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
-        }
-        return tr("{pair}: bumpers squeezed the most.", { pair });
-      case "separate": {
-        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after);
-        const ended2 = { pair: listed(names.map(body)) };
-        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
-        if (rest) {
-          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
-          return told3(stay2, shown2, after);
-        }
-        return told3(pushEnded(event, telling, ended2.pair), shown2);
-      }
-      case "stick":
-        return told3(tr("{pair} stay together.", { pair }), after);
-      case "stop":
-        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
-      case "start":
-        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
-      case "release":
-        return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after);
-      case "end":
-        return tr("End of the run.");
-      default:
-        return `${event.kind}: ${pair}.`;
-    }
-  }
-  function joined({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
-    return isRest(Number(left) - Number(right), scale);
-  }
-  function hitAndGoOn(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
-  }
-  function pushEnded(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
-      pair,
-      velocity: how
-    });
-  }
-  function together({ bodies, after }, { decimals, scale, camera }) {
-    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
-    const seen = Number(after[cart]) - camera;
-    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
-  }
-  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
-  }
-  function graphNote(quantity, events, curves) {
-    const struck = events.some((event) => event.kind === "contact" && event.impulse);
-    if (struck && quantity === "F") return IMPULSE_ONLY;
-    if (struck && quantity === "a") return JUMP_ONLY;
-    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
-  }
-  function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
-    const open2 = header.plan.length > 0;
-    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
-    if (leftOut.length) {
-      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
-    }
-    return sentences;
-  }
-  function told2(why) {
-    return why.split("; ").map(heard).join("; ");
-  }
-  function lower(name2) {
-    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
-  }
-  function capital(text) {
-    return text.slice(0, 1).toUpperCase() + text.slice(1);
-  }
-  function sentence(text) {
-    const capitalised = capital(text);
-    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
-  }
-
   // src/scene/how/words.js
   var LOCKED = tr(
     "Make your prediction and lock it first. Then you can see how the run is computed."
@@ -4566,9 +4560,9 @@
   var METHOD = tr("method");
   var STEP3 = tr("step");
   var TOLERANCE = tr("tolerance");
-  var EXACT = tr("exact (as always)");
+  var EXACT2 = tr("exact (as always)");
   var FAILED = tr("The exact run is shown.");
-  var METHODS = {
+  var METHODS2 = {
     euler: "Euler",
     "semi-implicit": tr("semi-implicit Euler"),
     verlet: tr("velocity Verlet"),
@@ -4630,7 +4624,7 @@
   }
   function signWords(how) {
     return tr("Step by step: {method}, {size}. Not exact. Dashed: exact.", {
-      method: String(METHODS[how.method]),
+      method: String(METHODS2[how.method]),
       size: sizeWords(how)
     });
   }
@@ -4658,13 +4652,13 @@
   function made({ made: joules, initial }) {
     if (joules === null) return BEYOND;
     if (!initial) return `${short(joules, 2)} J`;
-    const part2 = joules / initial;
+    const part = joules / initial;
     const size = {
       energy: `${short(joules, 2)} J`,
-      part: short(part2, 2),
-      percent: short(100 * part2, 2)
+      part: short(part, 2),
+      percent: short(100 * part, 2)
     };
-    return Math.abs(part2) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
+    return Math.abs(part) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
   }
   function ratioWords({ stepped, exact }) {
     const ratio = stepped / exact;
@@ -4676,7 +4670,7 @@
   }
 
   // src/scene/how/panel.js
-  var EXACT2 = "exact";
+  var EXACT3 = "exact";
   var PARTS = [19, 37, 61, 103, 211, 499, 997, 1999, 4999];
   var OPENS_AT = 3;
   var TOLERANCES = [1e-3, 1e-6, 1e-9, 1e-12];
@@ -4694,8 +4688,8 @@
       this.cost = html("p", "carts-how-cost");
       this.method = document.createElement("select");
       this.method.className = "carts-how-method";
-      this.method.append(option(EXACT2, EXACT));
-      for (const [name2, label] of Object.entries(METHODS)) {
+      this.method.append(option(EXACT3, EXACT2));
+      for (const [name2, label] of Object.entries(METHODS2)) {
         if (scipy || !ADAPTIVE2.includes(name2)) this.method.append(option(name2, label));
       }
       this.slider = document.createElement("input");
@@ -4739,12 +4733,12 @@
     /** @returns {Choice | null} null: exact */
     get choice() {
       const method = this.method.value;
-      if (method === EXACT2) return null;
+      if (method === EXACT3) return null;
       const place3 = this.slider.valueAsNumber;
       return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place3] ?? 1e-9 } : { method, parts: PARTS[place3] ?? 103 };
     }
     reset() {
-      this.method.value = EXACT2;
+      this.method.value = EXACT3;
       this.#range();
       this.tell([]);
       say(this.note, "");
@@ -4782,7 +4776,7 @@
         this.slider.value = String(adaptive ? 1 : OPENS_AT);
       }
       say(this.kind, kind);
-      this.stepRow.hidden = this.method.value === EXACT2;
+      this.stepRow.hidden = this.method.value === EXACT3;
       this.#size();
     }
     #size() {
@@ -4905,7 +4899,7 @@
           () => this.message({ ...panel.choice })
         );
         if (turn !== this.#turn) return;
-        if (!header.ok) throw refusal2(header.problems ?? []);
+        if (!header.ok) throw refusal(header.problems ?? []);
         const how = (
           /** @type {any} */
           header.how
@@ -4982,15 +4976,15 @@
     });
   }
   document.addEventListener("fullscreenchange", () => {
-    if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
+    if (!document.fullscreenElement) for (const scene of shown2()) mark(scene, false);
   });
-  var shown = () => (
+  var shown2 = () => (
     /** @type {NodeListOf<Scene>} */
     document.querySelectorAll(".carts-projector")
   );
   var isOn = (scene) => scene.classList.contains("carts-projector");
   async function project(scene, on) {
-    for (const other of shown()) if (other !== scene) mark(other, false);
+    for (const other of shown2()) if (other !== scene) mark(other, false);
     mark(scene, on);
     if (!on) {
       if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
@@ -5003,7 +4997,7 @@
   }
   function mark(scene, on) {
     scene.classList.toggle("carts-projector", on);
-    document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
+    document.documentElement.classList.toggle("carts-projecting", shown2().length > 0);
     scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
   }
   function count(scene, option2) {
@@ -5018,8 +5012,8 @@
     );
     const bar2 = document.createElement("meter");
     bar2.setAttribute("aria-hidden", "true");
-    const part2 = html("span");
-    line.append(box2, bar2, part2);
+    const part = html("span");
+    line.append(box2, bar2, part);
     option2.after(line);
     box2.addEventListener("input", () => {
       const boxes = (
@@ -5088,15 +5082,15 @@
     "y",
     "height"
   ];
-  var WIDTH2 = 720;
+  var WIDTH3 = 720;
   var GAP = 12;
   var LINE2 = 20;
   var PIXELS = 2;
   function picture(scene) {
     const paper = getComputedStyle(scene).getPropertyValue("--carts-paper") || "#fff";
     const ink = getComputedStyle(scene).color;
-    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH2 });
-    const sheet = svg("rect", { width: WIDTH2, fill: paper });
+    const whole = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width: WIDTH3 });
+    const sheet = svg("rect", { width: WIDTH3, fill: paper });
     whole.append(sheet);
     let y2 = GAP;
     const write4 = (text, x2, at2, weight) => {
@@ -5116,13 +5110,13 @@
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
       const drawn2 = alone2(stage);
-      const height = place2(drawn2, 0, y2, WIDTH2);
+      const height = place2(drawn2, 0, y2, WIDTH3);
       const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
-      whole.append(svg("rect", { y: y2, width: WIDTH2, height, fill: sky }), drawn2);
+      whole.append(svg("rect", { y: y2, width: WIDTH3, height, fill: sky }), drawn2);
       y2 += height + GAP;
     }
     const graphs = [...scene.querySelectorAll(".carts-graph")];
-    const half = WIDTH2 / 2;
+    const half = WIDTH3 / 2;
     for (let k = 0; k < graphs.length; k += 2) {
       let tallest = 0;
       graphs.slice(k, k + 2).forEach((graph2, column) => {
@@ -5148,8 +5142,8 @@
       });
       y2 += tallest + GAP;
     }
-    for (const part2 of [whole, sheet]) part2.setAttribute("height", String(Math.ceil(y2)));
-    whole.setAttribute("viewBox", `0 0 ${WIDTH2} ${Math.ceil(y2)}`);
+    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y2)));
+    whole.setAttribute("viewBox", `0 0 ${WIDTH3} ${Math.ceil(y2)}`);
     return new XMLSerializer().serializeToString(whole);
   }
   function alone2(original) {
@@ -5161,18 +5155,18 @@
       [original, ...original.querySelectorAll("*")],
       [copy, ...copy.querySelectorAll("*")]
     ];
-    from.forEach((part2, i2) => {
-      const style = getComputedStyle(part2);
+    from.forEach((part, i2) => {
+      const style = getComputedStyle(part);
       const made3 = (
         /** @type {Element} */
         to[i2]
       );
-      if (style.display === "none" && part2.closest("defs") === null)
+      if (style.display === "none" && part.closest("defs") === null)
         made3.setAttribute("display", "none");
       for (const property of PROPERTIES) {
         const value = style.getPropertyValue(property);
         const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part2.tagName !== "rect" || made3.hasAttribute(property))) continue;
+        if (geometry && (part.tagName !== "rect" || made3.hasAttribute(property))) continue;
         if (value && value !== "auto") made3.setAttribute(property, value.replaceAll('"', "'"));
       }
       made3.removeAttribute("class");
@@ -5201,6 +5195,136 @@
         "image/png"
       );
     });
+  }
+
+  // ../view/words.js
+  var QUANTITIES = {
+    x: [tr("Position"), "x", "m"],
+    v: [tr("Velocity"), "v", "m/s"],
+    a: [tr("Acceleration"), "a", "m/s²"],
+    F: [tr("Contact force"), "F", "N"],
+    p: [tr("Momentum"), "p", "kg m/s"],
+    energy: [tr("Kinetic energy"), "E", "J"]
+  };
+  var BOTH_FORCES = tr(
+    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+  );
+  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
+  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
+  function motion(velocity2, decimals, scale) {
+    if (isRest(velocity2, scale)) return tr("at rest");
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
+  }
+  function lawsOf(contacts) {
+    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  }
+  function isRest(velocity2, scale) {
+    return Math.abs(velocity2) < NOISE * scale;
+  }
+  function eventSentence(event, telling, laws) {
+    const { decimals, scale, camera, forces: forces2 } = telling;
+    const names = event.bodies;
+    const pair = capital(listed(names.map(body)));
+    const impulse = event.impulse ?? 0;
+    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const after = speeds.length ? `${speeds.join(". ")}.` : "";
+    const size = `${short(impulse)} N s`;
+    const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
+    switch (event.kind) {
+      case "contact": {
+        if (impulse && laws[names.join("-")] === "velcro") {
+          return told3(tr("{pair} hit and stay together.", { pair }), shown3, after);
+        }
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown3);
+        if (impulse) {
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
+        }
+        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
+        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
+      }
+      case "peak":
+        if (forces2 && event.force) {
+          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
+          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+        }
+        return tr("{pair}: bumpers squeezed the most.", { pair });
+      case "separate": {
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
+        const ended2 = { pair: listed(names.map(body)) };
+        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+        if (rest) {
+          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
+          return told3(stay2, shown3, after);
+        }
+        return told3(pushEnded(event, telling, ended2.pair), shown3);
+      }
+      case "stick":
+        return told3(tr("{pair} stay together.", { pair }), after);
+      case "stop":
+        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
+      case "start":
+        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
+      case "release":
+        return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+      case "end":
+        return tr("End of the run.");
+      default:
+        return `${event.kind}: ${pair}.`;
+    }
+  }
+  function joined({ bodies, after }, scale) {
+    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
+    return isRest(Number(left) - Number(right), scale);
+  }
+  function hitAndGoOn(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
+  }
+  function pushEnded(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
+      pair,
+      velocity: how
+    });
+  }
+  function together({ bodies, after }, { decimals, scale, camera }) {
+    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
+    const seen = Number(after[cart]) - camera;
+    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
+  }
+  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
+  }
+  function graphNote(quantity, events, curves) {
+    const struck = events.some((event) => event.kind === "contact" && event.impulse);
+    if (struck && quantity === "F") return IMPULSE_ONLY;
+    if (struck && quantity === "a") return JUMP_ONLY;
+    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
+  }
+  function modelSentences(header) {
+    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
+    const open2 = header.plan.length > 0;
+    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
+    if (leftOut.length) {
+      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
+    }
+    return sentences;
+  }
+  function lower(name2) {
+    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
+  }
+  function capital(text) {
+    return text.slice(0, 1).toUpperCase() + text.slice(1);
+  }
+  function sentence(text) {
+    const capitalised = capital(text);
+    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
   // src/scene/csv.js
@@ -5513,8 +5637,8 @@
     const settings = {};
     let t3 = 0;
     const parts2 = text.slice(MARK.length + id.length + 1).split("&");
-    for (const part2 of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
-      const [key = "", value = ""] = [part2.split("=")[0], decoded(part2.slice(part2.indexOf("=") + 1))];
+    for (const part of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
+      const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
       if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
         return { problem: tr("This link is damaged: it was not used.") };
       }
@@ -5570,8 +5694,8 @@
     const switches = fence.switches ?? [];
     if (fence.controls.length || switches.length) lines2.push("controls:");
     for (const { set, low, high, step, unit } of fence.controls) {
-      const part2 = (value) => `${value} ${unit}`.trim();
-      lines2.push(`  - {set: ${set}, from: ${part2(low)}, to: ${part2(high)}, step: ${part2(step)}}`);
+      const part = (value) => `${value} ${unit}`.trim();
+      lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
     }
     for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
     return `\`\`\`scene
@@ -5706,7 +5830,7 @@ ${lines2.join("\n")}
     const program = async () => {
       const set = { ...acts.settings() };
       const { header } = await client2.ask(writing, () => ({ kind: "model", scene, set }));
-      if (!header.ok) throw refusal2(header.problems ?? []);
+      if (!header.ok) throw refusal(header.problems ?? []);
       return String(
         /** @type {any} */
         header.text
@@ -5884,7 +6008,7 @@ ${lines2.join("\n")}
       });
       if (!header.ok) {
         this.values.giveUp(changes2);
-        throw refusal2(header.problems ?? []);
+        throw refusal(header.problems ?? []);
       }
       if (generation !== this.#generation) return null;
       this.values.good = sent.set;
@@ -5963,7 +6087,7 @@ ${lines2.join("\n")}
       const { controls } = baked.fence;
       for (const { name: name2 } of baked.run.header.bodies) {
         for (
-          const [key, part2, metres] of
+          const [key, part, metres] of
           /** @type {const} */
           [
             ["position", "carts-cart", 1 / layout.scale],
@@ -5971,7 +6095,7 @@ ${lines2.join("\n")}
           ]
         ) {
           const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part2}[data-body="${name2}"]`);
+          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
           if (!control || !group2) continue;
           group2.classList.add("carts-draggable");
           group2.addEventListener("pointerdown", (event) => {
@@ -6054,15 +6178,15 @@ ${lines2.join("\n")}
       const start = latestTouch(this.#windows, t3)?.start ?? 0;
       say(this.since, tr("at {time} s", { time: fixed(start, 2) }));
       this.rows.forEach((row, k) => {
-        const curve = this.#curves[k];
-        row.hidden = !curve;
-        if (!curve) return;
+        const curve2 = this.#curves[k];
+        row.hidden = !curve2;
+        if (!curve2) return;
         const at2 = (when) => {
-          const value = valueAt(run.trajectory.t, curve.values, curve.slopes, when);
+          const value = valueAt(run.trajectory.t, curve2.values, curve2.slopes, when);
           return Math.abs(value) < NOISE * this.#full ? 0 : value;
         };
         const [before, now] = [at2(start), at2(t3)];
-        say(need(row, "th"), curve.label);
+        say(need(row, "th"), curve2.label);
         const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
         row.querySelectorAll("td[data-when]").forEach((cell, i2) => {
           say(cell, texts[i2] ?? "");
@@ -6072,9 +6196,9 @@ ${lines2.join("\n")}
       });
     }
   };
-  function bar(rect, part2) {
-    const length = HALF2 * Math.min(1, Math.abs(part2));
-    put(rect, "x", px(part2 < 0 ? HALF2 + 4 - length : HALF2 + 4));
+  function bar(rect, part) {
+    const length = HALF2 * Math.min(1, Math.abs(part));
+    put(rect, "x", px(part < 0 ? HALF2 + 4 - length : HALF2 + 4));
     put(rect, "width", px(length));
   }
 
@@ -6137,11 +6261,11 @@ ${lines2.join("\n")}
   }
 
   // src/scene/beside/free-body.js
-  var WIDTH3 = 260;
-  var HEIGHT = 60;
+  var WIDTH4 = 260;
+  var HEIGHT2 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE = WIDTH3 / 2;
+  var MIDDLE = WIDTH4 / 2;
   var APART = 8;
   var FULL = 95;
   var FreeBody = class {
@@ -6233,8 +6357,8 @@ ${lines2.join("\n")}
         );
       });
       const picture2 = need(card, "svg");
-      put(picture2, "viewBox", `0 ${-room} ${WIDTH3} ${HEIGHT + 2 * room}`);
-      put(picture2, "height", String(HEIGHT + 2 * room));
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH4} ${HEIGHT2 + 2 * room}`);
+      put(picture2, "height", String(HEIGHT2 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name: name2, way, value, size: written }, cut) {
@@ -6258,7 +6382,7 @@ ${lines2.join("\n")}
 
   // src/scene/beside/lens.js
   var TIMES = 10;
-  var WIDTH4 = 360;
+  var WIDTH5 = 360;
   var TRACK = 96;
   var BAR = 70;
   var SCALE = 3;
@@ -6289,9 +6413,9 @@ ${lines2.join("\n")}
     #measure() {
       for (const layout of this.view.layouts) {
         const stage = this.scene.querySelector(`.carts-stage-${layout.kind}`);
-        const [shown2, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
-        if (!shown2 || !own) continue;
-        const unit = shown2 / layout.width * (WIDTH4 / own);
+        const [shown3, own] = [stage?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown3 || !own) continue;
+        const unit = shown3 / layout.width * (WIDTH5 / own);
         this.#perMetre = TIMES * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
@@ -6351,21 +6475,21 @@ ${lines2.join("\n")}
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
-      const at2 = (x2) => WIDTH4 / 2 + (x2 - middle) * this.#perMetre;
+      const at2 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge, end] = [at2(side.edge), at2(face)];
+      const [edge2, end] = [at2(side.edge), at2(face)];
       const rect = need(group2, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH4 : edge));
+      put(rect, "x", px(k === 0 ? edge2 - 2 * WIDTH5 : edge2));
       const bent = need(group2, '[data-part="spring"]');
-      put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
+      put(bent, "d", side.bumper ? spring(edge2 / SCALE, end / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group2, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name2 = need(group2, '[data-part="name"]');
-      const inside = Math.min(WIDTH4 - 34, Math.max(34, edge - 22 * way));
+      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge2 - 22 * way));
       put(name2, "x", px(inside));
       say(name2, index < 0 ? tr("wall") : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
@@ -6433,20 +6557,20 @@ ${lines2.join("\n")}
   };
 
   // ../view/graph.js
-  var LEFT3 = 46;
-  var RIGHT2 = 350;
-  var TOP2 = 8;
-  var BOTTOM3 = 142;
-  var WIDTH5 = 360;
-  var HEIGHT2 = 172;
+  var LEFT4 = 46;
+  var RIGHT3 = 350;
+  var TOP3 = 8;
+  var BOTTOM4 = 142;
+  var WIDTH6 = 360;
+  var HEIGHT3 = 172;
   var BELOW_LINE = 4;
   var NEAR2 = 0.7;
   var STRAIGHT = 0.05;
   function timeX(plane, t3) {
-    return LEFT3 + (t3 - plane.time.low) * ((RIGHT2 - LEFT3) / (plane.time.high - plane.time.low));
+    return LEFT4 + (t3 - plane.time.low) * ((RIGHT3 - LEFT4) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM3 - (value - plane.value.low) * ((BOTTOM3 - TOP2) / (plane.value.high - plane.value.low));
+    return BOTTOM4 - (value - plane.value.low) * ((BOTTOM4 - TOP3) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -6465,17 +6589,17 @@ ${lines2.join("\n")}
   }
   function reached(run, [low, high, factor, room], mirrored = false) {
     const down = Math.min(run[0] * factor, mirrored ? -high : low);
-    const up = Math.max(run[1] * factor, high);
+    const up2 = Math.max(run[1] * factor, high);
     const most = room * Math.max(-run[0], run[1]);
-    return most > 0 ? [Math.max(down, -most), Math.min(up, most)] : [down, up];
+    return most > 0 ? [Math.max(down, -most), Math.min(up2, most)] : [down, up2];
   }
   function planeFor(values, window) {
     return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
   }
-  function path(curve, times2, plane) {
-    const { values, slopes } = curve;
-    const kx = (RIGHT2 - LEFT3) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM3 - TOP2) / (plane.value.high - plane.value.low);
+  function path(curve2, times2, plane) {
+    const { values, slopes } = curve2;
+    const kx = (RIGHT3 - LEFT4) / (plane.time.high - plane.time.low);
+    const ky = (BOTTOM4 - TOP3) / (plane.value.high - plane.value.low);
     const last = times2.length - 1;
     let drawn2 = 0;
     let x0 = timeX(plane, Number(times2[0]));
@@ -6570,7 +6694,7 @@ ${lines2.join("\n")}
     const group2 = found2 ?? svg("g", { "data-part": "ghost", "clip-path": clip });
     if (!found2) front?.before(group2);
     group2.replaceChildren(
-      ...curves.filter(({ over }) => !over).map((curve) => svg("path", { class: "carts-pale", d: path(curve, times2, plane) }))
+      ...curves.filter(({ over }) => !over).map((curve2) => svg("path", { class: "carts-pale", d: path(curve2, times2, plane) }))
     );
   }
 
@@ -6584,10 +6708,10 @@ ${lines2.join("\n")}
         times2[i2]
       );
       put(line, "class", "carts-grid");
-      put(line, "d", `M${at2} ${TOP2}V${BOTTOM3}`);
+      put(line, "d", `M${at2} ${TOP3}V${BOTTOM4}`);
       put(text, "class", "carts-tick-x");
       put(text, "x", at2);
-      put(text, "y", String(BOTTOM3 + 14));
+      put(text, "y", String(BOTTOM4 + 14));
       say(text, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line, text, i2) => {
@@ -6596,9 +6720,9 @@ ${lines2.join("\n")}
         rows[i2]
       );
       put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${LEFT3} ${at2}H${RIGHT2}`);
+      put(line, "d", `M${LEFT4} ${at2}H${RIGHT3}`);
       put(text, "class", "carts-tick-y");
-      put(text, "x", String(LEFT3 - 5));
+      put(text, "x", String(LEFT4 - 5));
       put(text, "y", textY);
       say(text, label);
     });
@@ -6750,7 +6874,7 @@ ${lines2.join("\n")}
       squeezed[k] = away - Number(warmed2[k]);
     }
     return [
-      ...moving.map((curve) => ({ ...curve, label: tr("motion of {cart}", { cart: curve.label }) })),
+      ...moving.map((curve2) => ({ ...curve2, label: tr("motion of {cart}", { cart: curve2.label }) })),
       {
         label: tr("in squeezed bumpers"),
         style: "squeezed",
@@ -6914,7 +7038,7 @@ ${lines2.join("\n")}
       const head = html("tr");
       head.append(
         heading(tr("t in s")),
-        ...curves.map((curve) => heading(`${curve.label}, ${unit}`))
+        ...curves.map((curve2) => heading(`${curve2.label}, ${unit}`))
       );
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
@@ -6996,10 +7120,10 @@ ${lines2.join("\n")}
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame2 = this.plot.getBoundingClientRect();
-        const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH5;
-        const part2 = Math.min(1, Math.max(0, (x2 - LEFT3) / (RIGHT2 - LEFT3)));
+        const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH6;
+        const part = Math.min(1, Math.max(0, (x2 - LEFT4) / (RIGHT3 - LEFT4)));
         const { low, high } = this.#plane.time;
-        seek(low + part2 * (high - low));
+        seek(low + part * (high - low));
       };
       this.plot.addEventListener("pointerdown", point);
       this.plot.addEventListener("pointermove", point);
@@ -7031,8 +7155,8 @@ ${lines2.join("\n")}
       this.impulse?.at(run, this.#plane, t3, this.#pressed);
       if (this.#stacked) this.ledger?.at(t3);
       put(need(this.root, ".carts-cursor"), "transform", `translate(${x2} 0)`);
-      this.#curves.forEach((curve, i2) => {
-        const y2 = valueY(this.#plane, valueAt(this.#times(run), curve.values, curve.slopes, t3));
+      this.#curves.forEach((curve2, i2) => {
+        const y2 = valueY(this.#plane, valueAt(this.#times(run), curve2.values, curve2.slopes, t3));
         const dot2 = this.#dots[i2];
         if (dot2) put(dot2, "transform", `translate(${x2} ${px(y2)})`);
       });
@@ -7078,13 +7202,13 @@ ${lines2.join("\n")}
       drawAxes(this.root, this.#plane);
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));
-      this.#curves.forEach((curve, i2) => {
+      this.#curves.forEach((curve2, i2) => {
         const line = (
           /** @type {Element} */
           group2.children[i2]
         );
-        put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
-        put(line, "d", path(curve, this.#times(run), this.#plane));
+        put(line, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
+        put(line, "d", path(curve2, this.#times(run), this.#plane));
       });
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
       this.#cursor();
@@ -7241,7 +7365,7 @@ ${lines2.join("\n")}
   };
   function arrows(run, layout, full, t3, centre) {
     const styles = new Map(run.header.bodies.map(({ name: name2 }, i2) => [name2, `carts-${styleOf(i2)}`]));
-    const named = run.header.bodies.length <= FEW;
+    const named2 = run.header.bodies.length <= FEW;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
     for (const force of forcesAt(run, t3)) {
@@ -7256,7 +7380,7 @@ ${lines2.join("\n")}
       const d2 = (cut ? cutArrow : blockArrow)(x2, y2, length);
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d: d2 });
       const row = `row ${force.kind}`;
-      if (named) {
+      if (named2) {
         const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
         const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
         const [at2, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
@@ -7879,7 +8003,7 @@ ${lines2.join("\n")}
       if (this.acting) say(this.acting, actingSentences(header, numbers));
       this.warnings.hidden = header.warnings.length === 0;
       this.warnings.replaceChildren(
-        ...header.warnings.map(({ message }) => html("p", "", heard(message)))
+        ...header.warnings.map(({ message }) => html("p", "", told2(message)))
       );
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */
@@ -7899,32 +8023,6 @@ ${lines2.join("\n")}
       this.zoom.selectedIndex = chosen <= options.length ? chosen : 0;
     }
   };
-
-  // ../view/markup.js
-  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
-  var Markup = class {
-    /** @param {string} text */
-    constructor(text) {
-      this.text = text;
-    }
-    toString() {
-      return this.text;
-    }
-  };
-  function html2(strings, ...values) {
-    let written = strings[0] ?? "";
-    values.forEach((value, k) => {
-      const quote = strings[k]?.endsWith("=") ? '"' : "";
-      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
-    });
-    return new Markup(written);
-  }
-  function asText(value) {
-    if (Array.isArray(value)) return value.map(asText).join("");
-    if (value instanceof Markup) return value.text;
-    if (value === false || value === null || value === void 0) return "";
-    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
-  }
 
   // ../view/skeleton/graph.js
   var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
@@ -7950,14 +8048,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   function plot(clip, isForce) {
     const inside = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
-    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH5} ${HEIGHT2}" width=${WIDTH5} height=${HEIGHT2} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP2 - 4} width=${RIGHT2 - LEFT3 + 1} height=${BOTTOM3 - TOP2 + 8}/></clipPath></defs>
+    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH6} ${HEIGHT3}" width=${WIDTH6} height=${HEIGHT3} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT4} y=${TOP3 - 4} width=${RIGHT3 - LEFT4 + 1} height=${BOTTOM4 - TOP3 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
+<text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" ${inside}>${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
-<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
+<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
 </svg>`;
   }
 
@@ -8156,8 +8254,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     /** Lets the reader move the time. @param {boolean} on */
     enable(on) {
       const parts2 = ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
-      for (const part2 of this.root.querySelectorAll(parts2)) {
-        part2.disabled = !on;
+      for (const part of this.root.querySelectorAll(parts2)) {
+        part.disabled = !on;
       }
       if (on) for (const graph2 of this.drawing.graphs) graph2.enable();
     }
@@ -8326,7 +8424,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         return this.#told ? this.#view?.run.trajectory ?? null : null;
       }
       get plan() {
-        return this.#told ? this.#view?.run.header.plan ?? [] : [];
+        const phases = this.#told ? this.#view?.run.header.plan ?? [] : [];
+        return phases.map((phase) => ({ ...phase, why: told2(phase.why) }));
       }
       get time() {
         return this.#view?.player.time ?? 0;
@@ -8378,12 +8477,12 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
-        const shown2 = this.#inside?.how.follow(run);
+        const shown3 = this.#inside?.how.follow(run);
         this.#inside?.controls.show(this.#values.good, run.header);
         this.#inside?.find?.show(run);
         const undo = this.querySelector(".carts-undo");
         if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
-        return shown2;
+        return shown3;
       }
       #reset() {
         this.#runs.reset();

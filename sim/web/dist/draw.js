@@ -3519,7 +3519,6 @@
   }
   var DOMEventTarget = class {
     constructor() {
-      wm.set(this, /* @__PURE__ */ new Map());
     }
     /**
      * @protected
@@ -3527,7 +3526,9 @@
     _getParent() {
       return null;
     }
-    addEventListener(type, listener, options) {
+    addEventListener() {
+    }
+    _listen(type, listener, options) {
       const map = wm.get(this);
       if (!map.has(type))
         map.set(type, /* @__PURE__ */ new Map());
@@ -8300,9 +8301,9 @@
       var name, priority = "", styleRule, mediaRule, supportsRule, importRule, fontFaceRule, keyframesRule, documentRule, hostRule;
       var atKeyframesRegExp = /@(-(?:\w+-)+)?keyframes/g;
       var parseError = function(message) {
-        var lines = token.substring(0, i).split("\n");
-        var lineCount = lines.length;
-        var charCount = lines.pop().length + 1;
+        var lines2 = token.substring(0, i).split("\n");
+        var lineCount = lines2.length;
+        var charCount = lines2.pop().length + 1;
         var error = new Error(message + " (line " + lineCount + ", char " + charCount + ")");
         error.line = lineCount;
         error["char"] = charCount;
@@ -10259,50 +10260,6 @@
   }
   setPrototypeOf(Document4, Document$1).prototype = Document$1.prototype;
 
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence2, values = {}) {
-    const said = catalogue[sentence2] ?? sentence2;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key2) => PLACE.test(key2)).map((key2) => ({ key: key2, pattern: pattern(key2), own: key2.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
-  }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key: key2, pattern: form } of some) {
-      const found = form.exec(english);
-      if (!found) continue;
-      const parts = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
-      return tr(key2, Object.fromEntries(parts));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key2) {
-    const named = /* @__PURE__ */ new Set();
-    const parts = key2.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named.has(piece)) return `\\k<${piece}>`;
-      named.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts.join("")}$`, "su");
-  }
-
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
@@ -10345,13 +10302,16 @@
     return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
   }
   function short(value, figures = 3) {
-    const power = exponent(value);
-    if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
-      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+    const power2 = exponent(value);
+    if (value && (power2 <= -4 || power2 >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power2}`), figures - 1));
+      return `${mantissa} × 10${superscript(power2)}`;
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures - 1 - power2)));
+  }
+  function superscript(power2) {
+    const digits = String(Math.abs(power2)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power2 < 0 ? `⁻${digits}` : digits;
   }
   function decimalsOf(value, figures = 6) {
     const text2 = Math.abs(value).toFixed(decimalsFor(value, figures));
@@ -10367,6 +10327,695 @@
     const factor = 10 ** decimals;
     const rounded = Math.floor(value * factor + 0.5) / factor;
     return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // ../view/cost/methods.js
+  var METHODS = {
+    exact: {
+      label: "exact, closed form",
+      mark: "M0-6L1.6-2 6-2 2.5 1 4 6 0 3-4 6-2.5 1-6-2-1.6-2Z",
+      colour: "#0072b2"
+    },
+    "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
+    "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
+    verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
+    "rk4-events": {
+      label: "RK4 + located touches",
+      mark: "M-5-1.5H-1.5V-5H1.5V-1.5H5V1.5H1.5V5H-1.5V1.5H-5Z",
+      colour: "#2779a7"
+    },
+    rk45: {
+      label: "adaptive RK45 + located touches",
+      mark: "M-5-3.5H5L0 0L5 3.5H-5L0 0Z",
+      colour: "#6b3f7d"
+    },
+    adaptive: {
+      label: "adaptive DOP853 + located touches",
+      mark: "M-5 0L-1.5-4H1.5L5 0 1.5 4H-1.5Z",
+      colour: "#555"
+    }
+  };
+  var stepping = () => Object.keys(METHODS).filter((name) => !name.startsWith("exact"));
+
+  // ../view/cost/figure.js
+  var [WIDTH, HEIGHT] = [520, 380];
+  var [LEFT, TOP, RIGHT, BOTTOM] = [62, 14, 506, 330];
+  var FLOOR = 1e-17;
+  var [LOW_X, HIGH_X] = [0.5, 1e6];
+  var HIGH_Y = 10;
+  var TIMES = [0, 1, 2, 3, 4, 5, 6];
+  var ERRORS = [-17, -15, -13, -11, -9, -7, -5, -3, -1, 1];
+  var LEGEND = 18;
+  function xAt(ratio) {
+    const part = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
+    return LEFT + Math.min(1, part) * (RIGHT - LEFT);
+  }
+  function yAt(error) {
+    const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
+    return BOTTOM - Math.log(seen / FLOOR) / Math.log(HIGH_Y / FLOOR) * (BOTTOM - TOP);
+  }
+  function errorOf(row2) {
+    return row2.error_v ?? (row2.method === "exact" ? 0 : null);
+  }
+  function lineOf(rows, method) {
+    const points = rows.filter((row2) => row2.method === method && errorOf(row2) !== null).map((row2) => [px(xAt(row2.time_ratio)), px(yAt(Number(errorOf(row2))))]);
+    return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
+  }
+  function grid() {
+    return {
+      x: TIMES.map((k) => [px(xAt(10 ** k)), power(k)]),
+      y: ERRORS.map((k) => [px(yAt(10 ** k)), 10 ** k > FLOOR ? power(k) : "0"])
+    };
+  }
+  function power(exponent2) {
+    if (exponent2 === 0 || exponent2 === 1) return exponent2 ? "10" : "1";
+    return `10${superscript(exponent2)}`;
+  }
+  function standalone({ title, rows }) {
+    const lines2 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name) })).filter(({ points }) => points.length);
+    const height = HEIGHT + LEGEND * Math.ceil(lines2.length / 2) + 8;
+    const { x, y } = grid();
+    const series = lines2.map(({ line, points, mark, colour, label }, k) => {
+      const legend2 = [px(LEFT + 240 * (k % 2)), px(HEIGHT + 8 + LEGEND * Math.floor(k / 2))];
+      const marks3 = [...points, legend2].map(
+        ([across2, down]) => html`<path transform="translate(${across2} ${down})" d=${mark} fill=${colour}/>`
+      );
+      return html`<path d=${line} fill="none" stroke=${colour}/>${marks3}<text x=${legend2[0]} y=${legend2[1]} dx="12" dy="4">${label}</text>`;
+    });
+    return html`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${px(height)}" width=${WIDTH} height=${px(height)} font-family="sans-serif" font-size="12"><title>${title}: error against time</title><rect width="100%" height="100%" fill="#fff"/><rect x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP} fill="none" stroke="#55585e"/>${x.map(
+      ([at, text2]) => html`<path d="M${at} ${TOP}V${BOTTOM}" stroke="#e4e6e9"/><text x=${at} y=${BOTTOM + 16} text-anchor="middle">${text2}</text>`
+    )}${y.map(
+      ([at, text2]) => html`<path d="M${LEFT} ${at}H${RIGHT}" stroke="#e4e6e9"/><text x=${LEFT - 7} y=${at} dy="4" text-anchor="end">${text2}</text>`
+    )}<text x=${RIGHT} y=${BOTTOM + 34} text-anchor="end">time, as a multiple of the exact outcome’s</text><text transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>${series}</svg>
+`;
+  }
+
+  // ../view/cost/words.js
+  var [MANY, HUGE] = [1e3, 1e4];
+  var FIRST = { method: "euler", parts: 103 };
+  var ENDLESS = "beyond all numbers";
+  function percent(part, whole) {
+    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
+  }
+  function plain(value, decimals) {
+    return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
+  }
+  function told({ v, energy, evaluations }) {
+    const speeds = Object.entries(v.stepped).map(([name, speed]) => {
+      const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
+      return (
+        /** @type {[string, string, string]} */
+        [
+          `velocity of ${name} at the end`,
+          got,
+          `${plain(Number(v.exact[name]), 4)} m/s`
+        ]
+      );
+    });
+    const { initial, stepped, exact, imbalance } = energy;
+    return [
+      ...speeds,
+      [
+        "energy at the end, of that at the start",
+        stepped === null ? ENDLESS : percent(stepped, initial),
+        percent(exact, initial)
+      ],
+      ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+      ["times that all forces were computed", String(evaluations), "0"]
+    ];
+  }
+  function toleranceText(rtol) {
+    return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+  }
+  function cells(row2, until) {
+    let size = "–";
+    if (row2.rtol) size = toleranceText(row2.rtol);
+    else if (row2.step) size = `${short(until)} s / ${Math.round(until / row2.step)}`;
+    const ratio = row2.time_ratio;
+    return [
+      METHODS[row2.method]?.label ?? row2.method,
+      size,
+      String(row2.evaluations),
+      ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
+      row2.error_v === null ? "–" : short(row2.error_v, 2),
+      row2.energy_error === null ? "–" : short(row2.energy_error, 2)
+    ];
+  }
+
+  // ../view/cost/skeleton.js
+  var PARTS = [19, 61, 103, 211, 499, 997, 9973];
+  var TOLERANCES = [1e-6, 1e-9, 1e-12];
+  function inside({ id, title, names, measured, rows, run }) {
+    const told3 = told(run.header).map(
+      ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
+    );
+    const said = measured && `Measured ${measured}.`;
+    return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+${choice(names)}
+<div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label="the carts as stepped, and exactly as dashed outlines"></svg></div>
+<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>Play</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label="time" disabled><output class="carts-cost-clock">0.00 s</output></div>
+<p class="carts-cost-legend"><span class="carts-cost-solid"></span> as stepped <span class="carts-cost-dashed"></span> exactly</p>
+<div class="carts-cost-body">
+<div><p class="carts-heading">Energy of motion</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label="energy of motion against time, as stepped and exactly"></svg></div>
+<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told3}</tbody></table></div>
+</div>
+<div class="carts-cost-measure">
+<p class="carts-heading">Error against time</p>
+<p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>Measure on this computer</button> <button type="button" class="carts-button carts-cost-stop" hidden>Stop</button> <progress class="carts-cost-progress" max="1" value="0" aria-label="methods measured" hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
+${figure(rows)}
+</div>
+${table(rows, run.header.until)}
+<noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
+</div>`;
+  }
+  function choice(names) {
+    const scenes = Object.entries(names).map(
+      ([name, text2]) => html`<option value=${name}>${text2}</option>`
+    );
+    const methods = stepping().map(
+      (name) => html`<option value=${name}${name === FIRST.method && html` selected`}>${METHODS[name]?.label}</option>`
+    );
+    const parts2 = PARTS.map(
+      (n) => html`<option value=${n}${n === FIRST.parts && html` selected`}>run / ${n}</option>`
+    );
+    const tolerances = TOLERANCES.map(
+      (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`
+    );
+    return html`<div class="carts-cost-choice">
+<label>scene <select class="carts-cost-scene" disabled>${scenes}</select></label>
+<label>method <select class="carts-cost-method" disabled>${methods}</select></label>
+<label>step <select class="carts-cost-step" disabled>${parts2}</select><select class="carts-cost-rtol" aria-label="tolerance" disabled hidden>${tolerances}</select></label>
+</div>`;
+  }
+  function figure(rows) {
+    const { x, y } = grid();
+    const methods = Object.entries(METHODS);
+    const series = methods.map(([name, { mark }], k) => {
+      const { line, points } = lineOf(rows, name);
+      const marks3 = points.map(
+        ([across2, down]) => html`<path class="carts-cost-point" transform="translate(${across2} ${down})" d=${mark}/>`
+      );
+      return html`<g class="carts-cost-s${k}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks3}</g>`;
+    });
+    const key2 = methods.map(
+      ([, { mark, label }], k) => html`<li class="carts-cost-s${k}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label}</li>`
+    );
+    return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
+${x.map(([at, text2]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text2}</text>`)}
+${y.map(([at, text2]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text2}</text>`)}
+<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
+<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
+<g class="carts-cost-series">${series}</g>
+<circle class="carts-cost-ring" r="9" visibility="hidden"/>
+</svg>
+<ul class="carts-cost-key">${key2}</ul>`;
+  }
+  function table(rows, until) {
+    const lines2 = rows.map((row2) => {
+      const [head, ...values] = cells(row2, until);
+      return html`<tr><th scope="row">${head}</th>${values.map((value) => html`<td>${value}</td>`)}</tr>`;
+    });
+    return html`<details class="carts-more carts-cost-table"><summary>Table of all measurements</summary><div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">method</th><th scope="col">step</th><th scope="col">forces computed</th><th scope="col">time</th><th scope="col">error of v in m/s</th><th scope="col">error of energy, of that at the start</th></tr></thead><tbody>${lines2}</tbody></table></div></details>`;
+  }
+
+  // ../view/hard/words.js
+  var VERDICTS = {
+    right: "right",
+    "blows-up": "blows up",
+    "passes-through": "carts pass through each other",
+    misses: "misses contacts",
+    "makes-energy": "makes energy from nothing",
+    "loses-energy": "loses energy",
+    sticks: "carts stick together",
+    wrong: "wrong"
+  };
+  var UNITS = { v: " m/s", x: " m", last: " s", count: "" };
+  var NAMES = { warmed: "warmed the bumpers", count: "contacts", last: "last contact" };
+  function measure(what) {
+    const { kind, name } = parts(what);
+    if (kind === "v" || kind === "x") {
+      const [last, first] = name.split("-");
+      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name}`;
+    }
+    return NAMES[kind] ?? (kind === "work" ? `work of ${name}` : kind);
+  }
+  function parts(what) {
+    const [kind = "", ...rest] = what.split(".");
+    return { kind, name: rest.join(".") };
+  }
+  function amount(what, value, figures) {
+    const { kind } = parts(what);
+    if (kind === "count") return String(Math.round(value));
+    return short(value, figures) + (UNITS[kind] ?? " J");
+  }
+  function cameOut(wanted, got, figures) {
+    let worst = "";
+    let [error, came] = [0, 0];
+    for (const [k, [what, right]] of wanted.entries()) {
+      const value = got[k];
+      if (value === null || value === void 0) return "";
+      const distance = Math.abs(value - right);
+      if (!worst || distance > error) [worst, error, came] = [what, distance, value];
+    }
+    const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
+    return `${measure(worst)}: ${amount(worst, came, figures)}, ${off}`;
+  }
+  function exactCell(wanted, { got }) {
+    return cameOut(wanted, got, 6);
+  }
+  function steppedCell(wanted, { verdict, got }) {
+    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
+  }
+  var METHODS2 = { euler: "Euler", "semi-implicit": "semi-implicit Euler", rk4: "RK4" };
+  var MOST_TOLD = 3;
+  function expectedLines(wanted) {
+    const lines2 = wanted.slice(0, MOST_TOLD).map(([what, value]) => `${measure(what)}: ${amount(what, value, 6)}`);
+    const more = wanted.length - lines2.length;
+    return more ? [...lines2, `and ${more} more`] : lines2;
+  }
+
+  // ../view/hard/skeleton.js
+  var COLUMNS = 3 + Object.keys(METHODS2).length;
+  function inside2({ id, title, groups }) {
+    const count = groups.reduce((sum, { rows }) => sum + rows.length, 0);
+    const methods = Object.values(METHODS2).map((name) => html`<th scope="col">${name}</th>`);
+    return html`<div class="carts-hard-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+<p class="carts-hard-start"><button type="button" class="carts-button carts-hard-go" disabled>Run all ${count} here</button> <button type="button" class="carts-button carts-hard-stop" hidden>Stop</button> <progress class="carts-hard-progress" max=${count} value="0" aria-label="cases run" hidden></progress> <span class="carts-hard-say" role="status"></span></p>
+<table class="carts-hard-table">
+<thead><tr><th scope="col">case</th><th scope="col">must come out</th><th scope="col">exact</th>${methods}</tr></thead>
+${groups.map(
+      ({ name, rows }) => html`<tbody>
+<tr class="carts-hard-group"><th scope="colgroup" colspan=${COLUMNS}>${name}</th></tr>
+${rows.map(row)}</tbody>
+`
+    )}</table>
+<noscript><p class="carts-noscript">The table shows what came out when this page was made. Running the cases here needs JavaScript.</p></noscript>
+</div>`;
+  }
+  function row({ name, sentence: sentence2, why, wanted, known: known2, yaml, commands }) {
+    const lines2 = expectedLines(wanted).map((line, k) => html`${k > 0 && html`<br>`}${line}`);
+    const heads = Object.values(METHODS2);
+    const cells2 = known2.stepped.map((one, k) => {
+      const [verdict, off] = steppedCell(wanted, one);
+      return html`<td data-head=${heads[k]} data-part="stepped" data-verdict=${one.verdict}><b>${verdict}</b> <span>${off}</span></td>`;
+    });
+    const step = short(known2.stepped[0]?.step ?? 0, 3);
+    return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence2}</th>
+<td data-head="must come out">${lines2}</td><td data-head="exact" data-part="exact">${exactCell(wanted, known2.exact)}</td>${cells2}</tr>
+<tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>Why, and the scene</summary><p>${why} The methods took steps of ${step} s.</p><pre tabindex="0">${yaml}</pre><p>Save this as ${name}.yml, then:</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
+`;
+  }
+
+  // ../view/scales.js
+  var STEP_SLACK = 1e-9;
+  var HEADROOM = 0.05;
+  function axisDecimals(axis2) {
+    return Math.max(0, -exponent(axis2.step));
+  }
+  function ticks(axis2) {
+    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
+    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
+    const found = [];
+    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
+    return found;
+  }
+  function niceAbove(value) {
+    const power2 = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power2 * (1 + STEP_SLACK)) return factor * power2;
+    }
+    return 10 * power2;
+  }
+  function axis(low, high, count) {
+    const bottom = Math.min(0, low);
+    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const room = HEADROOM * (top - bottom);
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
+  }
+  function span(low, high, count) {
+    return { low, high, step: niceAbove((high - low) / count) };
+  }
+
+  // ../view/map/palette.js
+  var NONE2 = [176, 176, 176];
+  var ZERO2 = [32, 32, 32];
+  var EDGE = 0.72;
+  function sequential(count) {
+    return Array.from({ length: count }, (_, k) => {
+      const t = k / Math.max(1, count - 1);
+      return oklch(0.3 + 0.64 * t, 0.09 + 0.05 * Math.sin(Math.PI * t), 268 - 165 * t);
+    });
+  }
+  function diverging(centres) {
+    const far = Math.max(...centres.map(Math.abs));
+    return centres.map((centre) => {
+      const size = Math.abs(centre / far);
+      return oklch(0.97 - 0.47 * size, 0.145 * size, centre < 0 ? 250 : 52);
+    });
+  }
+  function edge([red, green, blue]) {
+    return [Math.round(EDGE * red), Math.round(EDGE * green), Math.round(EDGE * blue)];
+  }
+  function oklch(lightness, chroma, hue) {
+    const angle = hue * Math.PI / 180;
+    const [a, b] = [chroma * Math.cos(angle), chroma * Math.sin(angle)];
+    const long = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+    const middle = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+    const short2 = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+    return [
+      channel(4.0767416621 * long - 3.3077115913 * middle + 0.2309699292 * short2),
+      channel(-1.2684380046 * long + 2.6097574011 * middle - 0.3413193965 * short2),
+      channel(-0.0041960863 * long - 0.7034186147 * middle + 1.707614701 * short2)
+    ];
+  }
+  function channel(linear) {
+    const light = Math.min(1, Math.max(0, linear));
+    const coded = light <= 31308e-7 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
+    return Math.round(255 * coded);
+  }
+
+  // ../view/map/bands.js
+  var BANDS = 12;
+  var FLAT = 1e-9;
+  function scaleFor(low, high) {
+    const largest = Math.max(Math.abs(low), Math.abs(high));
+    const flat = high - low <= FLAT * largest || largest === 0;
+    const step = flat ? largest ? niceAbove(largest) : 1 : niceAbove((high - low) / BANDS);
+    const first = Math.floor(low / step + STEP_SLACK);
+    const last = Math.max(first + 1, Math.ceil(high / step - STEP_SLACK));
+    const count = last - first;
+    const centres = Array.from({ length: count }, (_, k) => (first + k + 0.5) * step);
+    const around = Number(centres[0]) < 0 && Number(centres.at(-1)) > 0;
+    return {
+      low: first * step,
+      step,
+      count,
+      colours: around ? diverging(centres) : sequential(count),
+      zero: Math.min(count, Math.max(0, -first))
+    };
+  }
+  function edges({ low, step, count }) {
+    const first = Math.round(low / step);
+    return Array.from({ length: count + 1 }, (_, k) => (first + k) * step);
+  }
+  function edgeDecimals(scale) {
+    return Math.max(...edges(scale).map((one) => decimalsOf(one)));
+  }
+
+  // ../view/map/pixels.js
+  var FINE = 400;
+  function band(value, { low, step, count }) {
+    if (Number.isNaN(value)) return count;
+    const place = Math.floor((value - low) / step + STEP_SLACK);
+    return Math.min(count - 1, Math.max(0, place));
+  }
+  function mixed(a, b, part) {
+    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
+    return a * (1 - part) + b * part;
+  }
+  function between(values, lines2, count, factor, next, line) {
+    const fine = (count - 1) * factor + 1;
+    const found = new Float64Array(lines2 * fine);
+    for (let i = 0; i < lines2; i += 1) {
+      for (let k = 0; k < fine; k += 1) {
+        const left = Math.min(Math.floor(k / factor), count - 2);
+        const at = i * line + left * next;
+        const part = (k - left * factor) / factor;
+        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
+      }
+    }
+    return found;
+  }
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
+    const width = (columns - 1) * factor + 1;
+    const height = (rows - 1) * factor + 1;
+    const wide = between(values, rows, columns, factor, 1, columns);
+    const fine = between(wide, width, rows, factor, width, 1);
+    const bands = new Uint8Array(width * height);
+    for (let y = 0; y < height; y += 1) {
+      for (let x = 0; x < width; x += 1) {
+        bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
+      }
+    }
+    return { places: lines(bands, width, scale), width, height };
+  }
+  function lines(bands, width, { count, zero }) {
+    const places = bands.slice();
+    const line = 2 * count + 1;
+    const compare = (at, other) => {
+      const own = Number(bands[at]);
+      const next = Number(bands[other]);
+      if (next === own || own === count) return;
+      if (next !== count && own >= zero !== next >= zero) {
+        places[at] = line;
+        places[other] = line;
+      } else if (places[at] !== line) places[at] = count + 1 + own;
+    };
+    for (let at = 0; at < bands.length; at += 1) {
+      if ((at + 1) % width) compare(at, at + 1);
+      if (at + width < bands.length) compare(at, at + width);
+    }
+    return places;
+  }
+  function palette({ colours }) {
+    return [...colours, NONE2, ...colours.map(edge), ZERO2];
+  }
+
+  // ../view/map/words.js
+  var SMALLER = 2;
+  var EXACT = 12;
+  function valueText(value, { low, high }) {
+    if (Number.isNaN(value)) return "no value";
+    const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
+    const text2 = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text2) ? text2 : fixed(0, most - SMALLER);
+  }
+  function shown(value, { per }) {
+    return Number((value / per).toPrecision(EXACT));
+  }
+  function axisDecimals2(axis2) {
+    const [first = 0, second = 0] = axis2.values.map((value) => shown(value, axis2));
+    return Math.max(decimalsOf(first), decimalsOf(second - first, 3));
+  }
+  function named({ label, unit }) {
+    return unit ? `${label} in ${unit}` : label;
+  }
+
+  // ../view/map/figure.js
+  var [LEFT2, TOP2, RIGHT2, BOTTOM2] = [58, 10, 388, 270];
+  var WIDTH2 = 400;
+  var [HEIGHT2, HEIGHT_OF_CURVE] = [370, 312];
+  var [BAR_TOP, BAR_HEIGHT] = [322, 12];
+  var TICKS = 5;
+  var MOST_NUMBERS = 7;
+  var BASELINE = 4;
+  var heightOf = ({ axes }) => axes.length === 1 ? HEIGHT_OF_CURVE : HEIGHT2;
+  var valueAxis = ({ low, high }) => axis(low, high, TICKS);
+  function across(value, { low, high }) {
+    return LEFT2 + (value - low) * ((RIGHT2 - LEFT2) / (high - low));
+  }
+  function up(value, { low, high }) {
+    return BOTTOM2 - (value - low) * ((BOTTOM2 - TOP2) / (high - low));
+  }
+  function curve(facts, points, values) {
+    const along = facts.axes[0];
+    if (!along) return "";
+    const [x, y] = [span(along.low, along.high, 1), valueAxis(facts)];
+    let path2 = "";
+    let pen = "M";
+    for (const [k, point] of points.entries()) {
+      const value = Number(values[k]);
+      if (Number.isNaN(value)) pen = "M";
+      else {
+        path2 += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
+        pen = "L";
+      }
+    }
+    return path2;
+  }
+  function under(facts, picture) {
+    const [first, second] = facts.axes;
+    const x = span(first?.low ?? 0, first?.high ?? 1, TICKS);
+    const y = second ? span(second.low, second.high, TICKS) : valueAxis(facts);
+    const labels2 = [first ? named(first) : "", second ? named(second) : named(facts)];
+    const height = heightOf(facts);
+    const [bottom, right] = picture ? [BOTTOM2, LEFT2] : [TOP2, RIGHT2];
+    const image = html`<image href=${picture} x=${LEFT2} y=${TOP2} width=${RIGHT2 - LEFT2} height=${BOTTOM2 - TOP2} preserveAspectRatio="none"/>
+`;
+    const columns = ticks(x).map((tick) => {
+      const at = px(across(tick, x));
+      return html`<path class="carts-grid" d="M${at} ${bottom}V${BOTTOM2 + 4}"/><text class="carts-tick-x" x=${at} y=${BOTTOM2 + 16}>${fixed(tick, axisDecimals(x))}</text>`;
+    });
+    const rows = ticks(y).map((tick) => {
+      const at = up(tick, y);
+      return html`<path class="carts-grid" d="M${LEFT2 - 4} ${px(at)}H${right}"/><text class="carts-tick-y" x=${LEFT2 - 7} y=${px(at + BASELINE)}>${fixed(tick, axisDecimals(y))}</text>`;
+    });
+    return html`<svg class="carts-map-under" viewBox="0 0 ${WIDTH2} ${height}" width=${WIDTH2} height=${height} aria-hidden="true" focusable="false">
+${picture !== "" && image}${columns}
+${rows}
+<text class="carts-unit" x=${RIGHT2} y=${BOTTOM2 + 31} text-anchor="end">${labels2[0]}</text>
+<text class="carts-unit" transform="translate(13 ${(TOP2 + BOTTOM2) / 2}) rotate(-90)" text-anchor="middle">${labels2[1]}</text>
+${second && bar(facts)}
+</svg>`;
+  }
+  function bar(facts) {
+    const scale = scaleFor(facts.low, facts.high);
+    const width = (RIGHT2 - LEFT2) / scale.count;
+    const numbers = edges(scale);
+    const every = Math.ceil(scale.count / MOST_NUMBERS);
+    const zero = Math.max(
+      0,
+      numbers.findIndex((number) => Math.abs(number) < 0.5 * scale.step)
+    );
+    const parts2 = numbers.map((number, k) => {
+      const x = px(LEFT2 + k * width, 2);
+      const colour = scale.colours[k];
+      const band3 = colour && html`<rect x=${x} y=${BAR_TOP} width=${px(width, 2)} height=${BAR_HEIGHT} fill=${hex(colour)}/>`;
+      const notch = (k - zero) % every === 0 && html`<path class="carts-map-notch" d="M${x} ${BAR_TOP}v${BAR_HEIGHT}"/><text class="carts-tick-x" x=${x} y=${BAR_TOP + BAR_HEIGHT + 12}>${fixed(number, edgeDecimals(scale))}</text>`;
+      return html`${band3}${notch}`;
+    });
+    return html`${parts2}
+<text class="carts-unit" x=${RIGHT2} y=${BAR_TOP + BAR_HEIGHT + 26} text-anchor="end">${named(facts)}</text>`;
+  }
+  var hex = (colour) => `#${colour.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+
+  // ../view/map/table.js
+  var COLUMNS2 = 6;
+  var ROWS = 11;
+  function spread(count, most) {
+    const wanted = Math.min(most, count);
+    return Array.from(
+      { length: wanted },
+      (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
+    );
+  }
+  function tableOf(columns, rows, axisText2, valueText2) {
+    if (rows === 1) {
+      const lines3 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
+      return { head: [], lines: lines3 };
+    }
+    const across2 = spread(columns, COLUMNS2);
+    const lines2 = spread(rows, ROWS).map((row2) => [
+      axisText2(1, row2),
+      ...across2.map((k) => valueText2(row2 * columns + k))
+    ]);
+    return { head: across2.map((k) => axisText2(0, k)), lines: lines2 };
+  }
+
+  // ../view/map/skeleton.js
+  function inside3(facts, draw, picture) {
+    const { id, title, why } = draw;
+    return html`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+<div class="carts-map-body">
+<div class="carts-map-figure" role="group" aria-label="${facts.label} in ${facts.unit}">
+${under(facts, picture)}
+${over(facts, draw)}
+</div>
+${side(facts, draw)}
+</div>
+${table2(facts, draw)}
+<details class="carts-more carts-map-model"><summary>How this was computed</summary><p class="carts-map-why">${why}</p></details>
+<noscript><p class="carts-noscript">The picture and the table show the values. Asking single points needs JavaScript.</p></noscript>
+</div>`;
+  }
+  var valueAt = ({ values }, place) => values[place] ?? Number.NaN;
+  function axisText(facts, axis2, place) {
+    const along = facts.axes[axis2];
+    return along ? fixed(shown(Number(along.values[place]), along), axisDecimals2(along)) : "";
+  }
+  function over(facts, draw) {
+    const height = heightOf(facts);
+    const all = draw.values.map((value) => value ?? Number.NaN);
+    const line = facts.axes.length === 1 ? curve(facts, facts.axes[0]?.values ?? [], all) : "";
+    return html`<svg class="carts-map-over" viewBox="0 0 ${WIDTH2} ${height}" width=${WIDTH2} height=${height} aria-hidden="true" focusable="false">
+<rect class="carts-map-edge" x=${LEFT2} y=${TOP2} width=${RIGHT2 - LEFT2} height=${BOTTOM2 - TOP2}/>
+<path data-part="curve" class="carts-curve" d=${line}/>
+<g data-part="cross"><path data-part="lines" class="carts-map-cross" d=""/><circle data-part="point" class="carts-map-point" r="6" cx="0" cy="0" visibility="hidden"/></g>
+</svg>`;
+  }
+  function side(facts, { id }) {
+    const { label, unit, axes, here, of, controls } = facts;
+    const points = axes.map(({ set, label: name, unit: measured, values }, k) => {
+      const place = here[k] ?? 0;
+      const text2 = axisText(facts, k, place);
+      const range = html`min="0" max=${values.length - 1} step="1" value=${place}`;
+      return slider({ id, set, label: name, unit: measured, range, text: text2 }, " carts-map-axis");
+    });
+    const further = controls.map(({ set, label: name, unit: measured, low, high, step, value }) => {
+      const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
+      const range = html`min=${low} max=${high} step=${step} value=${value}`;
+      return slider(
+        { id, set, label: name, unit: measured, range, text: fixed(value, decimals) },
+        ""
+      );
+    });
+    const ids = axes.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
+    const at = valueText(facts.at ?? Number.NaN, facts);
+    return html`<div class="carts-map-side">
+<p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>Open the map</button> <span class="carts-map-wait" hidden>The map is a picture until you open it. Then every point can be asked for its value.</span></p>
+<p class="carts-heading">One point of the map</p>
+${points}<p class="carts-map-value"><span>${label}</span> <output class="carts-map-number" for=${ids}>${facts.at === null ? at : `${at} ${unit}`}</output></p>
+<progress class="carts-map-progress" max="1" value="1" aria-label="points computed"></progress>
+${of && html`<p class="carts-map-start"><button type="button" class="carts-button carts-map-run" disabled>Run this point</button> <a href="#${of}">the scene</a></p>`}
+${controls.length > 0 && html`<p class="carts-heading">All points of the map</p>`}
+${further}</div>`;
+  }
+  function slider({ id, set, label, unit, range, text: text2 }, more) {
+    const box2 = `${id}-${set.replaceAll(".", "-")}`;
+    return html`<div class="carts-control${more}" data-set=${set}>
+<label for=${box2}>${label}</label>
+<input type="range" class="carts-slider" ${range} aria-label="${label}, slider" aria-valuetext=${`${text2} ${unit}`.trim()} disabled>
+<span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2.replace("−", "-")} aria-label=${named({ label, unit })} disabled> <span class="carts-unit-text">${unit}</span></span>
+<p class="carts-error" hidden></p>
+</div>
+`;
+  }
+  function table2(facts, draw) {
+    const [first, second] = facts.axes;
+    const columns = first?.values.length ?? 0;
+    const { head, lines: lines2 } = tableOf(
+      columns,
+      second?.values.length ?? 1,
+      (axis2, place) => axisText(facts, axis2, place),
+      (place) => valueText(valueAt(draw, place), facts)
+    );
+    const heads = second ? head : [facts.label];
+    const across2 = html`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
+    const rows = lines2.map(
+      ([name, ...cells2]) => html`<tr><th scope="row">${name}</th>${cells2.map((cell) => html`<td>${cell}</td>`)}</tr>`
+    );
+    return html`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
+<div class="carts-scroll"><table class="carts-table"><thead>
+${second && across2}
+<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads.map((cell) => html`<th scope="col">${cell}</th>`)}</tr></thead>
+<tbody>${rows}</tbody></table></div></details>`;
+  }
+
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence2, values = {}) {
+    return filled(catalogue[sentence2] ?? sentence2, values);
+  }
+  function told2(sentence2) {
+    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
+    const values = Object.entries(sentence2.values).map(([name, value]) => [name, told2(value)]);
+    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // ../view/bodies.js
@@ -10463,7 +11112,7 @@
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
-    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
+    label: (told3) => tr("on {on} by {by} (slope): {size} N", told3),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -10513,8 +11162,8 @@
     link: tr("magnets"),
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
-    pieces({ between }, { key: key2, layout, face }) {
-      const [a, b] = between ?? ["", ""];
+    pieces({ between: between2 }, { key: key2, layout, face }) {
+      const [a, b] = between2 ?? ["", ""];
       return [
         ...poles(`${key2} ${a}`, face(a, "right"), -1, layout),
         ...poles(`${key2} ${b}`, face(b, "left"), 1, layout)
@@ -10544,7 +11193,7 @@
   var SHORTEST = 0.5;
   var LONGEST = 1.15;
   var FASTEST = 2.2;
-  var EDGE = 5;
+  var EDGE2 = 5;
   var TORN = 6;
   var LINE = 12;
   var NAMED = 34;
@@ -10559,16 +11208,16 @@
     const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
     const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
-    const named = height >= NAMED;
+    const named2 = height >= NAMED;
     const mass = `${short(body2.mass)} kg`;
     return {
       x: -width * layout.scale / 2,
       width: width * layout.scale,
       height,
       cut,
-      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
-      label: named ? mass : `${body2.name}: ${mass}`,
-      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+      nameY: named2 ? -(height + FACE) / 2 + 4.5 : null,
+      label: named2 ? mass : `${body2.name}: ${mass}`,
+      labelY: named2 ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
   }
   function bodyWidth(body2) {
@@ -10638,9 +11287,9 @@
     return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
   }
   function keptInside(x, length, width) {
-    if (x > EDGE && x < width - EDGE) {
-      if (x + length > width - EDGE) return width - EDGE - x;
-      if (x + length < EDGE) return EDGE - x;
+    if (x > EDGE2 && x < width - EDGE2) {
+      if (x + length > width - EDGE2) return width - EDGE2 - x;
+      if (x + length < EDGE2) return EDGE2 - x;
     }
     return length;
   }
@@ -10668,9 +11317,9 @@
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key: key2, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end !== void 0 && from < end && end <= until) {
         marks3.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -10704,8 +11353,8 @@
       seen(`${short(energy)} J`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces({ between }, { key: key2, layout, face }) {
-      const [a, b] = between ?? ["", ""];
+    pieces({ between: between2 }, { key: key2, layout, face }) {
+      const [a, b] = between2 ?? ["", ""];
       const x = (face(a, "right") + face(b, "left")) / 2;
       const low = layout.track - 28;
       const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
@@ -10730,17 +11379,17 @@
         seen(`${short(stiffness)} N/m, ${natural}`)
       ];
     },
-    pieces({ numbers, between }, { key: key2, layout, face }) {
-      const [a, b] = between ?? ["", ""];
+    pieces({ numbers, between: between2 }, { key: key2, layout, face }) {
+      const [a, b] = between2 ?? ["", ""];
       const [start, end] = [face(a, "right"), face(b, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
       const middle = (start + end) / 2;
       const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
       const y = layout.track - PUSH - COIL - 5;
-      const measure = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
+      const measure2 = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
       return [
         { key: key2, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
-        { key: `${key2} natural`, cls: "carts-natural", d: measure }
+        { key: `${key2} natural`, cls: "carts-natural", d: measure2 }
       ];
     }
   };
@@ -10765,20 +11414,20 @@
   }
   function agent(effect) {
     const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+    return view.agent?.(effect) ?? (effect.by ? told2(effect.by) : view.name);
   }
   function actsAt(effect, t) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
   }
   function kindsOnOne({ effects }) {
-    const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
+    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between }) {
-    return between !== null && viewOf(kind).link !== null;
+  function isLink({ kind, between: between2 }) {
+    return between2 !== null && viewOf(kind).link !== null;
   }
   function linkedPairs({ effects }) {
-    return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
+    return new Set(effects.filter(isLink).map(({ between: between2 }) => String(between2?.join("-"))));
   }
   function linkOf({ effects }, pair) {
     const link = effects.find(
@@ -10827,16 +11476,16 @@
     const speeds = names.filter((name) => !isWall(name) && name in (event.after ?? {})).map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after2 = speeds.length ? `${speeds.join(". ")}.` : "";
     const size = `${short(impulse)} N s`;
-    const shown = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told2 = (...sentences) => sentences.filter(Boolean).join(" ");
+    const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
       case "contact": {
         if (impulse && laws[names.join("-")] === "velcro") {
-          return told2(tr("{pair} hit and stay together.", { pair }), shown, after2);
+          return told3(tr("{pair} hit and stay together.", { pair }), shown2, after2);
         }
-        if (impulse && joined(event, scale)) return told2(...hitAndGoOn(event, telling, pair), shown);
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown2);
         if (impulse) {
-          return told2(tr("{pair} hit each other and part at once.", { pair }), shown, after2);
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown2, after2);
         }
         const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
         return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
@@ -10848,23 +11497,23 @@
         }
         return tr("{pair}: bumpers squeezed the most.", { pair });
       case "separate": {
-        if (!joined(event, scale)) return told2(tr("{pair} separate.", { pair }), shown, after2);
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown2, after2);
         const ended = { pair: listed(names.map(body)) };
         const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
         if (rest) {
           const stay = tr("The push between {pair} has ended; they stay together.", ended);
-          return told2(stay, shown, after2);
+          return told3(stay, shown2, after2);
         }
-        return told2(pushEnded(event, telling, ended.pair), shown);
+        return told3(pushEnded(event, telling, ended.pair), shown2);
       }
       case "stick":
-        return told2(tr("{pair} stay together.", { pair }), after2);
+        return told3(tr("{pair} stay together.", { pair }), after2);
       case "stop":
         return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
       case "start":
         return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
       case "release":
-        return told2(tr("The exploder between {pair} releases.", { pair }), shown, after2);
+        return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
       case "end":
         return tr("End of the run.");
       default:
@@ -10891,10 +11540,10 @@
     const seen = Number(after2[cart2]) - camera;
     return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
   }
-  function exitSentence({ name, side, velocity: velocity2 }, decimals, scale) {
+  function exitSentence({ name, side: side2, velocity: velocity2 }, decimals, scale) {
     const [per, unit] = speedUnit(scale);
     const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name, speed });
+    return side2 === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name, speed });
   }
   function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
@@ -10903,7 +11552,7 @@
     return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
   function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(told(phase.why))))];
+    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
     const open = header.plan.length > 0;
     if (open && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
     const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
@@ -10911,9 +11560,6 @@
       sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
     }
     return sentences;
-  }
-  function told(why) {
-    return why.split("; ").map(heard).join("; ");
   }
   function lower(name) {
     return name.slice(0, 1).toLowerCase() + name.slice(1);
@@ -10928,17 +11574,17 @@
 
   // ../view/trajectory.js
   function fromBaked(numbers, events) {
-    const parts = { t: Float64Array.from(numbers.t), events };
+    const parts2 = { t: Float64Array.from(numbers.t), events };
     for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts[quantity] = {};
+      parts2[quantity] = {};
       for (const [key2, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key2] = Float64Array.from(
+        parts2[quantity][key2] = Float64Array.from(
           /** @type {number[]} */
           column
         );
       }
     }
-    return parts;
+    return parts2;
   }
   function isTold({ trajectory }) {
     return trajectory.t.length > 1;
@@ -10956,7 +11602,7 @@
     }
     return low - 1;
   }
-  function valueAt(times2, values, slopes, t) {
+  function valueAt2(times2, values, slopes, t) {
     const k = rowAt(times2, t);
     if (k < 0) return Number(values[0]);
     if (k >= times2.length - 1) return Number(values[values.length - 1]);
@@ -10989,7 +11635,7 @@
         if (!own.length || !column?.length) continue;
         const peak = greatest(column);
         const on = own.some((effect) => actsAt(effect, t));
-        const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
+        const exact = on ? valueAt2(trajectory.t, column, null, t) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
         found.push({ kind, on: name, by: listed([...new Set(own.map(agent))]), value, size });
@@ -10998,10 +11644,10 @@
     return found;
   }
   function labels({ kind, on, by, size }) {
-    const told2 = { on, by, size };
-    const brief2 = { ...told2, by: by.replaceAll("the ", "") };
+    const told3 = { on, by, size };
+    const brief2 = { ...told3, by: by.replaceAll("the ", "") };
     return [
-      viewOf(kind).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
+      viewOf(kind).label?.(told3) ?? tr("on {on} by {by}: {size} N", told3),
       tr("on {on} by {by}: {size} N", brief2),
       tr("by {by}: {size} N", brief2)
       // whose force it is tells the line from the cart
@@ -11017,8 +11663,8 @@
       return typeof around === "function" ? around(effect, agent(effect)) : "";
     });
     const earth = walls || kinds.some((view) => view.earth) ? tr("Earth") : "";
-    const parts = [walls ? tr("wall") : "", ...media, ...others, earth];
-    return [...new Set(parts.filter(Boolean))].join(" + ");
+    const parts2 = [walls ? tr("wall") : "", ...media, ...others, earth];
+    return [...new Set(parts2.filter(Boolean))].join(" + ");
   }
   var known = /* @__PURE__ */ new WeakMap();
   function greatest(column) {
@@ -11071,7 +11717,7 @@ ${bars(baked)}
       ({ name }, i) => html`<div class="carts-alone carts-${styleOf(i)}" data-body=${name}><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
 `
     );
-    const lines = rows.map(
+    const lines2 = rows.map(
       ([name, symbol, unit, quantity]) => html`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body2) => html`<td data-body=${body2.name} data-quantity=${quantity}>–</td>`)}</tr>
 `
     );
@@ -11081,7 +11727,7 @@ ${bars(baked)}
 ${alone}</div>
 <p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
 <div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html`<th scope="col">${name}</th>`)}</tr></thead><tbody>
-${lines}</tbody></table></div>
+${lines2}</tbody></table></div>
 <p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>
 </section>`;
   }
@@ -11118,25 +11764,25 @@ ${rows}</tbody></table></div>
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
-    const inside2 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
+    const inside5 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
     const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
-    const model = tr("In this model: {effects}.", { effects: inside2 });
+    const model = tr("In this model: {effects}.", { effects: inside5 });
     if (!leftOut.length) return model;
     const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
     return `${model} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
-    const { kind, carts, between } = effect;
+    const { kind, carts, between: between2 } = effect;
     const view = viewOf(kind);
-    const told2 = {
+    const told3 = {
       everyone: carts.length === header.bodies.length,
       on: listed(carts),
-      both: listed((between ?? carts).map(body)),
+      both: listed((between2 ?? carts).map(body)),
       agent: agent(effect),
       seen: (text2) => numbers ? text2 : ""
     };
-    const parts = view.phrase?.(effect, told2) ?? [view.name];
-    return parts.filter(Boolean).join(", ");
+    const parts2 = view.phrase?.(effect, told3) ?? [view.name];
+    return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {
     return effects.some(isLink) ? tr("Force between them") : tr("Contact force");
@@ -11148,51 +11794,21 @@ ${rows}</tbody></table></div>
     return effects.filter(({ active }) => active).flatMap((effect) => viewOf(effect.kind).marks?.(effect, agent(effect), until, forces2) ?? []);
   }
 
-  // ../view/scales.js
-  var STEP_SLACK = 1e-9;
-  var HEADROOM = 0.05;
-  function axisDecimals(axis2) {
-    return Math.max(0, -exponent(axis2.step));
-  }
-  function ticks(axis2) {
-    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
-    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
-    const found = [];
-    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
-    return found;
-  }
-  function niceAbove(value) {
-    const power = Number(`1e${exponent(value)}`);
-    for (const factor of [1, 2, 5]) {
-      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
-    }
-    return 10 * power;
-  }
-  function axis(low, high, count) {
-    const bottom = Math.min(0, low);
-    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
-    const room = HEADROOM * (top - bottom);
-    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
-  }
-  function span(low, high, count) {
-    return { low, high, step: niceAbove((high - low) / count) };
-  }
-
   // ../view/graph.js
-  var LEFT = 46;
-  var RIGHT = 350;
-  var TOP = 8;
-  var BOTTOM = 142;
-  var WIDTH = 360;
-  var HEIGHT = 172;
+  var LEFT3 = 46;
+  var RIGHT3 = 350;
+  var TOP3 = 8;
+  var BOTTOM3 = 142;
+  var WIDTH3 = 360;
+  var HEIGHT3 = 172;
   var BELOW_LINE = 4;
   var NEAR = 0.7;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
-    return LEFT + (t - plane.time.low) * ((RIGHT - LEFT) / (plane.time.high - plane.time.low));
+    return LEFT3 + (t - plane.time.low) * ((RIGHT3 - LEFT3) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM - (value - plane.value.low) * ((BOTTOM - TOP) / (plane.value.high - plane.value.low));
+    return BOTTOM3 - (value - plane.value.low) * ((BOTTOM3 - TOP3) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -11211,17 +11827,17 @@ ${rows}</tbody></table></div>
   }
   function reached(run, [low, high, factor, room], mirrored = false) {
     const down = Math.min(run[0] * factor, mirrored ? -high : low);
-    const up = Math.max(run[1] * factor, high);
+    const up2 = Math.max(run[1] * factor, high);
     const most = room * Math.max(-run[0], run[1]);
-    return most > 0 ? [Math.max(down, -most), Math.min(up, most)] : [down, up];
+    return most > 0 ? [Math.max(down, -most), Math.min(up2, most)] : [down, up2];
   }
   function planeFor(values, window2) {
     return { time: span(window2[0], window2[1], 6), value: axis(values[0], values[1], 5) };
   }
-  function path(curve2, times2, plane) {
-    const { values, slopes } = curve2;
-    const kx = (RIGHT - LEFT) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM - TOP) / (plane.value.high - plane.value.low);
+  function path(curve3, times2, plane) {
+    const { values, slopes } = curve3;
+    const kx = (RIGHT3 - LEFT3) / (plane.time.high - plane.time.low);
+    const ky = (BOTTOM3 - TOP3) / (plane.value.high - plane.value.low);
     const last = times2.length - 1;
     let drawn = 0;
     let x0 = timeX(plane, Number(times2[0]));
@@ -11272,27 +11888,27 @@ ${rows}</tbody></table></div>
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
     const label = tr("{quantity} against time", { quantity: name });
-    const table = tr("Table: {quantity}", { quantity: lower(name) });
+    const table3 = tr("Table: {quantity}", { quantity: lower(name) });
     return html`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${table}</summary>
+<details class="carts-more"><summary>${table3}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
   function plot(clip, isForce) {
-    const inside2 = html`clip-path="url(#${clip})"`;
+    const inside5 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
-    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
+    return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH3} ${HEIGHT3}" width=${WIDTH3} height=${HEIGHT3} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside2}>${isForce && [shade, shade]}</g>
-<g data-part="curves" ${inside2}></g>
-<g data-part="cursor" ${inside2}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>
+<text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
+<g data-part="areas" ${inside5}>${isForce && [shade, shade]}</g>
+<g data-part="curves" ${inside5}></g>
+<g data-part="cursor" ${inside5}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
 </svg>`;
   }
 
@@ -11380,11 +11996,11 @@ ${own.map((one) => control(one, fence.id))}</div>`;
     const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
     const text2 = fixed(value, decimals).replace("−", "-");
     const box2 = `${id}-${set.replaceAll(".", "-")}`;
-    const slider = tr("{label}, slider", { label });
+    const slider2 = tr("{label}, slider", { label });
     const measured = unit ? tr(" in {unit}", { unit }) : "";
     return html`<div class="carts-control" data-set=${set}>
 <label for=${box2}>${short2}</label>
-<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider} aria-valuetext="${text2} ${unit}" disabled>
+<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider2} aria-valuetext="${text2} ${unit}" disabled>
 <span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2} aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
@@ -11395,7 +12011,7 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   // ../view/skeleton/predict.js
   var FULL = 10;
   var KNOBS = [0, 1, 2, 3, 4];
-  var FORMS = { arrows, curve, choice, text };
+  var FORMS = { arrows, curve: curve2, choice: choice2, text };
   function predict(baked, spec) {
     const { id } = baked.fence;
     const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
@@ -11430,7 +12046,7 @@ ${FORMS[spec.kind](baked, spec)}
     return html`<div class="carts-guesses">
 ${rows}</div>`;
   }
-  function curve({ run: { header } }, { cart: cart2 }) {
+  function curve2({ run: { header } }, { cart: cart2 }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
     const knobs = KNOBS.map(
       (k) => html`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`
@@ -11449,7 +12065,7 @@ ${rows}</div>`;
 <div class="carts-heights"><p>${tr("Move the five points, or type heights from 0 to 10.")}</p>${heights}</div>
 </div>`;
   }
-  function choice({ fence: { id } }, { options }) {
+  function choice2({ fence: { id } }, { options }) {
     const rows = options.map(
       (option, k) => html`<label><input type="radio" autocomplete="off" name="${id}-predict" value=${k} disabled> <span>${option}</span></label>`
     );
@@ -11462,7 +12078,7 @@ ${rows}</div>`;
   // ../view/skeleton/stage.js
   var LABEL_ROOM = { wide: 46, narrow: 40 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
-  var MOST_NUMBERS = 150;
+  var MOST_NUMBERS2 = 150;
   var LEAST_WALL = 64;
   var BEYOND = 60;
   var WALL = 2e3;
@@ -11491,7 +12107,7 @@ ${legend(baked, layout)}
 `;
   }
   function cart({ name }, i) {
-    const face = (side) => html`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+    const face = (side2) => html`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
     return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
@@ -11517,18 +12133,18 @@ ${legend(baked, layout)}
     const last = right === "wall" ? Number(length) : high;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end = right === "wall" ? at(last) : at(high) + BEYOND;
-    const under = layout.track + layout.beam;
+    const under2 = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
-    while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
+    while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
     const numbers = { low: first, high: last, step };
-    const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
-    const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
+    const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
+    const fine = ticks({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge, from) => {
+    const wall = (edge2, from) => {
       const box2 = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html`<rect class="carts-wall" ${box2}/>
 <rect ${box2} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html`<g data-part="ground">
@@ -11536,7 +12152,7 @@ ${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(las
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
-      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 21)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
   }
@@ -11595,7 +12211,7 @@ ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="car
 
   // ../view/skeleton/scene.js
   var FORCE_QUANTITIES = ["F", "a"];
-  function inside(baked, found = false) {
+  function inside4(baked, found = false) {
     const { fence, view, run } = baked;
     const { id, predict: asked } = fence;
     const quantities = fence.show.filter(
@@ -11644,11 +12260,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told2 = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told2);
+      const told3 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told3);
       const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told2,
+        ...told3,
         velocity: seen
       });
     });
@@ -11691,6 +12307,151 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function onResize(element, act) {
     if (typeof ResizeObserver === "function") new ResizeObserver(act).observe(element);
   }
+
+  // src/cost/stage.js
+  var [WIDTH4, FLOOR_Y, SIDE] = [640, 84, 20];
+  var [LOWEST, TALLEST2] = [16, 58];
+  var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
+  var MOST = 3;
+  var CostStage = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.stage = need(root, ".carts-cost-stage");
+      this.energy = need(root, ".carts-cost-energy");
+      this.carts = [];
+      this.ghosts = [];
+      this.cursor = null;
+    }
+    /** @param {CostHeader} header @param {ArrayLike<number>} numbers columns as `cost_answer.py` says */
+    show(header, numbers) {
+      this.header = header;
+      const { rows, bodies } = header;
+      const column = (k) => Array.from({ length: rows }, (_, row2) => Number(numbers[k * rows + row2]));
+      this.t = column(0);
+      const count = bodies.length;
+      this.x = bodies.map((_, k) => column(1 + k));
+      this.exact = bodies.map((_, k) => column(1 + count + k));
+      this.#lay();
+      this.#plot(column(1 + 2 * count), column(2 + 2 * count));
+      this.at(0);
+    }
+    /** The room that the exact run takes, and some more; the stepped one may leave the picture. */
+    #lay() {
+      const { bodies, track } = (
+        /** @type {CostHeader} */
+        this.header
+      );
+      const paths = this.exact ?? [];
+      const ends = bodies.flatMap(({ length }, k) => {
+        const all = paths[k] ?? [0];
+        return [Math.min(...all) - length, Math.max(...all) + length];
+      });
+      const left = track.left === "wall" ? 0 : Math.min(...ends);
+      const right = track.right === "wall" ? Number(track.length) : Math.max(...ends);
+      this.scale = (WIDTH4 - 2 * SIDE) / (right - left);
+      this.left = left;
+      const heaviest = Math.max(...bodies.map(({ mass }) => mass));
+      const shape = (k, name) => {
+        const { mass, length } = (
+          /** @type {CostHeader["bodies"][0]} */
+          bodies[k]
+        );
+        const height = LOWEST + (TALLEST2 - LOWEST) * mass / heaviest;
+        const width = length * Number(this.scale);
+        const box2 = {
+          x: px(-width / 2),
+          y: px(FLOOR_Y - height),
+          width: px(width),
+          height: px(height)
+        };
+        return svg("rect", { class: name, rx: 3, ...box2 });
+      };
+      const group = (k) => {
+        const made = svg("g", { class: `carts-b${k % 8}` });
+        const name = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
+        name.textContent = bodies[k]?.name ?? "";
+        made.append(shape(k, "carts-box"), name);
+        return made;
+      };
+      this.carts = bodies.map((_, k) => group(k));
+      this.ghosts = bodies.map((_, k) => shape(k, `carts-cost-ghost carts-b${k % 8}`));
+      const floor = svg("path", { class: "carts-rule", d: `M0 ${FLOOR_Y}H${WIDTH4}` });
+      const walls = [];
+      if (track.left === "wall") walls.push(this.#place(0));
+      if (track.right === "wall") walls.push(this.#place(Number(track.length)));
+      this.stage.replaceChildren(
+        floor,
+        ...walls.map((x) => svg("path", { class: "carts-wall-face", d: `M${px(x)} 14V${FLOOR_Y}` })),
+        ...this.carts,
+        ...this.ghosts
+      );
+    }
+    /** @param {number} x in m */
+    #place(x) {
+      return SIDE + (x - Number(this.left)) * Number(this.scale);
+    }
+    /** @param {number[]} stepped @param {number[]} exact J */
+    #plot(stepped, exact) {
+      const { until } = (
+        /** @type {CostHeader} */
+        this.header
+      );
+      const start = exact[0] || 1;
+      const { left, top, right, bottom } = ENERGY;
+      const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
+      const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
+      const scale = axis(0, 100 * high, 4);
+      const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
+      const x = (t) => left + t / until * (right - left);
+      const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
+      const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
+        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
+        label.textContent = `${short(tick)} %`;
+        return [
+          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / 100))}H${right}` }),
+          label
+        ];
+      });
+      const last = svg("text", { class: "carts-tick-x", x: right, y: bottom + 20 });
+      last.textContent = `${short(until)} s`;
+      const first = svg("text", { class: "carts-tick-x", x: left, y: bottom + 20 });
+      first.textContent = "0";
+      this.cursor = svg("path", { class: "carts-cost-cursor" });
+      this.energy.replaceChildren(
+        ...parts2,
+        first,
+        last,
+        svg("path", {
+          class: "carts-cost-line carts-cost-true",
+          d: path2(exact.map((e) => e / start))
+        }),
+        svg("path", { class: "carts-cost-line carts-cost-made", d: path2(finite) }),
+        this.cursor
+      );
+    }
+    /** Draw the carts at a time, between the samples on straight lines. @param {number} time s */
+    at(time) {
+      const times2 = this.t ?? [];
+      let k = times2.findLastIndex((t) => t <= time);
+      k = Math.min(Math.max(k, 0), Math.max(0, times2.length - 2));
+      const [a, b] = [Number(times2[k]), Number(times2[k + 1])];
+      const part = b > a ? Math.min(1, (time - a) / (b - a)) : 0;
+      const between2 = (xs) => {
+        const here = Number(xs?.[k]);
+        const x2 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
+        return Number.isFinite(x2) ? Math.min(5e3, Math.max(-5e3, x2)) : 5e3;
+      };
+      for (const [cart2, shape] of this.carts.entries()) {
+        put(shape, "transform", `translate(${px(between2(this.x?.[cart2]), 2)} 0)`);
+      }
+      for (const [cart2, shape] of this.ghosts.entries()) {
+        put(shape, "transform", `translate(${px(between2(this.exact?.[cart2]), 2)} 0)`);
+      }
+      const { left, top, right, bottom } = ENERGY;
+      const x = left + time / Number(this.header?.until ?? 1) * (right - left);
+      if (this.cursor) put(this.cursor, "d", `M${px(x)} ${top}V${bottom}`);
+    }
+  };
 
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
@@ -11736,28 +12497,28 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const { name, mass } = body2;
       const [x, v, a] = [run.x[name] ?? [], run.v[name] ?? [], run.a[name] ?? []];
       const seen = Float64Array.from(v, (speed) => speed - camera);
-      const curve2 = { label: name, style: styleOf(i), over: false };
+      const curve3 = { label: name, style: styleOf(i), over: false };
       switch (quantity) {
         case "x": {
           const values = Float64Array.from(x, (place, k) => place - camera * Number(times2[k]));
-          return { ...curve2, values, slopes: seen };
+          return { ...curve3, values, slopes: seen };
         }
         case "v":
           return {
-            ...curve2,
+            ...curve3,
             values: seen.map((speed) => speed / per),
             slopes: Float64Array.from(a, (rate) => rate / per)
           };
         case "a":
-          return { ...curve2, values: a, slopes: null };
+          return { ...curve3, values: a, slopes: null };
         case "p":
           return {
-            ...curve2,
+            ...curve3,
             values: seen.map((speed) => mass * speed),
             slopes: Float64Array.from(a, (value) => mass * value)
           };
         default:
-          return { ...curve2, values: seen.map((s) => mass * s * s / 2), slopes: null };
+          return { ...curve3, values: seen.map((s) => mass * s * s / 2), slopes: null };
       }
     });
     if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
@@ -11862,28 +12623,28 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (!run) return;
       const start = latestTouch(this.#windows, t)?.start ?? 0;
       say(this.since, tr("at {time} s", { time: fixed(start, 2) }));
-      this.rows.forEach((row, k) => {
-        const curve2 = this.#curves[k];
-        row.hidden = !curve2;
-        if (!curve2) return;
+      this.rows.forEach((row2, k) => {
+        const curve3 = this.#curves[k];
+        row2.hidden = !curve3;
+        if (!curve3) return;
         const at = (when) => {
-          const value = valueAt(run.trajectory.t, curve2.values, curve2.slopes, when);
+          const value = valueAt2(run.trajectory.t, curve3.values, curve3.slopes, when);
           return Math.abs(value) < NOISE * this.#full ? 0 : value;
         };
         const [before2, now] = [at(start), at(t)];
-        say(need(row, "th"), curve2.label);
+        say(need(row2, "th"), curve3.label);
         const texts = [before2, now, now - before2].map((value) => fixed(value, this.decimals));
-        row.querySelectorAll("td[data-when]").forEach((cell, i) => {
+        row2.querySelectorAll("td[data-when]").forEach((cell, i) => {
           say(cell, texts[i] ?? "");
         });
-        bar(need(row, '[data-part="before"]'), before2 / this.#full);
-        bar(need(row, '[data-part="now"]'), now / this.#full);
+        bar2(need(row2, '[data-part="before"]'), before2 / this.#full);
+        bar2(need(row2, '[data-part="now"]'), now / this.#full);
       });
     }
   };
-  function bar(rect, part2) {
-    const length = HALF2 * Math.min(1, Math.abs(part2));
-    put(rect, "x", px(part2 < 0 ? HALF2 + 4 - length : HALF2 + 4));
+  function bar2(rect, part) {
+    const length = HALF2 * Math.min(1, Math.abs(part));
+    put(rect, "x", px(part < 0 ? HALF2 + 4 - length : HALF2 + 4));
     put(rect, "width", px(length));
   }
 
@@ -11891,7 +12652,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function contactForce({ trajectory }, pair, t, zero) {
     const column = trajectory.F[pair];
     if (!column) return 0;
-    const force = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t);
+    const force = valueAt2(trajectory.t, column, trajectory.dF[pair] ?? null, t);
     return Math.abs(force) < zero ? 0 : force;
   }
   function contactForces(run, name, t, zero) {
@@ -11922,8 +12683,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
   function effectForces(run, name, t) {
     return forcesAt(run, t, true).filter(({ on }) => on === name).map(({ kind, on, by, value, size }) => {
-      const { forceName: forceName2 = forceOn, side } = viewOf(kind);
-      const at = side?.(value) ?? "middle";
+      const { forceName: forceName2 = forceOn, side: side2 } = viewOf(kind);
+      const at = side2?.(value) ?? "middle";
       return { name: forceName2(on, by), on, by, way: "along", side: at, value, size };
     });
   }
@@ -11946,11 +12707,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/beside/free-body.js
-  var WIDTH2 = 260;
-  var HEIGHT2 = 60;
+  var WIDTH5 = 260;
+  var HEIGHT4 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE = WIDTH2 / 2;
+  var MIDDLE = WIDTH5 / 2;
   var APART = 8;
   var FULL2 = 95;
   var FreeBody = class {
@@ -11994,7 +12755,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         this.#draw(name, this.#vertical ? [...along, ...verticalForces(run, name)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times2, v, a } = run.trajectory;
-        const speed = (at) => valueAt(times2, v[name] ?? [], a[name] ?? [], at);
+        const speed = (at) => valueAt2(times2, v[name] ?? [], a[name] ?? [], at);
         const change = speed(t) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
         const seen = Math.abs(change) < NOISE * velocity2 ? 0 : change / this.per;
@@ -12042,32 +12803,32 @@ ${found && html`<p class="carts-found" hidden></p>`}
         );
       });
       const picture = need(card, "svg");
-      put(picture, "viewBox", `0 ${-room} ${WIDTH2} ${HEIGHT2 + 2 * room}`);
-      put(picture, "height", String(HEIGHT2 + 2 * room));
+      put(picture, "viewBox", `0 ${-room} ${WIDTH5} ${HEIGHT4 + 2 * room}`);
+      put(picture, "height", String(HEIGHT4 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told2 = { name, size };
-      const ways = way === "up" ? [tr("{name}: {size} down", told2), tr("{name}: {size} up", told2)] : [tr("{name}: {size} to the left", told2), tr("{name}: {size} to the right", told2)];
+      const told3 = { name, size };
+      const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
       const said = value === 0 ? `${name}: ${size}` : ways[value < 0 ? 0 : 1];
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
   };
-  function tail({ way, side, value }) {
+  function tail({ way, side: side2, value }) {
     if (way === "up") {
       const middle = (BOX.top + BOX.bottom) / 2;
       return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
     }
-    if (side === "middle") return [MIDDLE, AXIS];
-    if (side === "below") return [MIDDLE, BOX.bottom];
-    if (side === "above") return [MIDDLE, BOX.top];
-    return [side === "left" ? BOX.left : BOX.right, AXIS];
+    if (side2 === "middle") return [MIDDLE, AXIS];
+    if (side2 === "below") return [MIDDLE, BOX.bottom];
+    if (side2 === "above") return [MIDDLE, BOX.top];
+    return [side2 === "left" ? BOX.left : BOX.right, AXIS];
   }
 
   // src/scene/beside/lens.js
-  var TIMES = 10;
-  var WIDTH3 = 360;
+  var TIMES2 = 10;
+  var WIDTH6 = 360;
   var TRACK = 96;
   var BAR = 70;
   var SCALE = 3;
@@ -12098,17 +12859,17 @@ ${found && html`<p class="carts-found" hidden></p>`}
     #measure() {
       for (const layout of this.view.layouts) {
         const stage2 = this.scene.querySelector(`.carts-stage-${layout.kind}`);
-        const [shown, own] = [stage2?.clientWidth ?? 0, this.plot.clientWidth];
-        if (!shown || !own) continue;
-        const unit = shown / layout.width * (WIDTH3 / own);
-        this.#perMetre = TIMES * layout.scale * unit;
+        const [shown2, own] = [stage2?.clientWidth ?? 0, this.plot.clientWidth];
+        if (!shown2 || !own) continue;
+        const unit = shown2 / layout.width * (WIDTH6 / own);
+        this.#perMetre = TIMES2 * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
       const length = niceAbove(BAR / this.#perMetre / 2.5);
-      const bar2 = px(length * this.#perMetre);
-      put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar2}m0 -2.5v5`);
+      const bar3 = px(length * this.#perMetre);
+      put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar3}m0 -2.5v5`);
       const text2 = need(this.root, '[data-part="bar-text"]');
-      put(text2, "x", px(Number(bar2) + 16));
+      put(text2, "x", px(Number(bar3) + 16));
       say(text2, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
     }
     /** @param {Run} run @param {Touch[]} windows */
@@ -12134,8 +12895,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
       const faces = [left.face - share, Math.max(right.face, left.face - share)];
       const force = contactForce(run, touch.pair, t, NOISE * (this.view.force || 1));
-      [left, right].forEach((side, k) => {
-        this.#draw(k, side, Number(faces[k]), middle, force);
+      [left, right].forEach((side2, k) => {
+        this.#draw(k, side2, Number(faces[k]), middle, force);
       });
       const pair = listed(touch.bodies.map(body));
       const gap = right.face - left.face;
@@ -12153,30 +12914,30 @@ ${found && html`<p class="carts-found" hidden></p>`}
         return { name, edge: wall, face: wall, bumper: 0 };
       }
       const { t, x, v } = trajectory;
-      const centre = valueAt(t, x[name] ?? [], v[name] ?? [], this.#t);
+      const centre = valueAt2(t, x[name] ?? [], v[name] ?? [], this.#t);
       const way = k === 0 ? 1 : -1;
       const face = centre + way * cart2.length / 2;
       return { name, face, edge: face - way * cart2.bumper_length, bumper: cart2.bumper_length };
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
-    #draw(k, side, face, middle, force) {
-      const at = (x) => WIDTH3 / 2 + (x - middle) * this.#perMetre;
+    #draw(k, side2, face, middle, force) {
+      const at = (x) => WIDTH6 / 2 + (x - middle) * this.#perMetre;
       const group = need(this.root, `[data-side="${k}"]`);
-      const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side.name) ?? -1;
+      const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side2.name) ?? -1;
       put(group, "class", index2 < 0 ? "carts-wall" : `carts-b${index2 % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge, end] = [at(side.edge), at(face)];
+      const [edge2, end] = [at(side2.edge), at(face)];
       const rect = need(group, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge - 2 * WIDTH3 : edge));
+      put(rect, "x", px(k === 0 ? edge2 - 2 * WIDTH6 : edge2));
       const bent = need(group, '[data-part="spring"]');
-      put(bent, "d", side.bumper ? spring(edge / SCALE, end / SCALE) : "");
+      put(bent, "d", side2.bumper ? spring(edge2 / SCALE, end / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name = need(group, '[data-part="name"]');
-      const inside2 = Math.min(WIDTH3 - 34, Math.max(34, edge - 22 * way));
-      put(name, "x", px(inside2));
-      say(name, index2 < 0 ? tr("wall") : side.name);
+      const inside5 = Math.min(WIDTH6 - 34, Math.max(34, edge2 - 22 * way));
+      put(name, "x", px(inside5));
+      say(name, index2 < 0 ? tr("wall") : side2.name);
       const arrow = need(group, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
       const length = -way * arrowLength(force, this.view.force, this.#perForce);
@@ -12250,7 +13011,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const group = found ?? svg("g", { "data-part": "ghost", "clip-path": clip });
     if (!found) front?.before(group);
     group.replaceChildren(
-      ...curves.filter(({ over }) => !over).map((curve2) => svg("path", { class: "carts-pale", d: path(curve2, times2, plane) }))
+      ...curves.filter(({ over: over2 }) => !over2).map((curve3) => svg("path", { class: "carts-pale", d: path(curve3, times2, plane) }))
     );
   }
 
@@ -12264,10 +13025,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
         times2[i]
       );
       put(line, "class", "carts-grid");
-      put(line, "d", `M${at} ${TOP}V${BOTTOM}`);
+      put(line, "d", `M${at} ${TOP3}V${BOTTOM3}`);
       put(text2, "class", "carts-tick-x");
       put(text2, "x", at);
-      put(text2, "y", String(BOTTOM + 14));
+      put(text2, "y", String(BOTTOM3 + 14));
       say(text2, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line, text2, i) => {
@@ -12276,9 +13037,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         rows[i]
       );
       put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${LEFT} ${at}H${RIGHT}`);
+      put(line, "d", `M${LEFT3} ${at}H${RIGHT3}`);
       put(text2, "class", "carts-tick-y");
-      put(text2, "x", String(LEFT - 5));
+      put(text2, "x", String(LEFT3 - 5));
       put(text2, "y", textY);
       say(text2, label);
     });
@@ -12321,7 +13082,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         // what a pair's own spring does is in its F
       );
       if (mass === void 0 || others || acting) return { name, change: null };
-      const v = (at) => valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], at);
+      const v = (at) => valueAt2(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], at);
       return { name, change: mass * (v(t) - v(touch.start)) };
     });
   }
@@ -12372,12 +13133,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
         outline(-1)
       );
       const impulse = area(run, touch.pair, touch.start, end);
-      const [names, amount] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
-      const parts = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(
+      const [names, amount2] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
+      const parts2 = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(
         ({ name, change }) => tr("m Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) })
       );
-      const shaded = t >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount }) : tr("{names}, shaded area so far: {amount}", { names, amount });
-      say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts].join("; ") }));
+      const shaded = t >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount2 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount2 });
+      say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
     }
   };
 
@@ -12400,11 +13161,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.#told = "";
     }
   };
-  function entry({ style, over, label }) {
+  function entry({ style, over: over2, label }) {
     const made = html2("span", `carts-${style}`);
     const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
     const sample = svg("svg", size);
-    const line = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
+    const line = { class: `carts-curve carts-${style}${over2 ? " carts-over" : ""}`, d: "M0 5H26" };
     const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
     sample.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
     made.append(sample, label);
@@ -12430,7 +13191,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       squeezed[k] = away - Number(warmed2[k]);
     }
     return [
-      ...moving.map((curve2) => ({ ...curve2, label: tr("motion of {cart}", { cart: curve2.label }) })),
+      ...moving.map((curve3) => ({ ...curve3, label: tr("motion of {cart}", { cart: curve3.label }) })),
       {
         label: tr("in squeezed bumpers"),
         style: "squeezed",
@@ -12481,19 +13242,19 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (!detail.heard) resolve(null);
     });
   }
-  function ledgerWithEffects({ header, trajectory }, parts) {
+  function ledgerWithEffects({ header, trajectory }, parts2) {
     const times2 = trajectory.t;
     const moving = seriesOf("energy", header, trajectory, 0).filter((c) => c.style !== "total");
     const column = (name) => {
-      const values = parts.columns[parts.names.indexOf(name)] ?? new Float64Array(times2.length);
+      const values = parts2.columns[parts2.names.indexOf(name)] ?? new Float64Array(times2.length);
       if (values.length === times2.length) return values;
-      return Float64Array.from(times2, (t) => valueAt(parts.t, values, null, Number(t)));
+      return Float64Array.from(times2, (t) => valueAt2(parts2.t, values, null, Number(t)));
     };
-    const bands = moving.map((curve2) => ({
-      ...curve2,
-      label: tr("motion of {cart}", { cart: curve2.label })
+    const bands = moving.map((curve3) => ({
+      ...curve3,
+      label: tr("motion of {cart}", { cart: curve3.label })
     }));
-    for (const name of parts.names.filter((one) => one !== WARMED)) {
+    for (const name of parts2.names.filter((one) => one !== WARMED)) {
       const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name).stored ?? "", "stored"];
       if (!label) continue;
       const values = column(name);
@@ -12549,9 +13310,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         this.#take(run, ledger(run, touches(events, until), this.camera));
       } else if (open && this.#of !== run) {
         this.#of = run;
-        void askParts(this.root).then((parts) => {
+        void askParts(this.root).then((parts2) => {
           if (this.#of !== run) return;
-          this.#take(run, parts ? ledgerWithEffects(run, parts) : []);
+          this.#take(run, parts2 ? ledgerWithEffects(run, parts2) : []);
           changed();
         });
       }
@@ -12575,7 +13336,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           this.areas.children[i]
         );
         put(path2, "class", `carts-band carts-${top.style}`);
-        put(path2, "d", band(this.times, plane, top.values, this.tops[i - 1]?.values));
+        put(path2, "d", band2(this.times, plane, top.values, this.tops[i - 1]?.values));
       });
       this.key.replaceChildren(
         ...this.entries.map(({ style }) => {
@@ -12592,13 +13353,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {number} t in s */
     at(t) {
       this.entries.forEach(({ label, values }, i) => {
-        const now = Math.max(0, valueAt(this.times, values, null, t));
+        const now = Math.max(0, valueAt2(this.times, values, null, t));
         const text2 = this.key.children[i]?.querySelector("b");
         if (text2) say(text2, `${label}: ${fixed(now, this.decimals)} J`);
       });
     }
   };
-  function band(times2, plane, top, bottom) {
+  function band2(times2, plane, top, bottom) {
     const above = [];
     const below = [];
     let [x0, y0, z0] = [-9, -9, -9];
@@ -12615,7 +13376,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/graphs/table.js
-  var ROWS = 10;
+  var ROWS2 = 10;
   var MOST_EVENTS = 24;
   var REST = 250;
   var Table = class {
@@ -12645,25 +13406,25 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const head = html2("tr");
       head.append(
         heading(tr("t in s")),
-        ...curves.map((curve2) => heading(`${curve2.label}, ${unit}`))
+        ...curves.map((curve3) => heading(`${curve3.label}, ${unit}`))
       );
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
       const scale = greatest2(curves);
       const rows = tableTimes(run).map((t) => {
-        const row = html2("tr");
-        row.append(html2("td", "", fixed(t, this.view.decimals.t ?? 3)));
+        const row2 = html2("tr");
+        row2.append(html2("td", "", fixed(t, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
-          const value = valueAt(run.trajectory.t, values, slopes, t);
-          row.append(html2("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
+          const value = valueAt2(run.trajectory.t, values, slopes, t);
+          row2.append(html2("td", "", fixed(Math.abs(value) < NOISE * scale ? 0 : value, decimals)));
         }
-        return row;
+        return row2;
       });
       need(this.details, "tbody").replaceChildren(...rows);
     }
   };
   function tableTimes({ header, trajectory }) {
-    const times2 = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS)), header.until]);
+    const times2 = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times2.add(event.t);
     const last = Number(trajectory.t[trajectory.t.length - 1]);
     return [...times2].filter((t) => t <= last).sort((a, b) => a - b);
@@ -12727,10 +13488,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame.left) / frame.width * WIDTH;
-        const part2 = Math.min(1, Math.max(0, (x - LEFT) / (RIGHT - LEFT)));
+        const x = (event.clientX - frame.left) / frame.width * WIDTH3;
+        const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT3 - LEFT3)));
         const { low, high } = this.#plane.time;
-        seek(low + part2 * (high - low));
+        seek(low + part * (high - low));
       };
       this.plot.addEventListener("pointerdown", point);
       this.plot.addEventListener("pointermove", point);
@@ -12762,8 +13523,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.impulse?.at(run, this.#plane, t, this.#pressed);
       if (this.#stacked) this.ledger?.at(t);
       put(need(this.root, ".carts-cursor"), "transform", `translate(${x} 0)`);
-      this.#curves.forEach((curve2, i) => {
-        const y = valueY(this.#plane, valueAt(this.#times(run), curve2.values, curve2.slopes, t));
+      this.#curves.forEach((curve3, i) => {
+        const y = valueY(this.#plane, valueAt2(this.#times(run), curve3.values, curve3.slopes, t));
         const dot2 = this.#dots[i];
         if (dot2) put(dot2, "transform", `translate(${x} ${px(y)})`);
       });
@@ -12809,13 +13570,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       drawAxes(this.root, this.#plane);
       const group = need(this.root, '[data-part="curves"]');
       fit(group, this.#curves.length, () => svg("path"));
-      this.#curves.forEach((curve2, i) => {
+      this.#curves.forEach((curve3, i) => {
         const line = (
           /** @type {Element} */
           group.children[i]
         );
-        put(line, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
-        put(line, "d", path(curve2, this.#times(run), this.#plane));
+        put(line, "class", `carts-curve carts-${curve3.style}${curve3.over ? " carts-over" : ""}`);
+        put(line, "d", path(curve3, this.#times(run), this.#plane));
       });
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
       this.#cursor();
@@ -12877,13 +13638,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const run = this.#run;
       if (!run) return;
       const { t: times2, x, v, a } = run.trajectory;
-      const told2 = isTold(run);
+      const told3 = isTold(run);
       for (const { name, outputs } of this.cards) {
         const mass = run.header.bodies.find((body2) => body2.name === name)?.mass ?? 0;
-        const acceleration = told2 ? valueAt(times2, a[name] ?? [], null, t) : null;
+        const acceleration = told3 ? valueAt2(times2, a[name] ?? [], null, t) : null;
         const values = /* @__PURE__ */ new Map([
-          ["x", valueAt(times2, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
-          ["v", (valueAt(times2, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
+          ["x", valueAt2(times2, x[name] ?? [], v[name] ?? [], t) - this.camera * t],
+          ["v", (valueAt2(times2, v[name] ?? [], a[name] ?? [], t) - this.camera) / this.per],
           ["F", acceleration === null ? null : mass * acceleration],
           ["a", acceleration]
         ]);
@@ -12972,7 +13733,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   };
   function arrows2(run, layout, full, t, centre) {
     const styles = new Map(run.header.bodies.map(({ name }, i) => [name, `carts-${styleOf(i)}`]));
-    const named = run.header.bodies.length <= FEW;
+    const named2 = run.header.bodies.length <= FEW;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
     for (const force of forcesAt(run, t)) {
@@ -12986,16 +13747,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
       lowest.set(force.on, Math.max(y, lowest.get(force.on) ?? y));
       const d = (cut ? cutArrow : blockArrow)(x, y, length);
       pieces.push({ key: `arrow ${key2}`, cls: `carts-block-arrow carts-acts ${style}`, d });
-      const row = `row ${force.kind}`;
-      if (named) {
-        const told2 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
-        const text2 = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
+      const row2 = `row ${force.kind}`;
+      if (named2) {
+        const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text2 = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
         const [at, anchor] = beside(x, length, text2.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
         pieces.push({ key: `name ${key2}`, cls, text: text2, x: px(at), y: px(y + 4), anchor });
-      } else if (!pieces.some((piece) => piece.key === row)) {
+      } else if (!pieces.some((piece) => piece.key === row2)) {
         const text2 = tr("by {by}", { by: force.by });
-        pieces.push({ key: row, cls: "carts-acts-row", text: text2, x: "6", y: px(y + 4), anchor: "start" });
+        pieces.push({ key: row2, cls: "carts-acts-row", text: text2, x: "6", y: px(y + 4), anchor: "start" });
       }
     }
     const leaders = [...lowest].map(([name, y]) => ({
@@ -13023,7 +13784,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   var PER_CHARACTER2 = 7.8;
   var ROW = 19;
   var GAP2 = 8;
-  var EDGE2 = 6;
+  var EDGE3 = 6;
   var Pushes = class {
     /** @type {Push[]} */
     #pushes = [];
@@ -13047,11 +13808,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
           (name) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name}"]`)
         );
         if (groups[0] && groups[1]) {
-          const row = this.layout.rows[k] ?? 0;
+          const row2 = this.layout.rows[k] ?? 0;
           this.#pushes.push({
             pair: contact.pair,
             bodies: contact.bodies,
-            row,
+            row: row2,
             groups: [groups[0], groups[1]]
           });
         }
@@ -13062,11 +13823,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const run = this.#run;
       if (!run) return;
       const { layout, view } = this;
-      const told2 = [];
+      const told3 = [];
       for (const push2 of this.#pushes) {
         const { t: times2, F, dF } = run.trajectory;
         const [column, slopes] = [F[push2.pair], dF[push2.pair]];
-        const force = column && slopes ? valueAt(times2, column, slopes, t) : 0;
+        const force = column && slopes ? valueAt2(times2, column, slopes, t) : 0;
         const signed = Math.abs(force) < NOISE * view.force ? 0 : force;
         const size = Math.abs(signed);
         const length = arrowLength(signed, view.force, layout.force);
@@ -13074,40 +13835,40 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const [left, right] = push2.bodies;
         const ends = [face(left, "right"), face(right, "left")];
         const draw = isCut(size, view.force) ? cutArrow : blockArrow;
-        push2.groups.forEach((group, side) => {
-          const way = side === 0 ? -1 : 1;
-          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
+        push2.groups.forEach((group, side2) => {
+          const way = side2 === 0 ? -1 : 1;
+          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side2]), y, way * length));
         });
         const touching = this.#windows.some(
           (w) => w.pair === push2.pair && t >= w.start && t <= w.end
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
-          told2.push({ push: push2, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told3.push({ push: push2, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
-      this.#names(told2);
+      this.#names(told3);
     }
     /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
-    #names(told2) {
-      const [only] = told2;
+    #names(told3) {
+      const [only] = told3;
       for (const { pair, groups } of this.#pushes) {
-        const on = told2.some(({ push: push2 }) => push2.pair === pair);
+        const on = told3.some(({ push: push2 }) => push2.pair === pair);
         for (const group of groups) {
           put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
         }
       }
-      if (told2.length === 1 && only && this.#inFull(only)) return;
+      if (told3.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push: push2, size, x } of told2) {
+      for (const { push: push2, size, x } of told3) {
         const [text2, other] = push2.groups.map((group) => need(group, '[data-part="text"]'));
         if (!text2 || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
         const half = label.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
-          (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
+          (y) => taken.every(([row2, from, to]) => row2 !== y || at + half < from || at - half > to)
         );
         put(other, "visibility", "hidden");
         if (free === void 0) put(text2, "visibility", "hidden");
@@ -13118,14 +13879,14 @@ ${found && html`<p class="carts-found" hidden></p>`}
       }
     }
     /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
-    #inFull(told2) {
-      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    #inFull(told3) {
+      return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
     /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
     #named({ push: push2, size, x }, through) {
       const [first, second] = push2.groups.map((group) => need(group, '[data-part="text"]'));
-      const labels2 = push2.bodies.map((on, side) => {
-        const by = push2.bodies[1 - side] ?? "";
+      const labels2 = push2.bodies.map((on, side2) => {
+        const by = push2.bodies[1 - side2] ?? "";
         const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
         return `${name}${through}: ${this.#value(size)}`;
       });
@@ -13155,8 +13916,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const track = this.#run?.header.track;
       const end = origin + (track?.length ?? 0) * scale;
       return [
-        track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
-        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP2) : width - EDGE2
+        track?.left === "wall" ? Math.max(EDGE3, origin + GAP2) : EDGE3,
+        track?.right === "wall" ? Math.min(width - EDGE3, end - GAP2) : width - EDGE3
       ];
     }
     /** @param {number} size in N */
@@ -13234,7 +13995,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         `translate(${px(-shift * this.layout.scale)} 0)`
       );
       const centres = header.bodies.map((body2) => {
-        const x = valueAt(
+        const x = valueAt2(
           trajectory.t,
           trajectory.x[body2.name] ?? [],
           trajectory.v[body2.name] ?? [],
@@ -13263,7 +14024,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         );
         this.#velocity(cart2, header.bodies[i]?.name ?? "", centre, t);
       });
-      const face = (name, side) => {
+      const face = (name, side2) => {
         const i = header.bodies.findIndex((body2) => body2.name === name);
         if (i < 0) {
           const wall = name === "left" ? 0 : header.track.length ?? 0;
@@ -13271,7 +14032,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         }
         const half = this.#carts[i]?.half ?? 0;
         const centre = Number(centres[i]);
-        return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
+        return side2 === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
       };
       this.#pushes.at(t, face);
       this.#effects.at(
@@ -13287,13 +14048,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
     guess(guesses) {
       const { header } = this.#run;
       const group = need(this.root, '[data-part="guess"]');
-      const arrows3 = guesses.map(({ pair, on, side, size }) => {
+      const arrows3 = guesses.map(({ pair, on, side: side2, size }) => {
         const i = header.bodies.findIndex((body3) => body3.name === on);
         const body2 = header.bodies[i];
         const half = (body2?.length ?? 0) / 2;
         const wall = on === "left" ? 0 : header.track.length ?? 0;
-        const x = body2 ? body2.position + (side === "left" ? half : -half) : wall;
-        const way = side === "left" ? -1 : 1;
+        const x = body2 ? body2.position + (side2 === "left" ? half : -half) : wall;
+        const way = side2 === "left" ? -1 : 1;
         const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
         const from = this.layout.origin + x * this.layout.scale;
         const draw = isCut(size, this.view.force || 10) ? cutArrow : blockArrow;
@@ -13336,7 +14097,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     #velocity(cart2, name, x, t) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
-      const v = valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
+      const v = valueAt2(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
       const seen = Math.abs(v) < NOISE * view.velocity ? 0 : v;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x, exact, layout.width);
@@ -13383,18 +14144,18 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const found = [];
     for (const { name, length } of header.bodies) {
       const half = length / 2;
-      const place = (t) => valueAt(times2, places[name] ?? [], v[name] ?? [], t) - camera * t;
+      const place = (t) => valueAt2(times2, places[name] ?? [], v[name] ?? [], t) - camera * t;
       const isOut = (t) => Math.max(place(t) - half - high, low - place(t) - half) > 0;
-      const row = Array.prototype.findIndex.call(times2, isOut);
-      if (row < 1) continue;
-      let before2 = Number(times2[row - 1]);
-      let after2 = Number(times2[row]);
+      const row2 = Array.prototype.findIndex.call(times2, isOut);
+      if (row2 < 1) continue;
+      let before2 = Number(times2[row2 - 1]);
+      let after2 = Number(times2[row2]);
       for (let k = 0; k < HALVINGS; k += 1) {
         const middle = (before2 + after2) / 2;
         if (isOut(middle)) after2 = middle;
         else before2 = middle;
       }
-      const velocity2 = valueAt(times2, v[name] ?? [], a[name] ?? [], after2) - camera;
+      const velocity2 = valueAt2(times2, v[name] ?? [], a[name] ?? [], after2) - camera;
       found.push({ t: after2, name, side: place(after2) > high ? "right" : "left", velocity: velocity2 });
     }
     return found;
@@ -13610,7 +14371,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (this.acting) say(this.acting, actingSentences(header, numbers));
       this.warnings.hidden = header.warnings.length === 0;
       this.warnings.replaceChildren(
-        ...header.warnings.map(({ message }) => html2("p", "", heard(message)))
+        ...header.warnings.map(({ message }) => html2("p", "", told2(message)))
       );
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */
@@ -13633,22 +14394,47 @@ ${found && html`<p class="carts-found" hidden></p>`}
 
   // src/draw-main.js
   var { document: document2 } = parseHTML("<!doctype html><html><body></body></html>");
-  globalThis.document = document2;
-  var KINDS2 = { scene };
+  var KINDS2 = {
+    scene,
+    cost,
+    "cost-file": (values) => standalone(values).text,
+    hard: (values) => inside2(values).text,
+    map: ({ facts, draw, picture }) => inside3(facts, draw, picture).text,
+    "map-picture": mapPicture
+  };
   function scene({ baked: raw, found }) {
     const baked = bakedOf(raw);
-    const root = document2.createElement("carts-scene");
-    root.innerHTML = inside(baked, found).text;
-    document2.body.replaceChildren(root);
+    const root = filled2("carts-scene", inside4(baked, found).text);
     const drawing = new Drawing(root, baked);
     drawing.show(baked.run, 0);
     drawing.at(0);
-    for (const { table } of drawing.graphs) table.fill();
+    for (const { table: table3 } of drawing.graphs) table3.fill();
     for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", "");
     return root.innerHTML.replaceAll("&#160;", " ");
   }
+  function cost(values) {
+    const root = filled2("carts-cost", inside(values).text);
+    const stage2 = new CostStage(root);
+    stage2.show(values.run.header, values.run.numbers);
+    stage2.at(values.run.header.until);
+    return root.innerHTML;
+  }
+  function mapPicture({ low, high, columns, values }) {
+    const scale = scaleFor(low, high);
+    const known2 = Float64Array.from(values, (value) => value ?? Number.NaN);
+    const { places, width, height } = pixels(known2, columns, scale);
+    const letters = Array.from(places, (place) => String.fromCharCode(48 + place)).join("");
+    return JSON.stringify({ width, height, letters, palette: palette(scale) });
+  }
+  function filled2(name, markup) {
+    const root = document2.createElement(name);
+    root.innerHTML = markup;
+    document2.body.replaceChildren(root);
+    return root;
+  }
   globalThis.cartsDraw = (kind, values) => {
     const draw = KINDS2[kind];
+    globalThis.document = document2;
     if (!draw) throw new Error(`nothing draws “${kind}”`);
     return draw(values);
   };

@@ -168,42 +168,15 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    return filled(catalogue[sentence] ?? sentence, values);
   }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
   }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key, pattern: form } of some) {
-      const found = form.exec(english);
-      if (!found) continue;
-      const parts = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
-      return tr(key, Object.fromEntries(parts));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key) {
-    const named = /* @__PURE__ */ new Set();
-    const parts = key.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named.has(piece)) return `\\k<${piece}>`;
-      named.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts.join("")}$`, "su");
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // src/runtime/failure.js
@@ -329,11 +302,11 @@
   function loadIndex(base) {
     const known = indexes.get(base);
     if (known) return known;
-    const inside2 = Boolean(page.__cartsInside);
-    const read = inside2 ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
+    const inside3 = Boolean(page.__cartsInside);
+    const read = inside3 ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
     const loading = read.then(() => {
       const index = page.__cartsRuntime;
-      if (!inside2) delete page.__cartsRuntime;
+      if (!inside3) delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
       if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
       return index;
@@ -342,16 +315,16 @@
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name, number, part2) {
-    const inside2 = Boolean(page.__cartsInside);
-    if (!inside2) await runScript(new URL(part2.src, base).href, name);
+  async function loadPart(base, name, number, part) {
+    const inside3 = Boolean(page.__cartsInside);
+    if (!inside3) await runScript(new URL(part.src, base).href, name);
     const key = `${name}.${number}`;
     const text2 = page.__cartsParts?.[key];
-    if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name);
-    if (!inside2) delete page.__cartsParts[key];
-    const bytes = decode(text2, part2.src, name);
-    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part2.src, name);
+    if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
+    if (!inside3) delete page.__cartsParts[key];
+    const bytes = decode(text2, part.src, name);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name);
     }
     return bytes;
   }
@@ -371,7 +344,7 @@
   async function gunzip(parts) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts.map((part2) => writer.write(part2)), writer.close()]);
+    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
     const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
     return bytes;
   }
@@ -399,7 +372,7 @@
     return module;
   }
   async function write(writer, parts) {
-    for (const part2 of parts) await writer.write(await part2);
+    for (const part of parts) await writer.write(await part);
     await writer.close();
   }
 
@@ -429,7 +402,7 @@
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part2) => sum + part2.size, 0);
+      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
     }
     /** The files to load, the most urgent first. */
     files() {
@@ -474,10 +447,10 @@
      * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
      */
     load(name, reject) {
-      return this.index.files[name].parts.map(async (part2, number) => {
+      return this.index.files[name].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name, number, part2);
-          this.done += part2.size;
+          const bytes = await loadPart(this.folder, name, number, part);
+          this.done += part.size;
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -550,8 +523,8 @@
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
     async send(name, parts) {
-      for (const [number, part2] of parts.entries()) {
-        const bytes = await part2;
+      for (const [number, part] of parts.entries()) {
+        const bytes = await part;
         if (this.over) return;
         const last = number === parts.length - 1;
         this.worker?.postMessage({ do: "part", name, bytes, last }, [bytes.buffer]);
@@ -709,10 +682,10 @@
     function start(key, value, alone2) {
       const now = put(key, value, alone2);
       flights.set(key, { now, next: null });
-      const over = () => {
+      const over2 = () => {
         if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
       };
-      now.then(over, over);
+      now.then(over2, over2);
       return now;
     }
     return (key, value, alone2 = false) => {
@@ -904,9 +877,9 @@
   // src/teach/drafts.js
   var Drafts = class {
     /** @param {import("./source.js").Told} told */
-    constructor(told) {
+    constructor(told2) {
       const { site, page: page2 } = place();
-      this.hash = told.hash;
+      this.hash = told2.hash;
       this.before = `${page2}#`;
       this.store = openAll(`${site}~teacher`);
     }
@@ -1004,6 +977,145 @@
     );
   }
 
+  // ../view/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var NOISE = 1e-9;
+  var MAX_DECIMALS = 12;
+  var SLOW = 0.01;
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text2 = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text2) ? `−${text2}` : text2;
+  }
+  function decimalsFor(scale, figures = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  }
+  function short(value, figures = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      return `${mantissa} × 10${superscript(power)}`;
+    }
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function superscript(power) {
+    const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power < 0 ? `⁻${digits}` : digits;
+  }
+  function decimalsOf(value, figures = 6) {
+    const text2 = Math.abs(value).toFixed(decimalsFor(value, figures));
+    return trim(text2).split(".")[1]?.length ?? 0;
+  }
+  function speedUnit(scale) {
+    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
+  }
+  function trim(text2) {
+    return text2.includes(".") ? text2.replace(/\.?0+$/, "") : text2;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // ../view/scales.js
+  var STEP_SLACK = 1e-9;
+  var HEADROOM = 0.05;
+  function axisDecimals(axis2) {
+    return Math.max(0, -exponent(axis2.step));
+  }
+  function ticks(axis2) {
+    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
+    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
+    const found = [];
+    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
+    return found;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+  function axis(low, high, count) {
+    const bottom = Math.min(0, low);
+    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const room = HEADROOM * (top - bottom);
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
+  }
+  function span(low, high, count) {
+    return { low, high, step: niceAbove((high - low) / count) };
+  }
+
+  // ../view/map/palette.js
+  var NONE = [176, 176, 176];
+  var ZERO = [32, 32, 32];
+  var EDGE = 0.72;
+  function sequential(count) {
+    return Array.from({ length: count }, (_, k) => {
+      const t = k / Math.max(1, count - 1);
+      return oklch(0.3 + 0.64 * t, 0.09 + 0.05 * Math.sin(Math.PI * t), 268 - 165 * t);
+    });
+  }
+  function diverging(centres) {
+    const far = Math.max(...centres.map(Math.abs));
+    return centres.map((centre) => {
+      const size = Math.abs(centre / far);
+      return oklch(0.97 - 0.47 * size, 0.145 * size, centre < 0 ? 250 : 52);
+    });
+  }
+  function edge([red, green, blue]) {
+    return [Math.round(EDGE * red), Math.round(EDGE * green), Math.round(EDGE * blue)];
+  }
+  function oklch(lightness, chroma, hue) {
+    const angle = hue * Math.PI / 180;
+    const [a, b] = [chroma * Math.cos(angle), chroma * Math.sin(angle)];
+    const long = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+    const middle = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+    const short2 = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+    return [
+      channel(4.0767416621 * long - 3.3077115913 * middle + 0.2309699292 * short2),
+      channel(-1.2684380046 * long + 2.6097574011 * middle - 0.3413193965 * short2),
+      channel(-0.0041960863 * long - 0.7034186147 * middle + 1.707614701 * short2)
+    ];
+  }
+  function channel(linear) {
+    const light = Math.min(1, Math.max(0, linear));
+    const coded = light <= 31308e-7 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
+    return Math.round(255 * coded);
+  }
+
+  // ../view/map/bands.js
+  var BANDS = 12;
+  var FLAT = 1e-9;
+  function scaleFor(low, high) {
+    const largest = Math.max(Math.abs(low), Math.abs(high));
+    const flat = high - low <= FLAT * largest || largest === 0;
+    const step = flat ? largest ? niceAbove(largest) : 1 : niceAbove((high - low) / BANDS);
+    const first = Math.floor(low / step + STEP_SLACK);
+    const last = Math.max(first + 1, Math.ceil(high / step - STEP_SLACK));
+    const count = last - first;
+    const centres = Array.from({ length: count }, (_, k) => (first + k + 0.5) * step);
+    const around = Number(centres[0]) < 0 && Number(centres.at(-1)) > 0;
+    return {
+      low: first * step,
+      step,
+      count,
+      colours: around ? diverging(centres) : sequential(count),
+      zero: Math.min(count, Math.max(0, -first))
+    };
+  }
+  function edges({ low, step, count }) {
+    const first = Math.round(low / step);
+    return Array.from({ length: count + 1 }, (_, k) => (first + k) * step);
+  }
+  function edgeDecimals(scale) {
+    return Math.max(...edges(scale).map((one) => decimalsOf(one)));
+  }
+
   // ../view/markup.js
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
@@ -1030,44 +1142,216 @@
     return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
   }
 
-  // ../view/numbers.js
-  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-  var NOISE = 1e-9;
-  var MAX_DECIMALS = 12;
-  var SLOW = 0.01;
-  function exponent(value) {
-    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  // ../view/map/words.js
+  var SMALLER = 2;
+  var EXACT = 12;
+  function valueText(value, { low, high }) {
+    if (Number.isNaN(value)) return "no value";
+    const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
+    const text2 = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text2) ? text2 : fixed(0, most - SMALLER);
   }
-  function fixed(value, decimals) {
-    const text2 = Math.abs(value).toFixed(decimals);
-    return value < 0 && /[1-9]/.test(text2) ? `−${text2}` : text2;
+  function shown(value, { per }) {
+    return Number((value / per).toPrecision(EXACT));
   }
-  function decimalsFor(scale, figures = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  function axisDecimals2(axis2) {
+    const [first = 0, second = 0] = axis2.values.map((value) => shown(value, axis2));
+    return Math.max(decimalsOf(first), decimalsOf(second - first, 3));
   }
-  function short(value, figures = 3) {
-    const power = exponent(value);
-    if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
-      const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
-      return `${mantissa} × 10${power < 0 ? "⁻" : ""}${digits}`;
+  function named({ label, unit }) {
+    return unit ? `${label} in ${unit}` : label;
+  }
+
+  // ../view/map/figure.js
+  var [LEFT, TOP, RIGHT, BOTTOM] = [58, 10, 388, 270];
+  var WIDTH = 400;
+  var [HEIGHT, HEIGHT_OF_CURVE] = [370, 312];
+  var [BAR_TOP, BAR_HEIGHT] = [322, 12];
+  var TICKS = 5;
+  var MOST_NUMBERS = 7;
+  var BASELINE = 4;
+  var heightOf = ({ axes }) => axes.length === 1 ? HEIGHT_OF_CURVE : HEIGHT;
+  var valueAxis = ({ low, high }) => axis(low, high, TICKS);
+  function across(value, { low, high }) {
+    return LEFT + (value - low) * ((RIGHT - LEFT) / (high - low));
+  }
+  function up(value, { low, high }) {
+    return BOTTOM - (value - low) * ((BOTTOM - TOP) / (high - low));
+  }
+  function curve(facts, points, values) {
+    const along = facts.axes[0];
+    if (!along) return "";
+    const [x, y] = [span(along.low, along.high, 1), valueAxis(facts)];
+    let path = "";
+    let pen = "M";
+    for (const [k, point] of points.entries()) {
+      const value = Number(values[k]);
+      if (Number.isNaN(value)) pen = "M";
+      else {
+        path += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
+        pen = "L";
+      }
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+    return path;
   }
-  function decimalsOf(value, figures = 6) {
-    const text2 = Math.abs(value).toFixed(decimalsFor(value, figures));
-    return trim(text2).split(".")[1]?.length ?? 0;
+  function under(facts, picture) {
+    const [first, second] = facts.axes;
+    const x = span(first?.low ?? 0, first?.high ?? 1, TICKS);
+    const y = second ? span(second.low, second.high, TICKS) : valueAxis(facts);
+    const labels = [first ? named(first) : "", second ? named(second) : named(facts)];
+    const height = heightOf(facts);
+    const [bottom, right] = picture ? [BOTTOM, LEFT] : [TOP, RIGHT];
+    const image = html2`<image href=${picture} x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP} preserveAspectRatio="none"/>
+`;
+    const columns = ticks(x).map((tick) => {
+      const at = px(across(tick, x));
+      return html2`<path class="carts-grid" d="M${at} ${bottom}V${BOTTOM + 4}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${fixed(tick, axisDecimals(x))}</text>`;
+    });
+    const rows = ticks(y).map((tick) => {
+      const at = up(tick, y);
+      return html2`<path class="carts-grid" d="M${LEFT - 4} ${px(at)}H${right}"/><text class="carts-tick-y" x=${LEFT - 7} y=${px(at + BASELINE)}>${fixed(tick, axisDecimals(y))}</text>`;
+    });
+    return html2`<svg class="carts-map-under" viewBox="0 0 ${WIDTH} ${height}" width=${WIDTH} height=${height} aria-hidden="true" focusable="false">
+${picture !== "" && image}${columns}
+${rows}
+<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 31} text-anchor="end">${labels[0]}</text>
+<text class="carts-unit" transform="translate(13 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">${labels[1]}</text>
+${second && bar(facts)}
+</svg>`;
   }
-  function speedUnit(scale) {
-    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
+  function bar(facts) {
+    const scale = scaleFor(facts.low, facts.high);
+    const width = (RIGHT - LEFT) / scale.count;
+    const numbers = edges(scale);
+    const every = Math.ceil(scale.count / MOST_NUMBERS);
+    const zero = Math.max(
+      0,
+      numbers.findIndex((number) => Math.abs(number) < 0.5 * scale.step)
+    );
+    const parts = numbers.map((number, k) => {
+      const x = px(LEFT + k * width, 2);
+      const colour = scale.colours[k];
+      const band2 = colour && html2`<rect x=${x} y=${BAR_TOP} width=${px(width, 2)} height=${BAR_HEIGHT} fill=${hex(colour)}/>`;
+      const notch = (k - zero) % every === 0 && html2`<path class="carts-map-notch" d="M${x} ${BAR_TOP}v${BAR_HEIGHT}"/><text class="carts-tick-x" x=${x} y=${BAR_TOP + BAR_HEIGHT + 12}>${fixed(number, edgeDecimals(scale))}</text>`;
+      return html2`${band2}${notch}`;
+    });
+    return html2`${parts}
+<text class="carts-unit" x=${RIGHT} y=${BAR_TOP + BAR_HEIGHT + 26} text-anchor="end">${named(facts)}</text>`;
   }
-  function trim(text2) {
-    return text2.includes(".") ? text2.replace(/\.?0+$/, "") : text2;
+  var hex = (colour) => `#${colour.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+
+  // ../view/map/table.js
+  var COLUMNS = 6;
+  var ROWS = 11;
+  function spread(count, most) {
+    const wanted = Math.min(most, count);
+    return Array.from(
+      { length: wanted },
+      (_, k) => Math.floor(k * (count - 1) / (wanted - 1) + 0.5)
+    );
   }
-  function px(value, decimals = 1) {
-    const factor = 10 ** decimals;
-    const rounded = Math.floor(value * factor + 0.5) / factor;
-    return String(rounded === 0 ? 0 : rounded);
+  function tableOf(columns, rows, axisText2, valueText2) {
+    if (rows === 1) {
+      const lines3 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
+      return { head: [], lines: lines3 };
+    }
+    const across2 = spread(columns, COLUMNS);
+    const lines2 = spread(rows, ROWS).map((row) => [
+      axisText2(1, row),
+      ...across2.map((k) => valueText2(row * columns + k))
+    ]);
+    return { head: across2.map((k) => axisText2(0, k)), lines: lines2 };
+  }
+
+  // ../view/map/skeleton.js
+  function inside(facts, draw, picture) {
+    const { id, title, why } = draw;
+    return html2`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+<div class="carts-map-body">
+<div class="carts-map-figure" role="group" aria-label="${facts.label} in ${facts.unit}">
+${under(facts, picture)}
+${over(facts, draw)}
+</div>
+${side(facts, draw)}
+</div>
+${table(facts, draw)}
+<details class="carts-more carts-map-model"><summary>How this was computed</summary><p class="carts-map-why">${why}</p></details>
+<noscript><p class="carts-noscript">The picture and the table show the values. Asking single points needs JavaScript.</p></noscript>
+</div>`;
+  }
+  var valueAt = ({ values }, place3) => values[place3] ?? Number.NaN;
+  function axisText(facts, axis2, place3) {
+    const along = facts.axes[axis2];
+    return along ? fixed(shown(Number(along.values[place3]), along), axisDecimals2(along)) : "";
+  }
+  function over(facts, draw) {
+    const height = heightOf(facts);
+    const all = draw.values.map((value) => value ?? Number.NaN);
+    const line = facts.axes.length === 1 ? curve(facts, facts.axes[0]?.values ?? [], all) : "";
+    return html2`<svg class="carts-map-over" viewBox="0 0 ${WIDTH} ${height}" width=${WIDTH} height=${height} aria-hidden="true" focusable="false">
+<rect class="carts-map-edge" x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP}/>
+<path data-part="curve" class="carts-curve" d=${line}/>
+<g data-part="cross"><path data-part="lines" class="carts-map-cross" d=""/><circle data-part="point" class="carts-map-point" r="6" cx="0" cy="0" visibility="hidden"/></g>
+</svg>`;
+  }
+  function side(facts, { id }) {
+    const { label, unit, axes, here, of, controls } = facts;
+    const points = axes.map(({ set, label: name, unit: measured, values }, k) => {
+      const place3 = here[k] ?? 0;
+      const text2 = axisText(facts, k, place3);
+      const range = html2`min="0" max=${values.length - 1} step="1" value=${place3}`;
+      return slider({ id, set, label: name, unit: measured, range, text: text2 }, " carts-map-axis");
+    });
+    const further = controls.map(({ set, label: name, unit: measured, low, high, step, value }) => {
+      const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
+      const range = html2`min=${low} max=${high} step=${step} value=${value}`;
+      return slider(
+        { id, set, label: name, unit: measured, range, text: fixed(value, decimals) },
+        ""
+      );
+    });
+    const ids = axes.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
+    const at = valueText(facts.at ?? Number.NaN, facts);
+    return html2`<div class="carts-map-side">
+<p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>Open the map</button> <span class="carts-map-wait" hidden>The map is a picture until you open it. Then every point can be asked for its value.</span></p>
+<p class="carts-heading">One point of the map</p>
+${points}<p class="carts-map-value"><span>${label}</span> <output class="carts-map-number" for=${ids}>${facts.at === null ? at : `${at} ${unit}`}</output></p>
+<progress class="carts-map-progress" max="1" value="1" aria-label="points computed"></progress>
+${of && html2`<p class="carts-map-start"><button type="button" class="carts-button carts-map-run" disabled>Run this point</button> <a href="#${of}">the scene</a></p>`}
+${controls.length > 0 && html2`<p class="carts-heading">All points of the map</p>`}
+${further}</div>`;
+  }
+  function slider({ id, set, label, unit, range, text: text2 }, more) {
+    const box = `${id}-${set.replaceAll(".", "-")}`;
+    return html2`<div class="carts-control${more}" data-set=${set}>
+<label for=${box}>${label}</label>
+<input type="range" class="carts-slider" ${range} aria-label="${label}, slider" aria-valuetext=${`${text2} ${unit}`.trim()} disabled>
+<span class="carts-typed"><input type="text" class="carts-number-box" id=${box} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2.replace("−", "-")} aria-label=${named({ label, unit })} disabled> <span class="carts-unit-text">${unit}</span></span>
+<p class="carts-error" hidden></p>
+</div>
+`;
+  }
+  function table(facts, draw) {
+    const [first, second] = facts.axes;
+    const columns = first?.values.length ?? 0;
+    const { head, lines: lines2 } = tableOf(
+      columns,
+      second?.values.length ?? 1,
+      (axis2, place3) => axisText(facts, axis2, place3),
+      (place3) => valueText(valueAt(draw, place3), facts)
+    );
+    const heads = second ? head : [facts.label];
+    const across2 = html2`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
+    const rows = lines2.map(
+      ([name, ...cells]) => html2`<tr><th scope="row">${name}</th>${cells.map((cell) => html2`<td>${cell}</td>`)}</tr>`
+    );
+    return html2`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
+<div class="carts-scroll"><table class="carts-table"><thead>
+${second && across2}
+<tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads.map((cell) => html2`<th scope="col">${cell}</th>`)}</tr></thead>
+<tbody>${rows}</tbody></table></div></details>`;
   }
 
   // ../view/bodies.js
@@ -1157,7 +1441,7 @@
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
-    label: (told) => tr("on {on} by {by} (slope): {size} N", told),
+    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -1207,8 +1491,8 @@
     link: tr("magnets"),
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
-    pieces({ between }, { key, layout, face }) {
-      const [a, b] = between ?? ["", ""];
+    pieces({ between: between2 }, { key, layout, face }) {
+      const [a, b] = between2 ?? ["", ""];
       return [
         ...poles(`${key} ${a}`, face(a, "right"), -1, layout),
         ...poles(`${key} ${b}`, face(b, "left"), 1, layout)
@@ -1286,9 +1570,9 @@
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told) {
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end !== void 0 && from < end && end <= until) {
         marks.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -1322,8 +1606,8 @@
       seen(`${short(energy)} J`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces({ between }, { key, layout, face }) {
-      const [a, b] = between ?? ["", ""];
+    pieces({ between: between2 }, { key, layout, face }) {
+      const [a, b] = between2 ?? ["", ""];
       const x = (face(a, "right") + face(b, "left")) / 2;
       const low = layout.track - 28;
       const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
@@ -1348,8 +1632,8 @@
         seen(`${short(stiffness)} N/m, ${natural}`)
       ];
     },
-    pieces({ numbers, between }, { key, layout, face }) {
-      const [a, b] = between ?? ["", ""];
+    pieces({ numbers, between: between2 }, { key, layout, face }) {
+      const [a, b] = between2 ?? ["", ""];
       const [start, end] = [face(a, "right"), face(b, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
       const middle = (start + end) / 2;
@@ -1383,17 +1667,17 @@
   }
   function agent(effect) {
     const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+    return view.agent?.(effect) ?? (effect.by ? told(effect.by) : view.name);
   }
   function kindsOnOne({ effects }) {
-    const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
+    const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between }) {
-    return between !== null && viewOf(kind).link !== null;
+  function isLink({ kind, between: between2 }) {
+    return between2 !== null && viewOf(kind).link !== null;
   }
   function linkedPairs({ effects }) {
-    return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
+    return new Set(effects.filter(isLink).map(({ between: between2 }) => String(between2?.join("-"))));
   }
   function effectOf(target, { effects }) {
     const owner = target.slice(0, target.lastIndexOf("."));
@@ -1500,7 +1784,7 @@ ${bars(baked)}
       ({ name }, i) => html2`<div class="carts-alone carts-${styleOf(i)}" data-body=${name}><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
 `
     );
-    const lines = rows.map(
+    const lines2 = rows.map(
       ([name, symbol, unit, quantity]) => html2`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html2` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body2) => html2`<td data-body=${body2.name} data-quantity=${quantity}>–</td>`)}</tr>
 `
     );
@@ -1510,7 +1794,7 @@ ${bars(baked)}
 ${alone2}</div>
 <p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
 <div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html2`<th scope="col">${name}</th>`)}</tr></thead><tbody>
-${lines}</tbody></table></div>
+${lines2}</tbody></table></div>
 <p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>
 </section>`;
   }
@@ -1548,33 +1832,13 @@ ${rows}</tbody></table></div>
     return effects.some(isLink) ? tr("Size of the force between them") : tr("Size of the contact force");
   }
 
-  // ../view/scales.js
-  var STEP_SLACK = 1e-9;
-  function axisDecimals(axis2) {
-    return Math.max(0, -exponent(axis2.step));
-  }
-  function ticks(axis2) {
-    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
-    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
-    const found = [];
-    for (let k = first; k <= last; k += 1) found.push(k * axis2.step);
-    return found;
-  }
-  function niceAbove(value) {
-    const power = Number(`1e${exponent(value)}`);
-    for (const factor of [1, 2, 5]) {
-      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
-    }
-    return 10 * power;
-  }
-
   // ../view/graph.js
-  var LEFT = 46;
-  var RIGHT = 350;
-  var TOP = 8;
-  var BOTTOM = 142;
-  var WIDTH = 360;
-  var HEIGHT = 172;
+  var LEFT2 = 46;
+  var RIGHT2 = 350;
+  var TOP2 = 8;
+  var BOTTOM2 = 142;
+  var WIDTH2 = 360;
+  var HEIGHT2 = 172;
 
   // ../view/skeleton/graph.js
   var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
@@ -1587,27 +1851,27 @@ ${rows}</tbody></table></div>
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
     const label = tr("{quantity} against time", { quantity: name });
-    const table = tr("Table: {quantity}", { quantity: lower(name) });
+    const table2 = tr("Table: {quantity}", { quantity: lower(name) });
     return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${table}</summary>
+<details class="carts-more"><summary>${table2}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
   function plot(clip, isForce) {
-    const inside2 = html2`clip-path="url(#${clip})"`;
+    const inside3 = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
-    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
+    return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} aria-hidden="true">
+<defs><clipPath id=${clip}><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
-<text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside2}>${isForce && [shade, shade]}</g>
-<g data-part="curves" ${inside2}></g>
-<g data-part="cursor" ${inside2}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>
+<text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
+<g data-part="areas" ${inside3}>${isForce && [shade, shade]}</g>
+<g data-part="curves" ${inside3}></g>
+<g data-part="cursor" ${inside3}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM2}" transform="translate(${LEFT2} 0)"/></g>
 </svg>`;
   }
 
@@ -1695,11 +1959,11 @@ ${own.map((one) => control(one, fence.id))}</div>`;
     const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
     const text2 = fixed(value, decimals).replace("−", "-");
     const box = `${id}-${set.replaceAll(".", "-")}`;
-    const slider = tr("{label}, slider", { label });
+    const slider2 = tr("{label}, slider", { label });
     const measured = unit ? tr(" in {unit}", { unit }) : "";
     return html2`<div class="carts-control" data-set=${set}>
 <label for=${box}>${short2}</label>
-<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider} aria-valuetext="${text2} ${unit}" disabled>
+<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider2} aria-valuetext="${text2} ${unit}" disabled>
 <span class="carts-typed"><input type="text" class="carts-number-box" id=${box} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2} aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
@@ -1710,7 +1974,7 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   // ../view/skeleton/predict.js
   var FULL = 10;
   var KNOBS = [0, 1, 2, 3, 4];
-  var FORMS = { arrows, curve, choice, text };
+  var FORMS = { arrows, curve: curve2, choice, text };
   function predict(baked, spec) {
     const { id } = baked.fence;
     const lock = spec.talk ? tr("Lock my prediction") : tr("Lock my prediction and show the run");
@@ -1745,7 +2009,7 @@ ${FORMS[spec.kind](baked, spec)}
     return html2`<div class="carts-guesses">
 ${rows}</div>`;
   }
-  function curve({ run: { header } }, { cart: cart2 }) {
+  function curve2({ run: { header } }, { cart: cart2 }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
     const knobs = KNOBS.map(
       (k) => html2`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`
@@ -1777,7 +2041,7 @@ ${rows}</div>`;
   // ../view/skeleton/stage.js
   var LABEL_ROOM = { wide: 46, narrow: 40 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
-  var MOST_NUMBERS = 150;
+  var MOST_NUMBERS2 = 150;
   var LEAST_WALL = 64;
   var BEYOND = 60;
   var WALL = 2e3;
@@ -1806,7 +2070,7 @@ ${legend(baked, layout)}
 `;
   }
   function cart({ name }, i) {
-    const face = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+    const face = (side2) => html2`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
@@ -1832,18 +2096,18 @@ ${legend(baked, layout)}
     const last = right === "wall" ? Number(length) : high;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
     const end = right === "wall" ? at(last) : at(high) + BEYOND;
-    const under = layout.track + layout.beam;
+    const under2 = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
-    while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
+    while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
     const numbers = { low: first, high: last, step };
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
-    const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
+    const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge, from) => {
+    const wall = (edge2, from) => {
       const box = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html2`<rect class="carts-wall" ${box}/>
 <rect ${box} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html2`<g data-part="ground">
@@ -1851,7 +2115,7 @@ ${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(las
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
-      (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+      (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 21)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
   }
@@ -1910,7 +2174,7 @@ ${slow && html2`<label class="carts-slow-label"><input type="checkbox" class="ca
 
   // ../view/skeleton/scene.js
   var FORCE_QUANTITIES = ["F", "a"];
-  function inside(baked, found = false) {
+  function inside2(baked, found = false) {
     const { fence, view, run } = baked;
     const { id, predict: asked } = fence;
     const quantities = fence.show.filter(
@@ -1959,11 +2223,11 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told);
+      const told2 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told2);
       const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told,
+        ...told2,
         velocity: seen
       });
     });
@@ -1974,6 +2238,84 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       "Seen from a camera that moves at {velocity} along the track. Positions and velocities are measured from the camera.",
       { velocity: motion(camera, 2, Math.abs(camera)) }
     );
+  }
+
+  // ../view/map/pixels.js
+  var FINE = 400;
+  function band(value, { low, step, count }) {
+    if (Number.isNaN(value)) return count;
+    const place3 = Math.floor((value - low) / step + STEP_SLACK);
+    return Math.min(count - 1, Math.max(0, place3));
+  }
+  function mixed(a, b, part) {
+    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
+    return a * (1 - part) + b * part;
+  }
+  function between(values, lines2, count, factor, next, line) {
+    const fine = (count - 1) * factor + 1;
+    const found = new Float64Array(lines2 * fine);
+    for (let i = 0; i < lines2; i += 1) {
+      for (let k = 0; k < fine; k += 1) {
+        const left = Math.min(Math.floor(k / factor), count - 2);
+        const at = i * line + left * next;
+        const part = (k - left * factor) / factor;
+        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
+      }
+    }
+    return found;
+  }
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
+    const width = (columns - 1) * factor + 1;
+    const height = (rows - 1) * factor + 1;
+    const wide = between(values, rows, columns, factor, 1, columns);
+    const fine = between(wide, width, rows, factor, width, 1);
+    const bands = new Uint8Array(width * height);
+    for (let y = 0; y < height; y += 1) {
+      for (let x = 0; x < width; x += 1) {
+        bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
+      }
+    }
+    return { places: lines(bands, width, scale), width, height };
+  }
+  function lines(bands, width, { count, zero }) {
+    const places = bands.slice();
+    const line = 2 * count + 1;
+    const compare = (at, other) => {
+      const own = Number(bands[at]);
+      const next = Number(bands[other]);
+      if (next === own || own === count) return;
+      if (next !== count && own >= zero !== next >= zero) {
+        places[at] = line;
+        places[other] = line;
+      } else if (places[at] !== line) places[at] = count + 1 + own;
+    };
+    for (let at = 0; at < bands.length; at += 1) {
+      if ((at + 1) % width) compare(at, at + 1);
+      if (at + width < bands.length) compare(at, at + width);
+    }
+    return places;
+  }
+  function palette({ colours }) {
+    return [...colours, NONE, ...colours.map(edge), ZERO];
+  }
+
+  // src/map/paint.js
+  function paint(canvas, { values, columns }, scale) {
+    const { places, width, height } = pixels(values, columns, scale);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const context = canvas.getContext("2d");
+    if (!context) return;
+    const image = context.createImageData(width, height);
+    const words = new Uint32Array(image.data.buffer);
+    const colours = packed(scale);
+    for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
+    context.putImageData(image, 0, 0);
+  }
+  function packed(scale) {
+    return Uint32Array.from(palette(scale), ([r, g, b]) => 255 << 24 | b << 16 | g << 8 | r);
   }
 
   // src/scene/baked.js
@@ -1990,18 +2332,35 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     if (element.localName === "carts-scene" && !element.querySelector(".carts-frame")) {
       drawScene(element);
     }
+    if (element.localName === "carts-map" && !element.querySelector(".carts-map-frame")) {
+      drawMap(element);
+    }
   }
   function drawScene(element) {
     const raw = JSON.parse(need(element, "script.carts-baked").textContent ?? "");
-    const shown = (
+    const shown2 = (
       /** @type {HTMLTemplateElement | null} */
       element.querySelector("template.carts-shown")
     );
-    if (shown) {
-      const open2 = { ...raw, ...JSON.parse(shown.dataset.baked ?? "{}") };
-      shown.innerHTML = inside(bakedOf(open2), true).text;
+    if (shown2) {
+      const open2 = { ...raw, ...JSON.parse(shown2.dataset.baked ?? "{}") };
+      shown2.innerHTML = inside2(bakedOf(open2), true).text;
     }
-    element.insertAdjacentHTML("afterbegin", inside(bakedOf(raw)).text);
+    element.insertAdjacentHTML("afterbegin", inside2(bakedOf(raw)).text);
+  }
+  function drawMap(element) {
+    const facts = JSON.parse(need(element, ".carts-map-baked").textContent ?? "");
+    const draw = facts.draw;
+    if (!draw) return;
+    let picture = "";
+    if (facts.axes.length === 2) {
+      const canvas = document.createElement("canvas");
+      const columns = facts.axes[0]?.values.length ?? 0;
+      const values = Float64Array.from(draw.values, (value) => value ?? Number.NaN);
+      paint(canvas, { values, columns }, scaleFor(facts.low, facts.high));
+      picture = canvas.toDataURL();
+    }
+    element.insertAdjacentHTML("afterbegin", inside(facts, draw, picture).text);
   }
 
   // src/teach/formulas.js
@@ -2361,8 +2720,8 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     }
     /** @param {number} line number @param {number} col from 1 */
     goTo(line, col) {
-      const lines = this.area.value.split("\n");
-      const before = lines.slice(0, line - this.first).join("\n").length;
+      const lines2 = this.area.value.split("\n");
+      const before = lines2.slice(0, line - this.first).join("\n").length;
       const at = Math.min(before + (line > this.first ? 1 : 0) + col - 1, this.area.value.length);
       this.area.focus();
       this.area.setSelectionRange(at, at);
@@ -2445,12 +2804,12 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       const { piece, findings } = this;
       if (!this.#filled) {
         this.#filled = true;
-        const inside2 = html("div", "carts-teach-inside");
-        if (piece.kind === "block") inside2.append(this.#fields.root, this.mistakes, this.asText);
-        else if (piece.kind === "text") inside2.append(this.prose, this.mistakes);
-        else inside2.append(this.text.root, this.mistakes);
+        const inside3 = html("div", "carts-teach-inside");
+        if (piece.kind === "block") inside3.append(this.#fields.root, this.mistakes, this.asText);
+        else if (piece.kind === "text") inside3.append(this.prose, this.mistakes);
+        else inside3.append(this.text.root, this.mistakes);
         if (!piece.fields?.length) this.asText.open = true;
-        this.root.append(inside2);
+        this.root.append(inside3);
       }
       this.#fields.show(piece.fields ?? [], findings);
       if (piece.kind === "text") {
@@ -2790,9 +3149,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       script.onerror = () => reject(new Error("the lesson's text is missing in this site"));
       document.head.append(script);
     });
-    const packed = page2.__cartsLesson;
+    const packed2 = page2.__cartsLesson;
     delete page2.__cartsLesson;
-    const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+    const bytes = Uint8Array.from(atob(packed2), (letter) => letter.charCodeAt(0));
     const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
     return JSON.parse(decoder.decode(await gunzip([bytes])));
   }
@@ -2819,14 +3178,14 @@ ${found && html2`<p class="carts-found" hidden></p>`}
      * @param {{told: import("./source.js").Told, client: import("../runtime/client.js").Client, assets: string,
      *   drafts: import("./drafts.js").Drafts, link: HTMLElement}} given
      */
-    constructor({ told, client, assets, drafts, link }) {
-      this.told = told;
+    constructor({ told: told2, client, assets, drafts, link }) {
+      this.told = told2;
       this.client = client;
       this.drafts = drafts;
       this.link = link;
-      this.base = told.text ?? "";
+      this.base = told2.text ?? "";
       this.history = new History(this.base);
-      this.withheld = told.withheld;
+      this.withheld = told2.withheld;
       const article = (
         /** @type {HTMLElement} */
         link.closest("article") ?? document.body
@@ -3063,10 +3422,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     );
     const address = new URL(link.dataset.lesson ?? "", document.baseURI).href;
     const assets = new URL("../", address).href;
-    const told = await loadLesson(address);
+    const told2 = await loadLesson(address);
     const base = new URL(`runtime/${new URL(address).search}`, assets).href;
     const client = new Client((more) => startRuntime({ base, packages: [PACKAGE, ...more] }));
-    const made2 = new Session({ told, client, assets, drafts: new Drafts(told), link });
+    const made2 = new Session({ told: told2, client, assets, drafts: new Drafts(told2), link });
     await made2.open();
     return made2;
   }

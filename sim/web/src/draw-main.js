@@ -4,22 +4,33 @@
  */
 
 import { parseHTML } from "linkedom/worker";
+import { standalone } from "../../view/cost/figure.js";
+import { inside as costInside } from "../../view/cost/skeleton.js";
+import { inside as hardInside } from "../../view/hard/skeleton.js";
+import { scaleFor } from "../../view/map/bands.js";
+import { palette, pixels } from "../../view/map/pixels.js";
+import { inside as mapInside } from "../../view/map/skeleton.js";
 import { inside } from "../../view/skeleton/scene.js";
+import { CostStage } from "./cost/stage.js";
 import { bakedOf } from "./scene/baked.js";
 import { Drawing } from "./scene/drawing.js";
 
 const { document } = parseHTML("<!doctype html><html><body></body></html>");
-/** @type {any} */ (globalThis).document = document;
 
 /** @type {Record<string, (values: any) => string>} */
-const KINDS = { scene };
+const KINDS = {
+  scene,
+  cost,
+  "cost-file": (values) => standalone(values).text,
+  hard: (values) => hardInside(values).text,
+  map: ({ facts, draw, picture }) => mapInside(facts, draw, picture).text,
+  "map-picture": mapPicture,
+};
 
 /** @param {{baked: Record<string, any>, found: boolean}} values @returns {string} the inside of `<carts-scene>` */
 function scene({ baked: raw, found }) {
   const baked = bakedOf(raw);
-  const root = document.createElement("carts-scene");
-  root.innerHTML = inside(baked, found).text;
-  document.body.replaceChildren(root);
+  const root = filled("carts-scene", inside(baked, found).text);
   const drawing = new Drawing(root, baked);
   drawing.show(baked.run, 0);
   drawing.at(0);
@@ -28,11 +39,41 @@ function scene({ baked: raw, found }) {
   return root.innerHTML.replaceAll("&#160;", "\u00a0");
 }
 
+/** @param {import("../../view/cost/skeleton.js").Values} values @returns {string} the inside of `<carts-cost>`, at the end of its run */
+function cost(values) {
+  const root = filled("carts-cost", costInside(values).text);
+  const stage = new CostStage(root);
+  stage.show(values.run.header, values.run.numbers);
+  stage.at(values.run.header.until);
+  return root.innerHTML;
+}
+
+/**
+ * The picture of a map for Python, which can pack a PNG file: a letter for each pixel, from “0” on.
+ * @param {{low: number, high: number, columns: number, values: (number | null)[]}} values @returns {string} JSON
+ */
+function mapPicture({ low, high, columns, values }) {
+  const scale = scaleFor(low, high);
+  const known = Float64Array.from(values, (value) => value ?? Number.NaN);
+  const { places, width, height } = pixels(known, columns, scale);
+  const letters = Array.from(places, (place) => String.fromCharCode(48 + place)).join("");
+  return JSON.stringify({ width, height, letters, palette: palette(scale) });
+}
+
+/** @param {string} name of the element @param {string} markup of its inside */
+function filled(name, markup) {
+  const root = document.createElement(name);
+  root.innerHTML = markup;
+  document.body.replaceChildren(root);
+  return root;
+}
+
 /** @type {any} */ (globalThis).cartsDraw = (
   /** @type {string} */ kind,
   /** @type {any} */ values,
 ) => {
   const draw = KINDS[kind];
+  /** @type {any} */ (globalThis).document = document; // for functions that make elements
   if (!draw) throw new Error(`nothing draws “${kind}”`);
   return draw(values);
 };

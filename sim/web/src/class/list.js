@@ -56,7 +56,7 @@ function codeFor(file, changed) {
   return box;
 }
 
-const STUDENT = 4; // place of the code word in a row, see sim/classroom/records.py
+const STUDENT = 4; // place of the code word in a row, see sim/classroom/files/records.py
 const PAUSE = 500; // ms without a key: then something was typed
 
 /** @param {HTMLInputElement | HTMLTextAreaElement} box @param {() => void} act */

@@ -1,17 +1,19 @@
 /** `<carts-cost>`: one scene run twice, by a stepping method and exactly; every method's error against its time. */
 
+import { cells, told } from "../../../view/cost/words.js";
 import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/player.js";
 import { need, say } from "../shared/dom.js";
+import { refusal } from "../shared/waiting.js";
 import { CostFigure } from "./figure.js";
 import { CostStage } from "./stage.js";
-import { cells, fill, told } from "./table.js";
+import { fill } from "./table.js";
 
-/** @typedef {import("./figure.js").CostRow} CostRow */
-/** @typedef {import("./table.js").CostHeader} CostHeader */
+/** @typedef {import("../../../view/cost/figure.js").CostRow} CostRow */
+/** @typedef {import("../../../view/cost/words.js").CostHeader} CostHeader */
 /** @typedef {{header: CostHeader, numbers: ArrayLike<number>}} CostRun */
 /**
- * @typedef {{scenes: Record<string, object>, first: string, labels: Record<string, string>, rows: CostRow[],
+ * @typedef {{scenes: Record<string, object>, first: string, rows: CostRow[],
  *   run: CostRun}} CostFacts
  */
 
@@ -104,7 +106,7 @@ export function costElement(client) {
           ...size,
         }));
         if (generation !== this.#generation) return;
-        if (!header.ok) throw refusal(header);
+        if (!header.ok) throw refusal(header.problems ?? []);
         this.#live();
         this.#note("");
         this.#show({ header: /** @type {any} */ (header), numbers });
@@ -147,7 +149,7 @@ export function costElement(client) {
             row,
           }));
           if (this.#measuring !== turn) return;
-          if (!header.ok) throw refusal(header);
+          if (!header.ok) throw refusal(header.problems ?? []);
           this.#live();
           const answer = /** @type {any} */ (header);
           of = answer.of;
@@ -196,7 +198,7 @@ export function costElement(client) {
       this.#figure?.show(rows);
       this.#mark();
       const until = Number(this.run?.header.until);
-      const lines = rows.map((row) => cells(row, until, this.#facts?.labels ?? {}));
+      const lines = rows.map((row) => cells(row, until));
       fill(need(this, ".carts-cost-table table"), lines);
     }
 
@@ -253,11 +255,4 @@ export function costElement(client) {
       note.hidden = !message;
     }
   };
-}
-
-/** @param {{problems?: import("../../../view/types.js").Problem[]}} header @returns {Error} */
-function refusal({ problems }) {
-  const first = problems?.[0];
-  if (!first) return new Error("This does not work.");
-  return new Error(first.hint ? `${first.message}: ${first.hint}` : first.message);
 }

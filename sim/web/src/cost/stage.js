@@ -4,7 +4,7 @@ import { px, short } from "../../../view/numbers.js";
 import { axis, ticks } from "../../../view/scales.js";
 import { need, put, svg } from "../shared/dom.js";
 
-/** @typedef {import("./table.js").CostHeader} CostHeader */
+/** @typedef {import("../../../view/cost/words.js").CostHeader} CostHeader */
 
 const [WIDTH, FLOOR_Y, SIDE] = [640, 84, 20];
 const [LOWEST, TALLEST] = [16, 58]; // drawing units; in between heights follow the masses

@@ -1,8 +1,8 @@
 /** `<carts-hard>`: the table of hard cases; runs them again, one by one, in the reader's browser. */
 
+import * as words from "../../../view/hard/words.js";
 import { html, need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
-import * as words from "./words.js";
 
 /** @typedef {{scene: object, expected: words.Wanted, within: number[], events: boolean, packages: string[]}} Case */
 /** @typedef {{exact: {got: words.Got, seconds: number}, stepped: {method: string, verdict: string, got: words.Got}[]}} Answer */

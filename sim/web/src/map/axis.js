@@ -1,10 +1,11 @@
 /** Slider and number box of one axis of a map: they choose a point of the grid. */
 
+import { axisDecimals, shown } from "../../../view/map/words.js";
 import { fixed } from "../../../view/numbers.js";
 import { need, put, say } from "../shared/dom.js";
 import { readTyped } from "../shared/typed.js";
 
-/** @typedef {import("./types.js").Axis} Axis */
+/** @typedef {import("../../../view/map/types.js").Axis} Axis */
 
 export class AxisControl {
   /** @param {HTMLElement} root @param {Axis} axis @param {(place: number) => void} chosen */
@@ -12,6 +13,7 @@ export class AxisControl {
     this.root = root;
     this.axis = axis;
     this.values = axis.values;
+    this.decimals = axisDecimals(axis);
     this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-slider"));
     this.box = /** @type {HTMLInputElement} */ (need(root, ".carts-number-box"));
     this.error = need(root, ".carts-error");
@@ -45,7 +47,7 @@ export class AxisControl {
 
   /** @param {number} place @returns {string} in the axis's unit */
   text(place) {
-    return fixed(this.#shown(Number(this.values[place])), this.axis.decimals);
+    return fixed(shown(Number(this.values[place]), this.axis), this.decimals);
   }
 
   /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
@@ -57,14 +59,10 @@ export class AxisControl {
     return best;
   }
 
-  /** @param {number} value SI */
-  #shown(value) {
-    return Number((value / this.axis.per).toPrecision(12));
-  }
-
   /** @param {(place: number) => void} chosen */
   #typed(chosen) {
-    const { low, high, unit, label, per, decimals } = this.axis;
+    const { low, high, unit, label, per } = this.axis;
+    const { decimals } = this;
     const read = readTyped(this.box.value);
     if ("problem" in read) return this.#complain(read.problem);
     if ("text" in read) return this.#complain(`${label}: a number in ${unit}, please.`);

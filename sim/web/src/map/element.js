@@ -1,16 +1,16 @@
 /** `<carts-map>`: a picture until the reader opens it; then Python, with numpy, computes it anew. */
 
+import { valueText } from "../../../view/map/words.js";
 import { Controls } from "../scene/controls.js";
 import { need, say } from "../shared/dom.js";
 import { frame, refusal, waited } from "../shared/waiting.js";
 import { AxisControl } from "./axis.js";
 import { MapFigure } from "./figure.js";
-import { figures } from "./figures.js";
 import { showSettings } from "./settings.js";
 import { fillTable } from "./table.js";
 
-/** @typedef {import("./types.js").MapFacts} MapFacts */
-/** @typedef {import("./types.js").Grid} Grid */
+/** @typedef {import("../../../view/map/types.js").MapFacts} MapFacts */
+/** @typedef {import("../../../view/map/types.js").Grid} Grid */
 /** @typedef {{header: any, numbers: Float64Array}} Reply */
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */
@@ -36,7 +36,12 @@ export function mapElement(client) {
     /** @type {Promise<void>} */
     #filling = Promise.resolve();
 
+    #leaving = new AbortController(); // ends what the element hears of the page
+
     connectedCallback() {
+      this.#leaving = new AbortController();
+      const { signal } = this.#leaving;
+      addEventListener("beforeprint", () => this.#fillTable(), { signal });
       if (this.#facts) return;
       /** @type {MapFacts} */
       const facts = JSON.parse(need(this, ".carts-map-baked").textContent ?? "");
@@ -47,7 +52,7 @@ export function mapElement(client) {
         this.querySelectorAll(".carts-map-axis")
       );
       this.#axes = [...roots].map((root, k) => {
-        const axis = /** @type {import("./types.js").Axis} */ (facts.axes[k]);
+        const axis = /** @type {import("../../../view/map/types.js").Axis} */ (facts.axes[k]);
         return new AxisControl(root, axis, (place) => this.#chooseOn(k, place));
       });
       this.#controls = new Controls(this, facts.controls, (target, value, at) => {
@@ -59,8 +64,11 @@ export function mapElement(client) {
       for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
       need(this, ".carts-map-open").addEventListener("click", () => void this.open());
       this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
-      addEventListener("beforeprint", () => this.#fillTable());
       need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
+    }
+
+    disconnectedCallback() {
+      this.#leaving.abort();
     }
 
     /** The grid that is shown: axes and values in SI, a row for each value of the second axis. */
@@ -225,7 +233,9 @@ export function mapElement(client) {
       if (!this.#grid) return;
       this.#places = places;
       const value = this.#valueAt(places);
-      const text = this.#valueText(value, true);
+      const facts = /** @type {MapFacts} */ (this.#facts);
+      const told = valueText(value, facts);
+      const text = Number.isNaN(value) ? told : `${told} ${facts.unit}`;
       for (const [k, control] of this.#axes.entries()) {
         control.show(this.#grid.axes[k] ?? [], Number(places[k]));
         control.speak(Number(places[k]), text);
@@ -239,19 +249,13 @@ export function mapElement(client) {
       return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
     }
 
-    /** @param {number} value @param {boolean} unit */
-    #valueText(value, unit = false) {
-      if (Number.isNaN(value)) return "no value";
-      const text = figures(value, this.#facts?.decimals ?? 3);
-      return unit ? `${text} ${this.#facts?.unit}` : text;
-    }
-
     #fillTable() {
       if (!this.#grid) return;
       const axisText = (/** @type {number} */ k, /** @type {number} */ place) =>
         this.#axes[k]?.text(place) ?? "";
+      const facts = /** @type {MapFacts} */ (this.#facts);
       fillTable(need(this, ".carts-map-table table"), this.#grid, axisText, (value) =>
-        this.#valueText(value),
+        valueText(value, facts),
       );
     }
 

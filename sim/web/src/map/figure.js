@@ -1,12 +1,15 @@
 /** The figure of a map: canvas or curve, and the cross that marks a point. */
 
+import { scaleFor } from "../../../view/map/bands.js";
+import * as g from "../../../view/map/figure.js";
+import { shown } from "../../../view/map/words.js";
 import { px } from "../../../view/numbers.js";
 import { span } from "../../../view/scales.js";
 import { html, need, put } from "../shared/dom.js";
 import { paint } from "./paint.js";
 
-/** @typedef {import("./types.js").MapFacts} MapFacts */
-/** @typedef {import("./types.js").Grid} Grid */
+/** @typedef {import("../../../view/map/types.js").MapFacts} MapFacts */
+/** @typedef {import("../../../view/map/types.js").Grid} Grid */
 
 export class MapFigure {
   /** @type {HTMLCanvasElement | null} */
@@ -15,6 +18,8 @@ export class MapFigure {
   /** @param {HTMLElement} root @param {MapFacts} facts @param {(places: number[]) => void} point */
   constructor(root, facts, point) {
     this.facts = facts;
+    this.scale = scaleFor(facts.low, facts.high);
+    this.height = g.heightOf(facts);
     this.holder = need(root, ".carts-map-figure");
     /** @type {SVGElement} */
     this.over = need(root, ".carts-map-over");
@@ -34,22 +39,24 @@ export class MapFigure {
   /** @param {Grid} grid */
   show(grid) {
     this.axes = grid.axes;
-    if (grid.axes.length === 1) return this.#curve(grid);
+    if (grid.axes.length === 1) {
+      const path = g.curve(this.facts, grid.axes[0] ?? [], grid.values);
+      return put(need(this.over, '[data-part="curve"]'), "d", path);
+    }
     this.#canvas ??= this.#laid();
-    paint(this.#canvas, grid, this.facts.scale);
+    paint(this.#canvas, grid, this.scale);
   }
 
   /** @param {number[]} places @param {number} value */
   mark(places, value) {
-    const [left, top, right, bottom] = this.facts.plot;
-    const x = this.#x(this.#fraction(0, places[0] ?? 0));
+    const x = this.#along(0, places[0] ?? 0, g.across);
     const flat = places.length === 1;
-    const y = flat ? this.#y(value) : bottom - (bottom - top) * this.#fraction(1, places[1] ?? 0);
-    const across = flat ? "" : `M${left} ${px(y)}H${right}`;
-    put(need(this.over, '[data-part="lines"]'), "d", `M${px(x)} ${top}V${bottom}${across}`);
+    const y = flat ? g.up(value, g.valueAxis(this.facts)) : this.#along(1, places[1] ?? 0, g.up);
+    const across = flat ? "" : `M${g.LEFT} ${px(y)}H${g.RIGHT}`;
+    put(need(this.over, '[data-part="lines"]'), "d", `M${px(x)} ${g.TOP}V${g.BOTTOM}${across}`);
     const point = need(this.over, '[data-part="point"]');
     put(point, "cx", px(x));
-    put(point, "cy", px(Number.isNaN(y) ? bottom : y));
+    put(point, "cy", px(Number.isNaN(y) ? g.BOTTOM : y));
     put(point, "visibility", Number.isNaN(y) ? "hidden" : "visible");
   }
 
@@ -57,59 +64,27 @@ export class MapFigure {
   #laid() {
     const canvas = /** @type {HTMLCanvasElement} */ (html("canvas", "carts-map-canvas"));
     canvas.setAttribute("aria-hidden", "true");
-    const [left, top, right, bottom] = this.facts.plot;
-    const [width, height] = this.facts.size;
-    canvas.style.left = `${(100 * left) / width}%`;
-    canvas.style.top = `${(100 * top) / height}%`;
-    canvas.style.width = `${(100 * (right - left)) / width}%`;
-    canvas.style.height = `${(100 * (bottom - top)) / height}%`;
+    canvas.style.left = `${(100 * g.LEFT) / g.WIDTH}%`;
+    canvas.style.top = `${(100 * g.TOP) / this.height}%`;
+    canvas.style.width = `${(100 * (g.RIGHT - g.LEFT)) / g.WIDTH}%`;
+    canvas.style.height = `${(100 * (g.BOTTOM - g.TOP)) / this.height}%`;
     this.over.before(canvas);
     return canvas;
   }
 
-  /** @param {Grid} grid */
-  #curve({ axes, values }) {
-    let path = "";
-    let pen = "M";
-    for (const [k, value] of values.entries()) {
-      if (Number.isNaN(value)) pen = "M";
-      else {
-        path += `${pen}${px(this.#x(this.#fraction(0, k, axes[0])))} ${px(this.#y(value))}`;
-        pen = "L";
-      }
-    }
-    put(need(this.over, '[data-part="curve"]'), "d", path);
-  }
-
-  /** @param {number} k axis @param {number} place @returns {number} 0 to 1 along the axis */
-  #fraction(k, place, values = this.axes[k] ?? [0]) {
-    const { per, low, high } = /** @type {import("./types.js").Axis} */ (this.facts.axes[k]);
-    const axis = span(low, high, 1);
-    const shown = Number((Number(values[place]) / per).toPrecision(12));
-    return (shown - axis.low) / (axis.high - axis.low);
-  }
-
-  /** @param {number} fraction */
-  #x(fraction) {
-    const [left, , right] = this.facts.plot;
-    return left + fraction * (right - left);
-  }
-
-  /** @param {number} value */
-  #y(value) {
-    const [, top, , bottom] = this.facts.plot;
-    const { low, high } = this.facts.value;
-    return bottom - (value - low) * ((bottom - top) / (high - low));
+  /** @param {number} k axis @param {number} place @param {typeof g.across} draw @returns {number} drawing coordinate */
+  #along(k, place, draw) {
+    const along = /** @type {import("../../../view/map/types.js").Axis} */ (this.facts.axes[k]);
+    const value = shown(Number(this.axes[k]?.[place]), along);
+    return draw(value, span(along.low, along.high, 1));
   }
 
   /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
   #placesAt(event) {
     const box = this.over.getBoundingClientRect();
-    const [left, top, right, bottom] = this.facts.plot;
-    const [width, height] = this.facts.size;
-    const x = ((event.clientX - box.left) / box.width) * width;
-    const y = ((event.clientY - box.top) / box.height) * height;
-    const fractions = [(x - left) / (right - left), (bottom - y) / (bottom - top)];
+    const x = ((event.clientX - box.left) / box.width) * g.WIDTH;
+    const y = ((event.clientY - box.top) / box.height) * this.height;
+    const fractions = [(x - g.LEFT) / (g.RIGHT - g.LEFT), (g.BOTTOM - y) / (g.BOTTOM - g.TOP)];
     return this.axes.map(({ length }, k) => {
       const place = Math.round(Number(fractions[k]) * (length - 1));
       return Math.min(length - 1, Math.max(0, place));

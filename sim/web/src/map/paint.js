@@ -1,90 +1,11 @@
-/** The picture of a map: bands of colour with a darker edge. Twin of `sim/pages/map/scale.py`. */
+/** The picture of a map on a canvas. */
 
-/** @typedef {import("./types.js").Scale} Scale */
-/** @typedef {import("./types.js").Grid} Grid */
+import { palette, pixels } from "../../../view/map/pixels.js";
 
-const STEP_SLACK = 1e-9; // of a step; nearer to a round number is rounding noise
-const FINE = 400; // pixels along the longer side, at least
-const EDGE = 0.72; // of a band's colour, on its edge
+/** @typedef {import("../../../view/map/types.js").Scale} Scale */
+/** @typedef {import("../../../view/map/types.js").Grid} Grid */
 
-/** @param {number} value @param {Scale} scale @returns {number} count where there is no value */
-function band(value, { low, step, count }) {
-  if (Number.isNaN(value)) return count;
-  const place = Math.floor((value - low) / step + STEP_SLACK);
-  return Math.min(count - 1, Math.max(0, place));
-}
-
-/** @param {number} a @param {number} b @param {number} part @returns {number} where a value is missing, the nearer */
-function mixed(a, b, part) {
-  if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
-  return a * (1 - part) + b * part;
-}
-
-/**
- * Each of `lines` lines of `count` values with more points in between, one after the other.
- * @param {ArrayLike<number>} values @param {number} lines @param {number} count @param {number} factor
- * @param {number} next from a value to the next @param {number} line from a line to the next
- */
-function between(values, lines, count, factor, next, line) {
-  const fine = (count - 1) * factor + 1;
-  const found = new Float64Array(lines * fine);
-  for (let i = 0; i < lines; i += 1) {
-    for (let k = 0; k < fine; k += 1) {
-      const left = Math.min(Math.floor(k / factor), count - 2);
-      const at = i * line + left * next;
-      const part = (k - left * factor) / factor;
-      found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
-    }
-  }
-  return found;
-}
-
-/**
- * Colour numbers of the picture, the top row first: bands, no value, from count + 1 on the bands'
- * edges, and last the line of zero.
- * @param {ArrayLike<number>} values @param {number} columns @param {Scale} scale
- * @returns {{places: Uint8Array, width: number, height: number}}
- */
-export function pixels(values, columns, scale) {
-  const rows = values.length / columns;
-  const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
-  const width = (columns - 1) * factor + 1;
-  const height = (rows - 1) * factor + 1;
-  const wide = between(values, rows, columns, factor, 1, columns); // row after row
-  const fine = between(wide, width, rows, factor, width, 1); // column after column, from below
-  const bands = new Uint8Array(width * height);
-  for (let y = 0; y < height; y += 1) {
-    for (let x = 0; x < width; x += 1) {
-      bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
-    }
-  }
-  return { places: lines(bands, width, scale), width, height };
-}
-
-/**
- * The bands with their edges, and the line of zero, twice as broad.
- * @param {Uint8Array} bands @param {number} width @param {Scale} scale @returns {Uint8Array}
- */
-function lines(bands, width, { count, zero }) {
-  const places = bands.slice();
-  const line = 2 * count + 1;
-  const compare = (/** @type {number} */ at, /** @type {number} */ other) => {
-    const own = Number(bands[at]);
-    const next = Number(bands[other]);
-    if (next === own || own === count) return;
-    if (next !== count && own >= zero !== next >= zero) {
-      places[at] = line;
-      places[other] = line;
-    } else if (places[at] !== line) places[at] = count + 1 + own;
-  };
-  for (let at = 0; at < bands.length; at += 1) {
-    if ((at + 1) % width) compare(at, at + 1);
-    if (at + width < bands.length) compare(at, at + width);
-  }
-  return places;
-}
-
-/** @param {HTMLCanvasElement} canvas @param {Grid} grid @param {Scale} scale */
+/** @param {HTMLCanvasElement} canvas @param {Pick<Grid, "values" | "columns">} grid @param {Scale} scale */
 export function paint(canvas, { values, columns }, scale) {
   const { places, width, height } = pixels(values, columns, scale);
   if (canvas.width !== width) canvas.width = width;
@@ -93,14 +14,12 @@ export function paint(canvas, { values, columns }, scale) {
   if (!context) return;
   const image = context.createImageData(width, height);
   const words = new Uint32Array(image.data.buffer);
-  const colours = palette(scale);
+  const colours = packed(scale);
   for (let at = 0; at < places.length; at += 1) words[at] = Number(colours[Number(places[at])]);
   context.putImageData(image, 0, 0);
 }
 
 /** @param {Scale} scale @returns {Uint32Array} as a little-endian machine stores a pixel */
-function palette({ colours, none, line }) {
-  const edges = colours.map((colour) => colour.map((part) => Math.round(EDGE * part)));
-  const all = [...colours, none, ...edges, line];
-  return Uint32Array.from(all, ([r = 0, g = 0, b = 0]) => (255 << 24) | (b << 16) | (g << 8) | r);
+function packed(scale) {
+  return Uint32Array.from(palette(scale), ([r, g, b]) => (255 << 24) | (b << 16) | (g << 8) | r);
 }

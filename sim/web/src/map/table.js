@@ -1,41 +1,23 @@
-/** The table behind a map: a part of the values, evenly spread. Twin of `table` in `pages/map/render.py`. */
+/** Fills the table behind a map. */
 
+import { tableOf } from "../../../view/map/table.js";
 import { html } from "../shared/dom.js";
 
-/** @typedef {import("./types.js").Grid} Grid */
-
-const COLUMNS = 6;
-const ROWS = 11;
-
-/** @param {number} count @param {number} most @returns {number[]} places, both ends among them */
-export function spread(count, most) {
-  const wanted = Math.min(most, count);
-  return Array.from({ length: wanted }, (_, k) =>
-    Math.floor((k * (count - 1)) / (wanted - 1) + 0.5),
-  );
-}
-
 /**
- * @param {HTMLElement} table @param {Grid} grid
+ * @param {HTMLElement} table @param {import("../../../view/map/types.js").Grid} grid
  * @param {(axis: number, place: number) => string} axisText @param {(value: number) => string} valueText
  */
 export function fillTable(table, grid, axisText, valueText) {
-  const flat = grid.axes.length === 1;
-  const columns = flat ? [0] : spread(grid.columns, COLUMNS);
-  const rows = flat ? spread(grid.columns, 2 * ROWS - 1) : spread(grid.rows, ROWS);
-  if (!flat) {
-    const head = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
-    for (const [k, cell] of head.entries()) cell.textContent = axisText(0, Number(columns[k]));
-  }
-  const body = rows.map((row) => {
+  const { head, lines } = tableOf(grid.columns, grid.rows, axisText, (place) =>
+    valueText(Number(grid.values[place])),
+  );
+  const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
+  for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
+  const body = lines.map(([name = "", ...cells]) => {
     const line = html("tr");
-    const head = html("th", "", axisText(flat ? 0 : 1, row));
-    head.setAttribute("scope", "row");
-    const at = (/** @type {number} */ column) => (flat ? row : row * grid.columns + column);
-    line.append(
-      head,
-      ...columns.map((column) => html("td", "", valueText(Number(grid.values[at(column)])))),
-    );
+    const first = html("th", "", name);
+    first.setAttribute("scope", "row");
+    line.append(first, ...cells.map((cell) => html("td", "", cell)));
     return line;
   });
   table.querySelector("tbody")?.replaceChildren(...body);

@@ -1,6 +1,9 @@
 /** Draws the blocks that Python gives without a picture, by the same functions that the generator uses. */
 
+import { scaleFor } from "../../../view/map/bands.js";
+import { inside as mapInside } from "../../../view/map/skeleton.js";
 import { inside } from "../../../view/skeleton/scene.js";
+import { paint } from "../map/paint.js";
 import { bakedOf } from "../scene/baked.js";
 import { need } from "../shared/dom.js";
 
@@ -8,6 +11,9 @@ import { need } from "../shared/dom.js";
 export function drawBlock(element) {
   if (element.localName === "carts-scene" && !element.querySelector(".carts-frame")) {
     drawScene(element);
+  }
+  if (element.localName === "carts-map" && !element.querySelector(".carts-map-frame")) {
+    drawMap(element);
   }
 }
 
@@ -22,4 +28,21 @@ function drawScene(element) {
     shown.innerHTML = inside(bakedOf(open), true).text;
   }
   element.insertAdjacentHTML("afterbegin", inside(bakedOf(raw)).text);
+}
+
+/** @param {Element} element */
+function drawMap(element) {
+  /** @type {import("../../../view/map/types.js").MapFacts} */
+  const facts = JSON.parse(need(element, ".carts-map-baked").textContent ?? "");
+  const draw = facts.draw;
+  if (!draw) return;
+  let picture = "";
+  if (facts.axes.length === 2) {
+    const canvas = document.createElement("canvas");
+    const columns = facts.axes[0]?.values.length ?? 0;
+    const values = Float64Array.from(draw.values, (value) => value ?? Number.NaN);
+    paint(canvas, { values, columns }, scaleFor(facts.low, facts.high));
+    picture = canvas.toDataURL();
+  }
+  element.insertAdjacentHTML("afterbegin", mapInside(facts, draw, picture).text);
 }

@@ -1,0 +1,102 @@
+/** What accuracy costs, as it stands in the page: one scene run twice, every method's error against its time. */
+
+import { html } from "../markup.js";
+import { BOTTOM, grid, HEIGHT, LEFT, lineOf, RIGHT, TOP, WIDTH } from "./figure.js";
+import { METHODS, stepping } from "./methods.js";
+import { cells, FIRST, told, toleranceText } from "./words.js";
+
+/** @typedef {import("../markup.js").Markup} Markup */
+/** @typedef {import("./figure.js").CostRow} CostRow */
+/**
+ * @typedef {{id: string, title: string, names: Record<string, string>, measured: string, rows: CostRow[],
+ *   run: {header: import("./words.js").CostHeader, numbers: number[]}}} Values
+ */
+
+const PARTS = [19, 61, 103, 211, 499, 997, 9973];
+const TOLERANCES = [1e-6, 1e-9, 1e-12];
+
+/** @param {Values} values @returns {Markup} the inside of `<carts-cost>` */
+export function inside({ id, title, names, measured, rows, run }) {
+  const told3 = told(run.header).map(
+    ([head, got, real]) =>
+      html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`,
+  );
+  const said = measured && `Measured ${measured}.`;
+  return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+${choice(names)}
+<div class="carts-cost-world"><svg class="carts-cost-stage" viewBox="0 0 640 118" width="640" height="118" role="img" aria-label="the carts as stepped, and exactly as dashed outlines"></svg></div>
+<div class="carts-transport carts-cost-transport"><button type="button" class="carts-button carts-play carts-cost-play" disabled>Play</button><input type="range" class="carts-cost-scrub" min="0" max="1" step="any" value="0" aria-label="time" disabled><output class="carts-cost-clock">0.00 s</output></div>
+<p class="carts-cost-legend"><span class="carts-cost-solid"></span> as stepped <span class="carts-cost-dashed"></span> exactly</p>
+<div class="carts-cost-body">
+<div><p class="carts-heading">Energy of motion</p><svg class="carts-cost-energy" viewBox="0 0 400 190" width="400" height="190" role="img" aria-label="energy of motion against time, as stepped and exactly"></svg></div>
+<div class="carts-scroll"><table class="carts-table carts-cost-told"><thead><tr><td></td><th scope="col">as stepped</th><th scope="col">exactly</th></tr></thead><tbody>${told3}</tbody></table></div>
+</div>
+<div class="carts-cost-measure">
+<p class="carts-heading">Error against time</p>
+<p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>Measure on this computer</button> <button type="button" class="carts-button carts-cost-stop" hidden>Stop</button> <progress class="carts-cost-progress" max="1" value="0" aria-label="methods measured" hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
+${figure(rows)}
+</div>
+${table(rows, run.header.until)}
+<noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
+</div>`;
+}
+
+/** Scene, method and step. @param {Record<string, string>} names of the scenes */
+function choice(names) {
+  const scenes = Object.entries(names).map(
+    ([name, text]) => html`<option value=${name}>${text}</option>`,
+  );
+  const methods = stepping().map(
+    (name) =>
+      html`<option value=${name}${name === FIRST.method && html` selected`}>${METHODS[name]?.label}</option>`,
+  );
+  const parts = PARTS.map(
+    (n) => html`<option value=${n}${n === FIRST.parts && html` selected`}>run / ${n}</option>`,
+  );
+  const tolerances = TOLERANCES.map(
+    (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`,
+  );
+  return html`<div class="carts-cost-choice">
+<label>scene <select class="carts-cost-scene" disabled>${scenes}</select></label>
+<label>method <select class="carts-cost-method" disabled>${methods}</select></label>
+<label>step <select class="carts-cost-step" disabled>${parts}</select><select class="carts-cost-rtol" aria-label="tolerance" disabled hidden>${tolerances}</select></label>
+</div>`;
+}
+
+/** @param {CostRow[]} rows */
+function figure(rows) {
+  const { x, y } = grid();
+  const methods = Object.entries(METHODS);
+  const series = methods.map(([name, { mark }], k) => {
+    const { line, points } = lineOf(rows, name);
+    const marks = points.map(
+      ([across, down]) =>
+        html`<path class="carts-cost-point" transform="translate(${across} ${down})" d=${mark}/>`,
+    );
+    return html`<g class="carts-cost-s${k}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks}</g>`;
+  });
+  const key = methods.map(
+    ([, { mark, label }], k) =>
+      html`<li class="carts-cost-s${k}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label}</li>`,
+  );
+  return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
+${x.map(([at, text]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text}</text>`)}
+${y.map(([at, text]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text}</text>`)}
+<text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
+<text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
+<g class="carts-cost-series">${series}</g>
+<circle class="carts-cost-ring" r="9" visibility="hidden"/>
+</svg>
+<ul class="carts-cost-key">${key}</ul>`;
+}
+
+/** @param {CostRow[]} rows @param {number} until in s */
+function table(rows, until) {
+  const lines = rows.map((row) => {
+    const [head, ...values] = cells(row, until);
+    return html`<tr><th scope="row">${head}</th>${values.map((value) => html`<td>${value}</td>`)}</tr>`;
+  });
+  return html`<details class="carts-more carts-cost-table"><summary>Table of all measurements</summary><div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">method</th><th scope="col">step</th><th scope="col">forces computed</th><th scope="col">time</th><th scope="col">error of v in m/s</th><th scope="col">error of energy, of that at the start</th></tr></thead><tbody>${lines}</tbody></table></div></details>`;
+}

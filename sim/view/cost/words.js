@@ -1,0 +1,72 @@
+/** Numbers beside the two runs, and the table of all measurements. */
+
+import { fixed, short } from "../numbers.js";
+import { METHODS } from "./methods.js";
+
+/** @typedef {import("./figure.js").CostRow} CostRow */
+/**
+ * @typedef {{until: number, rows: number, steps: number, evaluations: number,
+ *   bodies: {name: string, mass: number, length: number}[],
+ *   track: {left: string, right: string, length: number | null},
+ *   v: {stepped: Record<string, number | null>, exact: Record<string, number>},
+ *   energy: {initial: number, stepped: number | null, exact: number, imbalance: number | null}}} CostHeader
+ */
+
+const [MANY, HUGE] = [1000, 10_000];
+/** What is shown first. */
+export const FIRST = { method: "euler", parts: 103 };
+const ENDLESS = "beyond all numbers";
+
+/** @param {number} part @param {number} whole */
+function percent(part, whole) {
+  return `${plain(whole ? (100 * part) / whole : 100, 1)} %`;
+}
+
+/** Numbers that no cart could have as powers of ten. @param {number} value @param {number} decimals */
+function plain(value, decimals) {
+  return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
+}
+
+/** @param {CostHeader} header @returns {[string, string, string][]} quantity, as stepped, exactly */
+export function told({ v, energy, evaluations }) {
+  const speeds = Object.entries(v.stepped).map(([name, speed]) => {
+    const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
+    return /** @type {[string, string, string]} */ ([
+      `velocity of ${name} at the end`,
+      got,
+      `${plain(Number(v.exact[name]), 4)} m/s`,
+    ]);
+  });
+  const { initial, stepped, exact, imbalance } = energy;
+  return [
+    ...speeds,
+    [
+      "energy at the end, of that at the start",
+      stepped === null ? ENDLESS : percent(stepped, initial),
+      percent(exact, initial),
+    ],
+    ["energy made from nothing", imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
+    ["times that all forces were computed", String(evaluations), "0"],
+  ];
+}
+
+/** @param {number} rtol @returns {string} a power of ten as it is typed at a command line */
+export function toleranceText(rtol) {
+  return `tolerance 1e${Math.round(Math.log10(rtol))}`;
+}
+
+/** @param {CostRow} row @param {number} until @returns {string[]} a line of the table, its head first */
+export function cells(row, until) {
+  let size = "–";
+  if (row.rtol) size = toleranceText(row.rtol);
+  else if (row.step) size = `${short(until)} s / ${Math.round(until / row.step)}`;
+  const ratio = row.time_ratio;
+  return [
+    METHODS[row.method]?.label ?? row.method,
+    size,
+    String(row.evaluations),
+    ratio >= MANY ? String(Math.round(ratio)) : short(ratio),
+    row.error_v === null ? "–" : short(row.error_v, 2),
+    row.energy_error === null ? "–" : short(row.energy_error, 2),
+  ];
+}
