@@ -30,10 +30,10 @@ def set_free(
     if gap.joined:
         split(chain, gap, now, record)
     elif gap.touching is None:
+        gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
         if gap.room > TOUCHING:
             record.idle_bursts.append((gap.index, now[0], gap.room))
             return False
-        gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
     else:  # what their bumpers still hold is no part of the energy
         if gap.law is not None:
             ledger.dissipate(gap.law.stored(-gap.room, -gap.rate, gap.memory))
