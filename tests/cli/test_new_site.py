@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -49,7 +50,7 @@ def test_in_an_empty_place_a_site_is_made_that_has_no_mistakes(name: str, site_i
     root = Path(name).resolve()
     assert str(root) in output
     settings = yaml.safe_load((root / "mkdocs.yml").read_text(encoding="utf-8"))
-    assert settings["extra"]["carts"]["site_id"] == site_id
+    assert re.fullmatch(rf"{site_id}-[0-9a-f]{{6}}", settings["extra"]["carts"]["site_id"])
     assert check_paths([root / place for place in USUAL_PLACES], root) == []
 
 

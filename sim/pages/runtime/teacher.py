@@ -24,6 +24,7 @@ MODULES = (
     *("__init__", "bake", "effect_pages", "fence_scan", "findings", "lesson_text", "map_block"),
     "scene_block",
     "yaml_loader",
+    "yaml_typos",
     *("templates", "yaml_errors", "yaml_source"),
 )
 """Of `sim/pages`."""
