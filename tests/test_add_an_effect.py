@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).parents[1]
-GUIDE = ROOT / "docs" / "developers" / "add-an-effect.md"
+GUIDES = [ROOT / "docs" / "developers" / name for name in ("add-an-effect.md", "add-a-law.md")]
 FILE = re.compile(r"^(`{3,})\w+ title=\"([^\"]+)\"\n(.*?)^\1$", re.M | re.S)
 COPIED = ("sim", "docs", "worksheets", "tests", "mkdocs.yml", "pyproject.toml", "README.md")
 
@@ -26,7 +26,7 @@ X = 0.5 + W * T - (M * W / B) * (1.0 - math.exp(-B * T / M))
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the project with the files of the guide, and nothing else changed."""
+    """A copy of the project with the files of the guides, and nothing else changed."""
     copy = tmp_path_factory.mktemp("project")
     for name in COPIED:
         if (ROOT / name).is_dir():
@@ -34,9 +34,10 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
             shutil.copytree(ROOT / name, copy / name, ignore=away)
         else:
             shutil.copy(ROOT / name, copy / name)
-    for _, place, text in FILE.findall(GUIDE.read_text(encoding="utf-8")):
-        (copy / place).parent.mkdir(parents=True, exist_ok=True)
-        (copy / place).write_text(text, encoding="utf-8")
+    for guide in GUIDES:
+        for _, place, text in FILE.findall(guide.read_text(encoding="utf-8")):
+            (copy / place).parent.mkdir(parents=True, exist_ok=True)
+            (copy / place).write_text(text, encoding="utf-8")
     return copy
 
 
@@ -141,3 +142,30 @@ def test_a_folder_that_does_not_describe_itself_fails_loudly(project: Path) -> N
             carts(project, "run")
     finally:
         shutil.rmtree(folder)
+
+
+LAW = """
+from sim.bridge.model_text import model_text
+from sim.dynamics.loop.run import run
+from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.recorded import stepped
+from sim.scene import read_scene
+carts = {"A": {"mass": 1, "position": 0, "velocity": 1}, "B": {"mass": 1, "position": 0.5}}
+contact = {"law": "gel", "restitution": 0.8}
+scene = read_scene({"carts": carts, "contact": contact, "until": 2})
+done = run(scene)
+assert abs(done.v[1] - done.v[0] - 0.4) < 1e-14, done.v
+assert done.ledger.imbalance() < 1e-12
+near = stepped(scene, Way("rk4-events", step=1e-3)).run.v
+assert abs(near[0] - done.v[0]) < 1e-7, near
+names = {"print": lambda *_, **__: None}
+exec(model_text(scene), names)
+assert abs(names["v"][0] - done.v[0]) < 0.02, names["v"]
+third = {"C": {"mass": 2, "position": 0.7, "velocity": -0.2}}
+row = run(read_scene({"carts": carts | third, "contact": contact, "until": 2}))
+assert "power-series" in row.solvers and row.ledger.imbalance() < 1e-12
+"""
+
+
+def test_a_new_law_is_one_folder_too(project: Path) -> None:
+    python(project, "-c", LAW)

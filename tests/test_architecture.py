@@ -185,6 +185,48 @@ def test_no_law_is_named_outside_its_folder() -> None:
             assert not chains.findall(path.read_text(encoding="utf-8")), path.relative_to(ROOT)
 
 
+ROOMS = {
+    "state": {"state"},
+    "motion": {"motion", "state", "result"},  # of `result` only what is refused
+    "result": {"result", "state"},
+    "loop": {"loop", "motion", "result", "state"},
+    "report": {"report", "result", "motion", "state"},
+}
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_the_rooms_of_the_numerics_import_in_one_direction(room: str) -> None:
+    for path in modules(f"dynamics/{room}"):
+        for name in imported(path):
+            if name.startswith("sim.dynamics."):
+                assert name.split(".")[2] in ROOMS[room], f"{path.relative_to(ROOT)}: {name}"
+    for path in modules("dynamics/motion"):
+        assert {n for n in imported(path) if ".result." in n} <= {
+            "sim.dynamics.result.outcome",
+            "sim.dynamics.result.outcome.UnsolvedError",
+        }
+
+
+@pytest.mark.parametrize("layer", ["scene", "effects", "laws", "dynamics"])
+def test_no_modules_import_each_other_in_a_circle(layer: str) -> None:
+    """Imports for types only and those inside functions count too."""
+    names = {
+        path.relative_to(ROOT).with_suffix("").as_posix().replace("/", "."): path
+        for path in modules(layer)
+        if path.name != "__init__.py"
+    }
+    open_: dict[str, set[str]] = {
+        name: {other for other in imported(path) if other in names} - {name}
+        for name, path in names.items()
+    }
+    while free := [name for name, needs in open_.items() if not needs]:
+        for name in free:
+            del open_[name]
+        for needs in open_.values():
+            needs.difference_update(free)
+    assert not open_, f"in or behind a circle: {sorted(open_)}"
+
+
 def test_no_module_holds_two_ideas() -> None:
     long = {
         path.relative_to(ROOT).as_posix(): count

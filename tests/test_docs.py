@@ -104,9 +104,8 @@ def test_every_command_is_documented(command: str) -> None:
 def scene_blocks() -> list[tuple[str, str]]:
     found = []
     for text in TEXTS:
-        for block in re.findall(
-            r"^```scene\n(.*?)^```", text.read_text(encoding="utf-8"), re.M | re.S
-        ):
+        shown = re.sub(r"^````.*?^````$", "", text.read_text(encoding="utf-8"), flags=re.M | re.S)
+        for block in re.findall(r"^```scene\n(.*?)^```", shown, re.M | re.S):
             found.append((text.relative_to(ROOT).as_posix(), block))
     return found
 

@@ -99,12 +99,8 @@ def _contact(**more: Any) -> dict[str, Any]:
 
 def _effect(kind: EffectKind) -> dict[str, Any]:
     """One entry of the list: the kind, and its table."""
-    bodies = {
-        "": ("carts", CARTS),
-        "cart": ("cart", {"type": "string"}),
-        "between": ("between", PAIR),
-    }
-    key, body = bodies[kind.needs]
+    key = kind.needs or "carts"
+    body = {"carts": CARTS, "cart": {"type": "string"}, "between": PAIR}[key]
     table = _table(*kind.fields, **{key: body}, active=ACTIVE)
     if kind.by:
         table["properties"]["by"] = {"type": "string", "default": kind.by}

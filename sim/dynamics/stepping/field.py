@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.stepping.joint_forces import told
 from sim.effects.forces import FRICTION, BodyForce, PairForce, acting
 from sim.laws.lookup import contact_law
 from sim.laws.stepping import Mode, SteppedContact
@@ -152,8 +153,6 @@ class Field:
         if self.keep is not None:
             outside = self._outside(t, v) | rub
             if self.held:
-                from sim.dynamics.stepping.held import told  # it imports this module
-
                 push = told(self, push, total, rub, a)
             self.keep.append(Detail(push, links, outside, *self._taken(push, s, v), list(v)))
         return a
