@@ -28,12 +28,8 @@ MODULES = (
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
     *("pages/question/published.py", "pages/question/key_page.py"),
-    *(
-        "pages/map/png.py",
-        "pages/language/catalogues/",
-        "pages/language/extract.py",
-        "pages/language/from_python.py",
-    ),
+    "pages/map/png.py",
+    *("pages/language/catalogues/", "pages/language/extract.py", "pages/language/from_python.py"),
 )
 BEGINS = (
     *("sim.pages.teach.answer", "sim.pages.widget", "sim.pages.question.render"),
