@@ -31,6 +31,7 @@ MODULES = (
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
     *("pages/question/published.py", "pages/question/key_page.py"),
+    "pages/map/png.py",
     *("pages/language/catalogues/", "pages/language/extract.py"),
 )
 BEGINS = (
