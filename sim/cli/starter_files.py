@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import secrets
 import unicodedata
 from pathlib import Path
 
@@ -84,6 +85,11 @@ def site_id_of(name: str) -> str:
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
     slug = re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:40].strip("-")
     return slug if len(slug) >= 3 else "my-lessons"
+
+
+def new_site_id(name: str) -> str:
+    """The same with an ending of its own: on one computer two sites never share their answers."""
+    return f"{site_id_of(name)[:33].strip('-')}-{secrets.token_hex(3)}"
 
 
 def quoted(text: str) -> str:

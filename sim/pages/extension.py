@@ -10,21 +10,25 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Callable
 from contextvars import ContextVar
-from dataclasses import dataclass, field
 
 from markdown import Extension, Markdown
 from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
 
-from sim.pages.bake import bake
-from sim.pages.fence_scan import Block, scan
-from sim.pages.findings import AuthorError, Finding, error_box
-from sim.pages.language import ENGLISH, speaking, words
-from sim.pages.map_block import read_map_block
-from sim.pages.question import PageItems, read_question_block, read_quiz_block
-from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
+from sim.pages.fence_scan import scan
+from sim.pages.findings import AuthorError, error_box
+from sim.pages.makers import MAKERS, Page, made
+from sim.pages.scene_block import Lesson
+
+__all__ = [
+    "MAKERS",
+    "CartsExtension",
+    "Page",
+    "makeExtension",
+    "set_page",
+    "with_late",
+]
 
 # Before Markdown's own clean-up (30), which turns tabs into spaces and so hides them.
 _BEFORE_EVERYTHING = 40
@@ -32,22 +36,6 @@ _BEFORE_EVERYTHING = 40
 _AFTER_EVERYTHING = -10
 _WORD = "cartsblock"
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
-
-
-@dataclass(slots=True)
-class Page:
-    """One page in the making. `first_line`: the line of the file that the Markdown begins with."""
-
-    lesson: Lesson
-    first_line: int = 1
-    ids: SiteIds = field(default_factory=SiteIds)
-    report: Callable[[Finding], None] | None = None
-    scenes: int = 0
-    packages: set[str] = field(default_factory=set)
-    blocks: tuple[Block, ...] = ()
-    items: PageItems = field(default_factory=PageItems)
-    language: str = ENGLISH
-    late: dict[str, str] | None = None  # what is to be put in after the theme's work; None: nothing
 
 
 _page: ContextVar[Page | None] = ContextVar("carts-page", default=None)
@@ -89,20 +77,19 @@ class _TakeOut(Preprocessor):
         page.blocks = tuple(scan(lines, front_matter=False))
         for block in page.blocks:
             try:
-                with speaking(words(page.language)):
-                    made = MAKERS.get(block.name, _scene)(block, page)
+                html = made(block, page)
             except AuthorError as error:
                 if page.report is None:
                     raise
                 for finding in error.findings:
                     page.report(finding)
-                made = error_box(error.findings)
+                html = error_box(error.findings)
             word = f"{_WORD}{hashlib.sha256(f'{block}'.encode()).hexdigest()[:16]}"
-            if page.late is not None and _NOT_TO_SEARCH.match(made):
+            if page.late is not None and _NOT_TO_SEARCH.match(html):
                 stub = f"<!--late {word.removeprefix(_WORD)}-->"  # without the word itself
-                page.late[stub] = made
-                made = stub
-            self.put_in.html[word] = made
+                page.late[stub] = html
+                html = stub
+            self.put_in.html[word] = html
             kept += [*lines[done : block.start], "", block.indent + word, ""]
             done = block.end
         for finding in page.items.findings():
@@ -114,8 +101,8 @@ class _TakeOut(Preprocessor):
 
 def with_late(html: str, late: dict[str, str] | None) -> str:
     """The page with its pictures in their places: search and checks need not read them."""
-    for stub, made in (late or {}).items():
-        html = html.replace(stub, made)
+    for stub, block in (late or {}).items():
+        html = html.replace(stub, block)
     return html
 
 
@@ -127,114 +114,7 @@ class _PutIn(Postprocessor):
         self.html: dict[str, str] = {}
 
     def run(self, text: str) -> str:
-        for word, made in self.html.items():
+        for word, block in self.html.items():
             # A paragraph may not contain a scene; in a tight list there is no paragraph.
-            text = text.replace(f"<p>{word}</p>", made).replace(word, made)
+            text = text.replace(f"<p>{word}</p>", block).replace(word, block)
         return text
-
-
-def _scene(block: Block, page: Page) -> str:
-    """A `scene` block; it also says what is wrong with the form of any other."""
-    return _widget(read_scene_block(block, page.lesson, page.ids, first_line=page.first_line), page)
-
-
-def _question(block: Block, page: Page) -> str:
-    """A `question` block, numbered through the page."""
-    from sim.pages.question.render import render_question
-
-    read = read_question_block(block, page.lesson, page.ids, first_line=page.first_line)
-    page.items.questions.append(read)
-    return render_question(read.question, number=len(page.items.questions))
-
-
-def _quiz(block: Block, page: Page) -> str:
-    """A `quiz` block: a form of items from a bank."""
-    from sim.pages.question.render import render_quiz
-
-    read = read_quiz_block(block, page.lesson, page.ids, first_line=page.first_line)
-    page.items.quizzes.append(read)
-    return render_quiz(read.form)
-
-
-def _map(block: Block, page: Page) -> str:
-    """A `map` block: its figure, and what the page needs to compute it anew."""
-    from sim.pages.map.bake import bake_map
-    from sim.pages.map.render import render_map
-
-    read = read_map_block(
-        block, page.lesson, page.ids, first_line=page.first_line, blocks=page.blocks
-    )
-    run = bake_map(read.map, read.plain)
-    if isinstance(run, list):
-        raise AuthorError(map(read.places.finding, run))
-    page.scenes += 1
-    page.packages |= set(run.packages)
-    made = render_map(read.map, read.plain, run)
-    return made.replace("<carts-map", "<carts-map data-search-exclude", 1)
-
-
-def _cost(block: Block, page: Page) -> str:
-    """A `cost` block: stepping methods beside the exact solution."""
-    from sim.pages.cost.block import read_cost_block
-    from sim.pages.cost.render import render_cost
-
-    read = read_cost_block(block, page.lesson, page.ids, first_line=page.first_line)
-    page.scenes += 1
-    page.packages |= {"numpy", "scipy"}
-    return render_cost(read).replace("<carts-cost", "<carts-cost data-search-exclude", 1)
-
-
-def _hard_cases(block: Block, page: Page) -> str:
-    """A `hard-cases` block: the table of scenes that break step-by-step engines."""
-    from sim.pages.hard_cases.block import read_hard_cases_block
-    from sim.pages.hard_cases.render import render_hard_cases
-
-    read = read_hard_cases_block(block, page.lesson, page.ids, first_line=page.first_line)
-    page.scenes += 1
-    page.packages |= {"numpy", "scipy"}
-    return render_hard_cases(read).replace("<carts-hard", "<carts-hard data-search-exclude", 1)
-
-
-def _measured(block: Block, page: Page) -> str:
-    """A `measured` block: readings of real carts beside the model."""
-    from sim.pages.measured.block import read_measured_block
-    from sim.pages.measured.render import render_measured
-
-    read = read_measured_block(block, page.lesson, page.ids, first_line=page.first_line)
-    made = render_measured(read)
-    return made.replace("<carts-measured", "<carts-measured data-search-exclude", 1)
-
-
-def _evidence(block: Block, page: Page) -> str:
-    """An `evidence` block: a table of the paper."""
-    from sim.pages.classroom.evidence import evidence_block
-
-    return evidence_block(block, page.lesson, first_line=page.first_line)
-
-
-MAKERS: dict[str, Callable[[Block, Page], str]] = {
-    "scene": _scene,
-    "map": _map,
-    "cost": _cost,
-    "hard-cases": _hard_cases,
-    "question": _question,
-    "quiz": _quiz,
-    "evidence": _evidence,
-    "measured": _measured,
-}
-
-
-def _widget(block: SceneBlock, page: Page) -> str:
-    """The live scene as HTML, with its default run; raises `AuthorError` if it cannot run."""
-    from sim.pages.widget import render  # Jinja2 and its templates: only where a scene is drawn
-
-    run = bake(block.fence.plain)
-    if isinstance(run, list):
-        raise AuthorError(map(block.places.finding, run))
-    page.scenes += 1
-    page.items.scenes.append(block.fence)
-    page.packages |= run.packages | set(block.fence.packages)
-    made = render(block.fence, run.header, run.numbers)
-    # Readings of a run are no words to search for, and must not give an answer away. The theme
-    # leaves out an element with this mark; it must be one that does not occur inside itself.
-    return made.replace("<carts-scene", "<carts-scene data-search-exclude", 1)

@@ -18,6 +18,7 @@ import yaml
 
 from sim.pages.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError
 from sim.pages.yaml_loader import Loader, RefusedError
+from sim.pages.yaml_typos import typos
 
 __all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
 
@@ -83,7 +84,8 @@ class _Reader:
                 f"this text has {len(text)} characters; at most {MAX_CHARACTERS} are read",
                 "a scene is short: is this the right file?",
             )
-        self._refuse_leading_tabs(text)
+        for typo in typos(text):
+            raise self.error(*typo)
         values: dict[KeyPath, Place] = {(): (self.first_line, self.first_col)}
         keys: dict[KeyPath, Place] = {}
         root = self._compose(text)
@@ -131,14 +133,6 @@ class _Reader:
             if part in problem or part in (error.context or ""):
                 return self.error(line, col, message, hint)
         return self.error(line, col, problem, "look at this line and the one above it")
-
-    def _refuse_leading_tabs(self, text: str) -> None:
-        for number, line in enumerate(text.split("\n")):
-            lead = line[: len(line) - len(line.lstrip())]
-            if "\t" in lead and line.strip():
-                raise self.error(
-                    number, lead.index("\t"), "a tab character", "indent with spaces, two per step"
-                )
 
     def _mapping(
         self,

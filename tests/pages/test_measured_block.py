@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -23,11 +24,16 @@ def baked(html: str) -> dict[str, object]:
     return made
 
 
+def dots(made: str) -> list[str]:
+    """The paths of points in a figure."""
+    return [path for path in re.findall(r"<path [^>]*>", made) if "carts-measured-dots" in path]
+
+
 def test_the_readings_stand_in_the_page_and_are_carried_along() -> None:
     made = element(BLOCKS["film"])
     assert baked(made)["text"] == (WORKSHEETS / "data" / "real-carts.txt").read_text("utf-8")
-    (first, second) = re.findall(r'carts-measured-dots carts-b\d" d="(.*?)"', made)
-    assert first.count("M") == second.count("M") == 97
+    (first, second) = dots(made)
+    assert first.count("h0") == second.count("h0") == 97
     assert made.count("<tr><td>") == 60
     assert "and 37 more rows" in made
 
@@ -46,18 +52,13 @@ def test_without_data_there_is_an_empty_bench() -> None:
     assert made["text"] == ""
 
 
-def test_the_figure_is_that_of_the_script() -> None:
-    from sim.measured.tracks import read_measured
-    from sim.pages.measured import render
-
-    source = (Path(render.__file__).parents[2] / "web/src/measured/figure.js").read_text("utf-8")
-    numbers = ", ".join(map(str, (render.LEFT, render.RIGHT, render.TOP, render.BOTTOM)))
-    assert f"[LEFT, RIGHT, TOP, BOTTOM] = [{numbers}]" in source
-    assert f"ROOM = {render.ROOM};" in source
-    text = (WORKSHEETS / "data" / "real-carts.txt").read_text("utf-8")
-    figure = render.figure(read_measured([text]))
-    assert figure["t_ticks"]
-    assert all(58 <= float(at) <= 630 for at, _ in figure["t_ticks"])
+def test_every_reading_is_a_point_of_the_figure_and_numbers_stand_at_its_axes() -> None:
+    made = element(BLOCKS["film"])
+    places = [re.findall(r"M(\S+?) (\S+?)h0", path) for path in dots(made)]
+    read: Any = baked(made)["read"]
+    assert [len(one) for one in places] == [len(track["t"]) for track in read["tracks"]]
+    assert all(58 <= float(x) <= 630 and 10 <= float(y) <= 250 for one in places for x, y in one)
+    assert made.count('carts-tick-x"') > 3 and made.count('carts-tick-y"') > 3
 
 
 def test_a_file_outside_of_the_lessons_folder_is_not_read() -> None:

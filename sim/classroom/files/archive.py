@@ -40,8 +40,11 @@ def is_zip(content: bytes) -> bool:
     return content[:4] in (b"PK\x03\x04", b"PK\x05\x06", b"PK\x07\x08")
 
 
-def entries(name: str, content: bytes) -> Iterator[Entry]:
-    """What is in a zip, file by file; `name`: the zip's own."""
+def entries(name: str, content: bytes, *, deep: bool = True) -> Iterator[Entry]:
+    """What is in a zip, file by file; `name`: the zip's own.
+
+    `deep`: a zip in it is opened as well, once: that is how platforms pack what students zipped.
+    """
     name = shown(name)
     try:
         _check_entries(content)
@@ -63,7 +66,15 @@ def entries(name: str, content: bytes) -> Iterator[Entry]:
                 much = "this zip unpacks to far too much: the rest was not read"
                 yield Entry(name, None, much)
                 return
-            yield Entry(f"{name}/{shown(entry.filename)}", found, reason)
+            inner = f"{name}/{shown(entry.filename)}"
+            if deep and found is not None and is_zip(found):
+                for one in entries(inner, found, deep=False):
+                    unpacked += len(one.content or b"")
+                    if unpacked > MOST_UNPACKED:
+                        break
+                    yield one
+            else:
+                yield Entry(inner, found, reason)
 
 
 class _DamagedError(ValueError):

@@ -129,7 +129,7 @@ def of_file(name: str, content: bytes) -> Outcome:
     if len(content) > MOST_BYTES:
         return Refused(name, "this file is too large to be a file of answers")
     if is_zip(content):
-        return Refused(name, "a zip inside a zip: unpack it first, and choose what is in it")
+        return Refused(name, "too many zips inside each other: unpack them first")
     try:
         text = content.decode("utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8")
     except UnicodeDecodeError:

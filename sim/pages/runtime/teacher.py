@@ -24,12 +24,14 @@ MODULES = (
     *("__init__", "bake", "effect_pages", "fence_scan", "findings", "lesson_text", "map_block"),
     "scene_block",
     "yaml_loader",
+    "yaml_typos",
     *("templates", "yaml_errors", "yaml_source"),
 )
 """Of `sim/pages`."""
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
     *("pages/question/published.py", "pages/question/key_page.py"),
+    "pages/map/png.py",
     *("pages/language/catalogues/", "pages/language/extract.py"),
 )
 BEGINS = (

@@ -186,7 +186,7 @@ class Desk:
         from sim.pages.measured.render import render_measured
 
         read = read_measured_block(block, lesson, ids, first_line=1)
-        return Shown("shown", render_measured(read))
+        return Shown("shown", render_measured(read, drawn=False))
 
     def _remembered(
         self, what: str, make: Callable[[], str | list[Problem]]

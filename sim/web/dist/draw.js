@@ -1955,11 +1955,11 @@
       this.lastNode = null;
     }
     oncdatastart() {
-      const text2 = new Text$2("");
-      const node = new CDATA([text2]);
+      const text3 = new Text$2("");
+      const node = new CDATA([text3]);
       this.addNode(node);
-      text2.parent = node;
-      this.lastNode = text2;
+      text3.parent = node;
+      this.lastNode = text3;
     }
     oncdataend() {
       this.lastNode = null;
@@ -3165,11 +3165,11 @@
       oncomment(data) {
         append$1(node, document3.createComment(data), active);
       },
-      ontext(text2) {
+      ontext(text3) {
         if (parsingCData) {
-          append$1(node, document3.createCDATASection(text2), active);
+          append$1(node, document3.createCDATASection(text3), active);
         } else {
-          append$1(node, document3.createTextNode(text2), active);
+          append$1(node, document3.createTextNode(text3), active);
         }
       },
       // #cdata
@@ -4750,13 +4750,13 @@
     };
   }
   var filters = {
-    contains(next, text2, { adapter: adapter2 }) {
+    contains(next, text3, { adapter: adapter2 }) {
       return function contains(elem) {
-        return next(elem) && adapter2.getText(elem).includes(text2);
+        return next(elem) && adapter2.getText(elem).includes(text3);
       };
     },
-    icontains(next, text2, { adapter: adapter2 }) {
-      const itext = text2.toLowerCase();
+    icontains(next, text3, { adapter: adapter2 }) {
+      const itext = text3.toLowerCase();
       return function icontains(elem) {
         return next(elem) && adapter2.getText(elem).toLowerCase().includes(itext);
       };
@@ -5399,24 +5399,24 @@
       super(ownerDocument, "#text", TEXT_NODE, data);
     }
     get wholeText() {
-      const text2 = [];
+      const text3 = [];
       let { previousSibling: previousSibling2, nextSibling: nextSibling2 } = this;
       while (previousSibling2) {
         if (previousSibling2.nodeType === TEXT_NODE)
-          text2.unshift(previousSibling2[VALUE]);
+          text3.unshift(previousSibling2[VALUE]);
         else
           break;
         previousSibling2 = previousSibling2.previousSibling;
       }
-      text2.push(this[VALUE]);
+      text3.push(this[VALUE]);
       while (nextSibling2) {
         if (nextSibling2.nodeType === TEXT_NODE)
-          text2.push(nextSibling2[VALUE]);
+          text3.push(nextSibling2[VALUE]);
         else
           break;
         nextSibling2 = nextSibling2.nextSibling;
       }
-      return text2.join("");
+      return text3.join("");
     }
     cloneNode() {
       const { ownerDocument, [VALUE]: data } = this;
@@ -6189,36 +6189,36 @@
     // </specialGetters>
     // <contentRelated>
     get innerText() {
-      const text2 = [];
+      const text3 = [];
       let { [NEXT]: next, [END]: end } = this;
       while (next !== end) {
         if (next.nodeType === TEXT_NODE) {
-          text2.push(next.textContent.replace(/\s+/g, " "));
-        } else if (text2.length && next[NEXT] != end && BLOCK_ELEMENTS.has(next.tagName)) {
-          text2.push("\n");
+          text3.push(next.textContent.replace(/\s+/g, " "));
+        } else if (text3.length && next[NEXT] != end && BLOCK_ELEMENTS.has(next.tagName)) {
+          text3.push("\n");
         }
         next = next[NEXT];
       }
-      return text2.join("");
+      return text3.join("");
     }
     /**
      * @returns {String}
      */
     get textContent() {
-      const text2 = [];
+      const text3 = [];
       let { [NEXT]: next, [END]: end } = this;
       while (next !== end) {
         const nodeType = next.nodeType;
         if (nodeType === TEXT_NODE || nodeType === CDATA_SECTION_NODE)
-          text2.push(next.textContent);
+          text3.push(next.textContent);
         next = next[NEXT];
       }
-      return text2.join("");
+      return text3.join("");
     }
-    set textContent(text2) {
+    set textContent(text3) {
       this.replaceChildren();
-      if (text2 != null && text2 !== "")
-        this.appendChild(new Text$1(this.ownerDocument, text2));
+      if (text3 != null && text3 !== "")
+        this.appendChild(new Text$1(this.ownerDocument, text3));
     }
     get innerHTML() {
       return getInnerHtml(this);
@@ -6398,8 +6398,8 @@
     insertAdjacentHTML(position, html3) {
       this.insertAdjacentElement(position, htmlToFragment(this.ownerDocument, html3));
     }
-    insertAdjacentText(position, text2) {
-      const node = this.ownerDocument.createTextNode(text2);
+    insertAdjacentText(position, text3) {
+      const node = this.ownerDocument.createTextNode(text3);
       this.insertAdjacentElement(position, node);
     }
     // </insertAdjacent>
@@ -7419,13 +7419,13 @@
     CSSOM.CSSStyleRule.prototype.type = 1;
     Object.defineProperty(CSSOM.CSSStyleRule.prototype, "cssText", {
       get: function() {
-        var text2;
+        var text3;
         if (this.selectorText) {
-          text2 = this.selectorText + " {" + this.style.cssText + "}";
+          text3 = this.selectorText + " {" + this.style.cssText + "}";
         } else {
-          text2 = "";
+          text3 = "";
         }
-        return text2;
+        return text3;
       },
       set: function(cssText) {
         var rule = CSSOM.CSSStyleRule.parse(cssText);
@@ -7995,9 +7995,9 @@
     CSSOM.CSSValue.prototype = {
       constructor: CSSOM.CSSValue,
       // @see: http://www.w3.org/TR/DOM-Level-2-Style/css.html#CSS-CSSValue
-      set cssText(text2) {
+      set cssText(text3) {
         var name = this._getConstructorName();
-        throw new Error('DOMException: property "cssText" of "' + name + '" is readonly and can not be replaced with "' + text2 + '"!');
+        throw new Error('DOMException: property "cssText" of "' + name + '" is readonly and can not be replaced with "' + text3 + '"!');
       },
       get cssText() {
         var name = this._getConstructorName();
@@ -8091,7 +8091,7 @@
       return ret;
     };
     CSSOM.CSSValueExpression.prototype._parseJSComment = function(token, idx) {
-      var nextChar = token.charAt(idx + 1), text2;
+      var nextChar = token.charAt(idx + 1), text3;
       if (nextChar === "/" || nextChar === "*") {
         var startIdx = idx, endIdx, commentEndChar;
         if (nextChar === "/") {
@@ -8102,10 +8102,10 @@
         endIdx = token.indexOf(commentEndChar, startIdx + 1 + 1);
         if (endIdx !== -1) {
           endIdx = endIdx + commentEndChar.length - 1;
-          text2 = token.substring(idx, endIdx + 1);
+          text3 = token.substring(idx, endIdx + 1);
           return {
             idx: endIdx,
-            text: text2
+            text: text3
           };
         } else {
           var error = "css expression error: unfinished comment in expression!";
@@ -8118,14 +8118,14 @@
       }
     };
     CSSOM.CSSValueExpression.prototype._parseJSString = function(token, idx, sep) {
-      var endIdx = this._findMatchedIdx(token, idx, sep), text2;
+      var endIdx = this._findMatchedIdx(token, idx, sep), text3;
       if (endIdx === -1) {
         return false;
       } else {
-        text2 = token.substring(idx, endIdx + sep.length);
+        text3 = token.substring(idx, endIdx + sep.length);
         return {
           idx: endIdx,
-          text: text2
+          text: text3
         };
       }
     };
@@ -8175,7 +8175,7 @@
           endIdx = NOT_FOUND;
           break;
         } else {
-          var text2 = token.substring(idx + 1, endIdx), matched = text2.match(/\\+$/);
+          var text3 = token.substring(idx + 1, endIdx), matched = text3.match(/\\+$/);
           if (!matched || matched[0] % 2 === 0) {
             break;
           } else {
@@ -8762,7 +8762,7 @@
         }
         return properties.join(" ");
       },
-      set cssText(text2) {
+      set cssText(text3) {
         var i, name;
         for (i = this.length; i--; ) {
           name = this[i];
@@ -8770,7 +8770,7 @@
         }
         Array.prototype.splice.call(this, 0, this.length);
         this._importants = {};
-        var dummyRule = CSSOM.parse("#bogus{" + text2 + "}").cssRules[0].style;
+        var dummyRule = CSSOM.parse("#bogus{" + text3 + "}").cssRules[0].style;
         var length = dummyRule.length;
         for (i = 0; i < length; ++i) {
           name = dummyRule[i];
@@ -10264,8 +10264,8 @@
   var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   var Markup = class {
     /** @param {string} text */
-    constructor(text2) {
-      this.text = text2;
+    constructor(text3) {
+      this.text = text3;
     }
     toString() {
       return this.text;
@@ -10295,8 +10295,8 @@
     return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
   }
   function fixed(value, decimals) {
-    const text2 = Math.abs(value).toFixed(decimals);
-    return value < 0 && /[1-9]/.test(text2) ? `−${text2}` : text2;
+    const text3 = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text3) ? `−${text3}` : text3;
   }
   function decimalsFor(scale, figures = 3) {
     return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
@@ -10314,14 +10314,14 @@
     return power2 < 0 ? `⁻${digits}` : digits;
   }
   function decimalsOf(value, figures = 6) {
-    const text2 = Math.abs(value).toFixed(decimalsFor(value, figures));
-    return trim(text2).split(".")[1]?.length ?? 0;
+    const text3 = Math.abs(value).toFixed(decimalsFor(value, figures));
+    return trim(text3).split(".")[1]?.length ?? 0;
   }
   function speedUnit(scale) {
     return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
   }
-  function trim(text2) {
-    return text2.includes(".") ? text2.replace(/\.?0+$/, "") : text2;
+  function trim(text3) {
+    return text3.includes(".") ? text3.replace(/\.?0+$/, "") : text3;
   }
   function px(value, decimals = 1) {
     const factor = 10 ** decimals;
@@ -10400,14 +10400,14 @@
     const series = lines2.map(({ line, points, mark, colour, label }, k) => {
       const legend2 = [px(LEFT + 240 * (k % 2)), px(HEIGHT + 8 + LEGEND * Math.floor(k / 2))];
       const marks3 = [...points, legend2].map(
-        ([across2, down]) => html`<path transform="translate(${across2} ${down})" d=${mark} fill=${colour}/>`
+        ([across3, down]) => html`<path transform="translate(${across3} ${down})" d=${mark} fill=${colour}/>`
       );
       return html`<path d=${line} fill="none" stroke=${colour}/>${marks3}<text x=${legend2[0]} y=${legend2[1]} dx="12" dy="4">${label}</text>`;
     });
     return html`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${px(height)}" width=${WIDTH} height=${px(height)} font-family="sans-serif" font-size="12"><title>${title}: error against time</title><rect width="100%" height="100%" fill="#fff"/><rect x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP} fill="none" stroke="#55585e"/>${x.map(
-      ([at, text2]) => html`<path d="M${at} ${TOP}V${BOTTOM}" stroke="#e4e6e9"/><text x=${at} y=${BOTTOM + 16} text-anchor="middle">${text2}</text>`
+      ([at, text3]) => html`<path d="M${at} ${TOP}V${BOTTOM}" stroke="#e4e6e9"/><text x=${at} y=${BOTTOM + 16} text-anchor="middle">${text3}</text>`
     )}${y.map(
-      ([at, text2]) => html`<path d="M${LEFT} ${at}H${RIGHT}" stroke="#e4e6e9"/><text x=${LEFT - 7} y=${at} dy="4" text-anchor="end">${text2}</text>`
+      ([at, text3]) => html`<path d="M${LEFT} ${at}H${RIGHT}" stroke="#e4e6e9"/><text x=${LEFT - 7} y=${at} dy="4" text-anchor="end">${text3}</text>`
     )}<text x=${RIGHT} y=${BOTTOM + 34} text-anchor="end">time, as a multiple of the exact outcome’s</text><text transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>${series}</svg>
 `;
   }
@@ -10467,11 +10467,11 @@
   // ../view/cost/skeleton.js
   var PARTS = [19, 61, 103, 211, 499, 997, 9973];
   var TOLERANCES = [1e-6, 1e-9, 1e-12];
-  function inside({ id, title, names, measured, rows, run }) {
+  function inside({ id, title, names, measured: measured2, rows, run }) {
     const told3 = told(run.header).map(
       ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
     );
-    const said = measured && `Measured ${measured}.`;
+    const said = measured2 && `Measured ${measured2}.`;
     return html`<div class="carts-cost-frame" role="group" aria-labelledby="${id}-title">
 <div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
 <div class="carts-note" role="status" hidden></div>
@@ -10494,7 +10494,7 @@ ${table(rows, run.header.until)}
   }
   function choice(names) {
     const scenes = Object.entries(names).map(
-      ([name, text2]) => html`<option value=${name}>${text2}</option>`
+      ([name, text3]) => html`<option value=${name}>${text3}</option>`
     );
     const methods = stepping().map(
       (name) => html`<option value=${name}${name === FIRST.method && html` selected`}>${METHODS[name]?.label}</option>`
@@ -10517,7 +10517,7 @@ ${table(rows, run.header.until)}
     const series = methods.map(([name, { mark }], k) => {
       const { line, points } = lineOf(rows, name);
       const marks3 = points.map(
-        ([across2, down]) => html`<path class="carts-cost-point" transform="translate(${across2} ${down})" d=${mark}/>`
+        ([across3, down]) => html`<path class="carts-cost-point" transform="translate(${across3} ${down})" d=${mark}/>`
       );
       return html`<g class="carts-cost-s${k}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks3}</g>`;
     });
@@ -10525,8 +10525,8 @@ ${table(rows, run.header.until)}
       ([, { mark, label }], k) => html`<li class="carts-cost-s${k}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label}</li>`
     );
     return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
-${x.map(([at, text2]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text2}</text>`)}
-${y.map(([at, text2]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text2}</text>`)}
+${x.map(([at, text3]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text3}</text>`)}
+${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text3}</text>`)}
 <text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
 <text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
 <g class="carts-cost-series">${series}</g>
@@ -10795,8 +10795,8 @@ ${rows.map(row)}</tbody>
   function valueText(value, { low, high }) {
     if (Number.isNaN(value)) return "no value";
     const most = decimalsFor(Math.max(Math.abs(low), Math.abs(high)) || 1) + SMALLER;
-    const text2 = fixed(value, Math.min(decimalsFor(value || 1), most));
-    return /[1-9]/.test(text2) ? text2 : fixed(0, most - SMALLER);
+    const text3 = fixed(value, Math.min(decimalsFor(value || 1), most));
+    return /[1-9]/.test(text3) ? text3 : fixed(0, most - SMALLER);
   }
   function shown(value, { per }) {
     return Number((value / per).toPrecision(EXACT));
@@ -10878,9 +10878,9 @@ ${second && bar(facts)}
     const parts2 = numbers.map((number, k) => {
       const x = px(LEFT2 + k * width, 2);
       const colour = scale.colours[k];
-      const band3 = colour && html`<rect x=${x} y=${BAR_TOP} width=${px(width, 2)} height=${BAR_HEIGHT} fill=${hex(colour)}/>`;
+      const band4 = colour && html`<rect x=${x} y=${BAR_TOP} width=${px(width, 2)} height=${BAR_HEIGHT} fill=${hex(colour)}/>`;
       const notch = (k - zero) % every === 0 && html`<path class="carts-map-notch" d="M${x} ${BAR_TOP}v${BAR_HEIGHT}"/><text class="carts-tick-x" x=${x} y=${BAR_TOP + BAR_HEIGHT + 12}>${fixed(number, edgeDecimals(scale))}</text>`;
-      return html`${band3}${notch}`;
+      return html`${band4}${notch}`;
     });
     return html`${parts2}
 <text class="carts-unit" x=${RIGHT2} y=${BAR_TOP + BAR_HEIGHT + 26} text-anchor="end">${named(facts)}</text>`;
@@ -10902,12 +10902,12 @@ ${second && bar(facts)}
       const lines3 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
       return { head: [], lines: lines3 };
     }
-    const across2 = spread(columns, COLUMNS2);
+    const across3 = spread(columns, COLUMNS2);
     const lines2 = spread(rows, ROWS).map((row2) => [
       axisText2(1, row2),
-      ...across2.map((k) => valueText2(row2 * columns + k))
+      ...across3.map((k) => valueText2(row2 * columns + k))
     ]);
-    return { head: across2.map((k) => axisText2(0, k)), lines: lines2 };
+    return { head: across3.map((k) => axisText2(0, k)), lines: lines2 };
   }
 
   // ../view/map/skeleton.js
@@ -10945,17 +10945,17 @@ ${table2(facts, draw)}
   }
   function side(facts, { id }) {
     const { label, unit, axes, here, of, controls } = facts;
-    const points = axes.map(({ set, label: name, unit: measured, values }, k) => {
+    const points = axes.map(({ set, label: name, unit: measured2, values }, k) => {
       const place = here[k] ?? 0;
-      const text2 = axisText(facts, k, place);
+      const text3 = axisText(facts, k, place);
       const range = html`min="0" max=${values.length - 1} step="1" value=${place}`;
-      return slider({ id, set, label: name, unit: measured, range, text: text2 }, " carts-map-axis");
+      return slider({ id, set, label: name, unit: measured2, range, text: text3 }, " carts-map-axis");
     });
-    const further = controls.map(({ set, label: name, unit: measured, low, high, step, value }) => {
+    const further = controls.map(({ set, label: name, unit: measured2, low, high, step, value }) => {
       const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
       const range = html`min=${low} max=${high} step=${step} value=${value}`;
       return slider(
-        { id, set, label: name, unit: measured, range, text: fixed(value, decimals) },
+        { id, set, label: name, unit: measured2, range, text: fixed(value, decimals) },
         ""
       );
     });
@@ -10970,12 +10970,12 @@ ${of && html`<p class="carts-map-start"><button type="button" class="carts-butto
 ${controls.length > 0 && html`<p class="carts-heading">All points of the map</p>`}
 ${further}</div>`;
   }
-  function slider({ id, set, label, unit, range, text: text2 }, more) {
+  function slider({ id, set, label, unit, range, text: text3 }, more) {
     const box2 = `${id}-${set.replaceAll(".", "-")}`;
     return html`<div class="carts-control${more}" data-set=${set}>
 <label for=${box2}>${label}</label>
-<input type="range" class="carts-slider" ${range} aria-label="${label}, slider" aria-valuetext=${`${text2} ${unit}`.trim()} disabled>
-<span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2.replace("−", "-")} aria-label=${named({ label, unit })} disabled> <span class="carts-unit-text">${unit}</span></span>
+<input type="range" class="carts-slider" ${range} aria-label="${label}, slider" aria-valuetext=${`${text3} ${unit}`.trim()} disabled>
+<span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text3.replace("−", "-")} aria-label=${named({ label, unit })} disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
 `;
@@ -10990,15 +10990,119 @@ ${further}</div>`;
       (place) => valueText(valueAt(draw, place), facts)
     );
     const heads = second ? head : [facts.label];
-    const across2 = html`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
+    const across3 = html`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
     const rows = lines2.map(
       ([name, ...cells2]) => html`<tr><th scope="row">${name}</th>${cells2.map((cell) => html`<td>${cell}</td>`)}</tr>`
     );
     return html`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead>
-${second && across2}
+${second && across3}
 <tr><th scope="col">${named(second ?? first ?? facts)}</th>${heads.map((cell) => html`<th scope="col">${cell}</th>`)}</tr></thead>
 <tbody>${rows}</tbody></table></div></details>`;
+  }
+
+  // ../view/measured/table.js
+  var PLACES = 4;
+  function tableOf2({ kind, names, tracks }, residuals) {
+    const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
+    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    const found = /* @__PURE__ */ new Map();
+    for (const [k, track] of tracks.entries()) {
+      for (const [n, t] of track.t.entries()) {
+        const cells2 = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
+        cells2[k] = fixed(Number(track.value[n]), PLACES);
+        if (residuals) cells2[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
+        found.set(t, cells2);
+      }
+    }
+    const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells2]) => [fixed(t, PLACES), ...cells2]);
+    return { head, rows };
+  }
+
+  // ../view/measured/skeleton.js
+  var MOST_ROWS = 60;
+  var UNITS2 = (
+    /** @type {const} */
+    [
+      ["length", "lengths are in"],
+      ["time", "times are in"],
+      ["force", "forces are in"]
+    ]
+  );
+  var HANDS = [
+    ["touch", "first touch at", "s"],
+    ["va", "velocity of A before", "m/s"],
+    ["vb", "velocity of B before", "m/s"],
+    ["ratio", "mass of B ÷ mass of A", ""],
+    ["e", "bounciness e", ""],
+    ["duration", "the contact lasts", "s"]
+  ];
+  function inside4(facts) {
+    const { id, title } = facts;
+    const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file, drop it here, or type readings.</text>`;
+    return html`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+${source(facts)}
+<div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label="the model’s carts; rings are the measured places"></svg>
+<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">Play</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label="time"><output class="carts-measured-clock"></output></div></div>
+<div class="carts-measured-figures">
+<p class="carts-measured-legend"></p>
+<svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label="readings over time; the numbers are in the table below">${!facts.read && hint}</svg>
+<svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label="residuals: measured minus model" hidden></svg>
+<p class="carts-measured-spread" role="status"></p>
+</div>
+${model(facts)}
+<div class="carts-measured-result" hidden></div>
+<div class="carts-measured-back" hidden>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-scene">Save the fitted scene</button> <button type="button" class="carts-button carts-measured-tracker">Save the model’s run for Tracker</button> <button type="button" class="carts-button carts-measured-print">Print this alone</button></p>
+<details class="carts-more"><summary>The fitted scene as a block of a lesson</summary><textarea class="carts-measured-fence" rows="10" readonly spellcheck="false" aria-label="block of a lesson"></textarea></details>
+</div>
+${table3(facts)}
+<noscript><p class="carts-noscript">The readings are shown. Fitting them here needs JavaScript; on the command line “carts fit” does the same.</p></noscript>
+</div>`;
+  }
+  function source({ name, units, offered, read }) {
+    const choices = UNITS2.map(([kind, text3], k) => {
+      const options = offered[kind].map(
+        (unit) => html`<option value=${unit}${units?.[kind] === unit && html` selected`}>${unit}</option>`
+      );
+      return html`${k > 0 && " "}<label>${text3} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">choose …</option>${options}</select></label>`;
+    });
+    const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
+    return html`<div class="carts-measured-source">
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
+<details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
+<details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
+<p class="carts-measured-row">${choices}</p>
+<p class="carts-measured-row"><label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
+<div role="alert"><ul class="carts-measured-faults"></ul></div>
+</div>`;
+  }
+  function model({ id, law }) {
+    const hands = HANDS.map(
+      ([key2, text3, unit]) => html`<div class="carts-measured-hand" data-hand=${key2}><label for="${id}-${key2}">${text3}</label><input type="range" class="carts-measured-slide" aria-label=${text3} disabled><span class="carts-measured-typed"><input type="number" id="${id}-${key2}" step="any" inputmode="decimal" disabled> ${unit}</span></div>`
+    );
+    const laws = ["bumper", "paper"].map(
+      (name) => html`<option value=${name}${law === name && html` selected`}>${name}</option>`
+    );
+    return html`<div class="carts-measured-model" hidden>
+<p class="carts-heading">Set the model by hand, or let it be fitted</p>
+<div class="carts-measured-hands">${hands}</div>
+<p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option></select></label></p>
+<p class="carts-measured-row carts-measured-masses"></p>
+<p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
+</div>`;
+  }
+  function table3({ read }) {
+    const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
+    const heads = head.map((cell) => html`<th scope="col">${cell}</th>`);
+    const lines2 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell) => html`<td>${cell}</td>`)}</tr>`);
+    const more = rows.length - lines2.length;
+    return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines2}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
   }
 
   // ../view/language.js
@@ -11564,11 +11668,11 @@ ${second && across2}
   function lower(name) {
     return name.slice(0, 1).toLowerCase() + name.slice(1);
   }
-  function capital(text2) {
-    return text2.slice(0, 1).toUpperCase() + text2.slice(1);
+  function capital(text3) {
+    return text3.slice(0, 1).toUpperCase() + text3.slice(1);
   }
-  function sentence(text2) {
-    const capitalised = capital(text2);
+  function sentence(text3) {
+    const capitalised = capital(text3);
     return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
@@ -11764,12 +11868,12 @@ ${rows}</tbody></table></div>
   function actingSentences(header, numbers) {
     if (!header.effects.length) return "";
     const acting = header.effects.filter(({ active }) => active).map((effect) => phrase(effect, header, numbers));
-    const inside5 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
+    const inside6 = acting.length ? acting.join("; ") : tr("nothing but the contacts between the carts");
     const leftOut = header.notSimulated.map((kind) => viewOf(kind).leftOut ?? viewOf(kind).name);
-    const model = tr("In this model: {effects}.", { effects: inside5 });
-    if (!leftOut.length) return model;
+    const model2 = tr("In this model: {effects}.", { effects: inside6 });
+    if (!leftOut.length) return model2;
     const outside2 = tr("Left out: {effects}.", { effects: leftOut.join(", ") });
-    return `${model} ${outside2}`;
+    return `${model2} ${outside2}`;
   }
   function phrase(effect, header, numbers) {
     const { kind, carts, between: between2 } = effect;
@@ -11779,7 +11883,7 @@ ${rows}</tbody></table></div>
       on: listed(carts),
       both: listed((between2 ?? carts).map(body)),
       agent: agent(effect),
-      seen: (text2) => numbers ? text2 : ""
+      seen: (text3) => numbers ? text3 : ""
     };
     const parts2 = view.phrase?.(effect, told3) ?? [view.name];
     return parts2.filter(Boolean).join(", ");
@@ -11827,9 +11931,9 @@ ${rows}</tbody></table></div>
   }
   function reached(run, [low, high, factor, room], mirrored = false) {
     const down = Math.min(run[0] * factor, mirrored ? -high : low);
-    const up2 = Math.max(run[1] * factor, high);
+    const up3 = Math.max(run[1] * factor, high);
     const most = room * Math.max(-run[0], run[1]);
-    return most > 0 ? [Math.max(down, -most), Math.min(up2, most)] : [down, up2];
+    return most > 0 ? [Math.max(down, -most), Math.min(up3, most)] : [down, up3];
   }
   function planeFor(values, window2) {
     return { time: span(window2[0], window2[1], 6), value: axis(values[0], values[1], 5) };
@@ -11886,29 +11990,29 @@ ${rows}</tbody></table></div>
     const isForce = quantity === "F";
     const name = isForce ? sizeName(run.header) : title;
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
-    const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
+    const measured2 = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
     const label = tr("{quantity} against time", { quantity: name });
-    const table3 = tr("Table: {quantity}", { quantity: lower(name) });
+    const table4 = tr("Table: {quantity}", { quantity: lower(name) });
     return html`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
-<p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
+<p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured2 })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${table3}</summary>
+<details class="carts-more"><summary>${table4}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
   function plot(clip, isForce) {
-    const inside5 = html`clip-path="url(#${clip})"`;
+    const inside6 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
     return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH3} ${HEIGHT3}" width=${WIDTH3} height=${HEIGHT3} aria-hidden="true">
 <defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside5}>${isForce && [shade, shade]}</g>
-<g data-part="curves" ${inside5}></g>
-<g data-part="cursor" ${inside5}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
+<g data-part="areas" ${inside6}>${isForce && [shade, shade]}</g>
+<g data-part="curves" ${inside6}></g>
+<g data-part="cursor" ${inside6}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
 </svg>`;
   }
 
@@ -11994,14 +12098,14 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   }
   function control({ set, label, short: short2, unit, low, high, step, value }, id) {
     const decimals = Math.max(...[step, low, value].map((one) => decimalsOf(one)));
-    const text2 = fixed(value, decimals).replace("−", "-");
+    const text3 = fixed(value, decimals).replace("−", "-");
     const box2 = `${id}-${set.replaceAll(".", "-")}`;
     const slider2 = tr("{label}, slider", { label });
-    const measured = unit ? tr(" in {unit}", { unit }) : "";
+    const measured2 = unit ? tr(" in {unit}", { unit }) : "";
     return html`<div class="carts-control" data-set=${set}>
 <label for=${box2}>${short2}</label>
-<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider2} aria-valuetext="${text2} ${unit}" disabled>
-<span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text2} aria-label="${label}${measured}" disabled> <span class="carts-unit-text">${unit}</span></span>
+<input type="range" class="carts-slider" min=${low} max=${high} step=${step} value=${value} aria-label=${slider2} aria-valuetext="${text3} ${unit}" disabled>
+<span class="carts-typed"><input type="text" class="carts-number-box" id=${box2} inputmode="decimal" autocomplete="off" spellcheck="false" value=${text3} aria-label="${label}${measured2}" disabled> <span class="carts-unit-text">${unit}</span></span>
 <p class="carts-error" hidden></p>
 </div>
 `;
@@ -12160,14 +12264,14 @@ ${ticks(numbers).map(
     const y = layout.height - 10;
     const wide = layout.kind === "wide";
     const [per, unit] = speedUnit(view.velocity);
-    const text2 = (x2, said) => html`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
+    const text3 = (x2, said) => html`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
     const x = force ? 12 + layout.force + 50 : 12;
     const next = x + layout.velocity + 6;
     const axis2 = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
     return html`<g class="carts-legend">
-${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text2(12 + layout.force + 6, `${short(view.force)} N`)}`}
-<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
+${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text3(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text3(next, `${short(view.velocity / per)} ${unit}`)}
 ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis2}</text>
 </g>`;
@@ -12211,7 +12315,7 @@ ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="car
 
   // ../view/skeleton/scene.js
   var FORCE_QUANTITIES = ["F", "a"];
-  function inside4(baked, found = false) {
+  function inside5(baked, found = false) {
     const { fence, view, run } = baked;
     const { id, predict: asked } = fence;
     const quantities = fence.show.filter(
@@ -12284,17 +12388,17 @@ ${found && html`<p class="carts-found" hidden></p>`}
     for (const [name, value] of Object.entries(attributes2)) made.setAttribute(name, String(value));
     return made;
   }
-  function html2(tag, className = "", text2 = "") {
+  function html2(tag, className = "", text3 = "") {
     const made = document.createElement(tag);
     if (className) made.className = className;
-    if (text2) made.textContent = text2;
+    if (text3) made.textContent = text3;
     return made;
   }
   function put(element, name, value) {
     if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   }
-  function say(element, text2) {
-    if (element.textContent !== text2) element.textContent = text2;
+  function say(element, text3) {
+    if (element.textContent !== text3) element.textContent = text3;
   }
   function need(root, selector) {
     const found = root.querySelector(selector);
@@ -12452,6 +12556,146 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (this.cursor) put(this.cursor, "d", `M${px(x)} ${top}V${bottom}`);
     }
   };
+
+  // src/measured/figure.js
+  var [LEFT4, RIGHT4, TOP4, BOTTOM4] = [58, 630, 10, 250];
+  var LOW = { top: 8, bottom: 104 };
+  var ROOM = 0.06;
+  var HEAD = 1.15;
+  var unitOf = ({ kind }) => kind === "length" ? "x in m" : "F in N";
+  function reach(lists) {
+    let [low, high] = [Infinity, -Infinity];
+    for (const list of lists) {
+      for (const value of list) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return [low, high];
+  }
+  var across2 = (axis2, value) => LEFT4 + (value - axis2.low) / (axis2.high - axis2.low) * (RIGHT4 - LEFT4);
+  var up2 = (axis2, value, top = TOP4, bottom = BOTTOM4) => bottom - (value - axis2.low) / (axis2.high - axis2.low) * (bottom - top);
+  function planes(tracks) {
+    const [begin, end] = reach(tracks.map((track) => track.t));
+    const [low, high] = reach(tracks.map((track) => track.value));
+    const room = ROOM * (high - low) || 1;
+    return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
+  }
+  function dots(t, values, axis2, up_, room = [TOP4, BOTTOM4]) {
+    return t.map((time, k) => `M${px(across2(axis2, time))} ${px(up2(up_, Number(values[k]), ...room))}h0`).join("");
+  }
+  var Figure = class {
+    /** @type {SVGElement | null} */
+    #cursor = null;
+    /** @type {Axis | null} */
+    #axis = null;
+    /** @param {Element} place @param {Element} left for the residuals */
+    constructor(place, left) {
+      this.place = place;
+      this.left = left;
+    }
+    /**
+     * @param {Track[]} tracks @param {string} unit
+     * @param {{t: number[], x: number[][]} | null} curve of the model @param {number | null} touch
+     */
+    show(tracks, unit, curve3, touch = null) {
+      const { t, x } = planes(tracks);
+      this.#axis = t;
+      this.#cursor = svg("path", { class: "carts-measured-cursor" });
+      this.place.replaceChildren(
+        ...frame(t, x, BOTTOM4, TOP4, unit, true),
+        ...touch === null ? [] : band2(t, touch, TOP4, BOTTOM4),
+        ...tracks.map(
+          (track, k) => svg("path", {
+            class: `carts-measured-dots carts-b${k}`,
+            d: dots(track.t, track.value, t, x)
+          })
+        ),
+        ...(curve3?.x ?? []).map(
+          (values, k) => svg("path", {
+            class: `carts-measured-curve carts-b${k}`,
+            d: values.map((value, n) => {
+              const y = Math.min(BOTTOM4, Math.max(TOP4, up2(x, value)));
+              return `${n ? "L" : "M"}${px(across2(t, Number(curve3?.t[n])))} ${px(y)}`;
+            }).join("")
+          })
+        ),
+        this.#cursor
+      );
+    }
+    /** @param {Track[]} tracks @param {number[][]} residuals in m or N @param {string} unit @param {number} factor to that unit */
+    rest(tracks, residuals, unit, factor) {
+      const { t } = planes(tracks);
+      const [low, high] = reach(residuals);
+      const most = HEAD * factor * Math.max(1e-12, -low, high);
+      const axis2 = span(-most, most, 6);
+      this.left.toggleAttribute("hidden", false);
+      this.left.replaceChildren(
+        ...frame(t, axis2, LOW.bottom, LOW.top, unit, false),
+        svg("path", {
+          class: "carts-measured-zero",
+          d: `M${LEFT4} ${px(up2(axis2, 0, LOW.top, LOW.bottom))}H${RIGHT4}`
+        }),
+        ...tracks.map(
+          (track, k) => svg("path", {
+            class: `carts-measured-dots carts-measured-small carts-${tracks.length > 1 ? `b${k}` : "total"}`,
+            d: dots(
+              track.t,
+              (residuals[k] ?? []).map((value) => factor * value),
+              t,
+              axis2,
+              [LOW.top, LOW.bottom]
+            )
+          })
+        )
+      );
+    }
+    /** Marks an instant. @param {number} time s */
+    at(time) {
+      if (!this.#cursor || !this.#axis) return;
+      put(this.#cursor, "d", `M${px(across2(this.#axis, time))} ${TOP4}V${BOTTOM4}`);
+    }
+  };
+  function band2(t, touch, top, bottom) {
+    if (touch < t.low || touch > t.high) return [];
+    return [
+      svg("path", {
+        class: "carts-measured-touch",
+        d: `M${px(across2(t, touch))} ${top}V${bottom}`
+      })
+    ];
+  }
+  function frame(t, x, bottom, top, unit, named2) {
+    const parts2 = [];
+    for (const tick of ticks(t)) {
+      const at = px(across2(t, tick));
+      parts2.push(svg("path", { class: "carts-grid", d: `M${at} ${top}V${bottom}` }));
+      parts2.push(text2("carts-tick-x", at, bottom + 16, fixed(tick, axisDecimals(t))));
+    }
+    for (const tick of ticks(x)) {
+      const at = px(up2(x, tick, top, bottom));
+      parts2.push(svg("path", { class: "carts-grid", d: `M${LEFT4} ${at}H${RIGHT4}` }));
+      parts2.push(text2("carts-tick-y", LEFT4 - 6, Number(at) + 4, fixed(tick, axisDecimals(x))));
+    }
+    const label = svg("text", {
+      class: "carts-unit",
+      transform: `translate(13 ${(top + bottom) / 2}) rotate(-90)`,
+      "text-anchor": "middle"
+    });
+    label.textContent = unit;
+    parts2.push(label);
+    if (named2) {
+      const name = text2("carts-unit", RIGHT4, bottom + 31, "t in s");
+      put(name, "text-anchor", "end");
+      parts2.push(name);
+    }
+    return parts2;
+  }
+  function text2(name, x, y, words) {
+    const made = svg("text", { class: name, x, y });
+    made.textContent = words;
+    return made;
+  }
 
   // src/scene/baked.js
   function bakedOf({ fence, view, numbers, ...header }) {
@@ -12766,9 +13010,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       }
     }
     /** @param {string} name @param {string} quantity @param {string} text */
-    #say(name, quantity, text2) {
+    #say(name, quantity, text3) {
       const cell = this.root.querySelector(`td[data-body="${name}"][data-quantity="${quantity}"]`);
-      if (cell) say(cell, text2);
+      if (cell) say(cell, text3);
     }
     /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
     #roomFor({ header }) {
@@ -12868,9 +13112,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const length = niceAbove(BAR / this.#perMetre / 2.5);
       const bar3 = px(length * this.#perMetre);
       put(need(this.root, '[data-part="bar"]'), "d", `M10 16v-5m0 2.5h${bar3}m0 -2.5v5`);
-      const text2 = need(this.root, '[data-part="bar-text"]');
-      put(text2, "x", px(Number(bar3) + 16));
-      say(text2, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
+      const text3 = need(this.root, '[data-part="bar-text"]');
+      put(text3, "x", px(Number(bar3) + 16));
+      say(text3, length < 0.01 ? `${short(length * 1e3)} mm` : `${short(length * 100)} cm`);
     }
     /** @param {Run} run @param {Touch[]} windows */
     show(run, windows) {
@@ -12935,8 +13179,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const plate = need(group, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name = need(group, '[data-part="name"]');
-      const inside5 = Math.min(WIDTH6 - 34, Math.max(34, edge2 - 22 * way));
-      put(name, "x", px(inside5));
+      const inside6 = Math.min(WIDTH6 - 34, Math.max(34, edge2 - 22 * way));
+      put(name, "x", px(inside6));
       say(name, index2 < 0 ? tr("wall") : side2.name);
       const arrow = need(group, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
@@ -13019,29 +13263,29 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function drawAxes(root, plane) {
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
-    marks2(need(root, '[data-part="times"]'), times2.length, (line, text2, i) => {
+    marks2(need(root, '[data-part="times"]'), times2.length, (line, text3, i) => {
       const { at, label } = (
         /** @type {{at: string, label: string}} */
         times2[i]
       );
       put(line, "class", "carts-grid");
       put(line, "d", `M${at} ${TOP3}V${BOTTOM3}`);
-      put(text2, "class", "carts-tick-x");
-      put(text2, "x", at);
-      put(text2, "y", String(BOTTOM3 + 14));
-      say(text2, label);
+      put(text3, "class", "carts-tick-x");
+      put(text3, "x", at);
+      put(text3, "y", String(BOTTOM3 + 14));
+      say(text3, label);
     });
-    marks2(need(root, '[data-part="values"]'), rows.length, (line, text2, i) => {
+    marks2(need(root, '[data-part="values"]'), rows.length, (line, text3, i) => {
       const { at, textY, label, zero } = (
         /** @type {(typeof rows)[number]} */
         rows[i]
       );
       put(line, "class", zero ? "carts-zero" : "carts-grid");
       put(line, "d", `M${LEFT3} ${at}H${RIGHT3}`);
-      put(text2, "class", "carts-tick-y");
-      put(text2, "x", String(LEFT3 - 5));
-      put(text2, "y", textY);
-      say(text2, label);
+      put(text3, "class", "carts-tick-y");
+      put(text3, "x", String(LEFT3 - 5));
+      put(text3, "y", textY);
+      say(text3, label);
     });
   }
   function marks2(group, count, draw) {
@@ -13336,7 +13580,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           this.areas.children[i]
         );
         put(path2, "class", `carts-band carts-${top.style}`);
-        put(path2, "d", band2(this.times, plane, top.values, this.tops[i - 1]?.values));
+        put(path2, "d", band3(this.times, plane, top.values, this.tops[i - 1]?.values));
       });
       this.key.replaceChildren(
         ...this.entries.map(({ style }) => {
@@ -13354,12 +13598,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
     at(t) {
       this.entries.forEach(({ label, values }, i) => {
         const now = Math.max(0, valueAt2(this.times, values, null, t));
-        const text2 = this.key.children[i]?.querySelector("b");
-        if (text2) say(text2, `${label}: ${fixed(now, this.decimals)} J`);
+        const text3 = this.key.children[i]?.querySelector("b");
+        if (text3) say(text3, `${label}: ${fixed(now, this.decimals)} J`);
       });
     }
   };
-  function band2(times2, plane, top, bottom) {
+  function band3(times2, plane, top, bottom) {
     const above = [];
     const below = [];
     let [x0, y0, z0] = [-9, -9, -9];
@@ -13429,8 +13673,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const last = Number(trajectory.t[trajectory.t.length - 1]);
     return [...times2].filter((t) => t <= last).sort((a, b) => a - b);
   }
-  function heading(text2) {
-    const cell = html2("th", "", text2);
+  function heading(text3) {
+    const cell = html2("th", "", text3);
     cell.setAttribute("scope", "col");
     return cell;
   }
@@ -13487,8 +13731,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.button?.addEventListener("click", () => this.#toggle());
       const point = (event) => {
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
-        const frame = this.plot.getBoundingClientRect();
-        const x = (event.clientX - frame.left) / frame.width * WIDTH3;
+        const frame2 = this.plot.getBoundingClientRect();
+        const x = (event.clientX - frame2.left) / frame2.width * WIDTH3;
         const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT3 - LEFT3)));
         const { low, high } = this.#plane.time;
         seek(low + part * (high - low));
@@ -13715,7 +13959,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       for (const piece of pieces) this.#draw(piece);
     }
     /** @param {Piece} piece */
-    #draw({ key: key2, cls, behind, d, text: text2, x, y, anchor }) {
+    #draw({ key: key2, cls, behind, d, text: text3, x, y, anchor }) {
       let element = this.#drawn.get(key2);
       if (!element) {
         element = svg(d === void 0 ? "text" : "path", { "data-key": key2, class: cls });
@@ -13728,7 +13972,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       put(element, "x", x ?? "0");
       put(element, "y", y ?? "0");
       put(element, "text-anchor", anchor ?? "start");
-      say(element, text2 ?? "");
+      say(element, text3 ?? "");
     }
   };
   function arrows2(run, layout, full, t, centre) {
@@ -13750,13 +13994,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const row2 = `row ${force.kind}`;
       if (named2) {
         const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
-        const text2 = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
-        const [at, anchor] = beside(x, length, text2.length * PER_CHARACTER, layout.width);
+        const text3 = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
+        const [at, anchor] = beside(x, length, text3.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key2}`, cls, text: text2, x: px(at), y: px(y + 4), anchor });
+        pieces.push({ key: `name ${key2}`, cls, text: text3, x: px(at), y: px(y + 4), anchor });
       } else if (!pieces.some((piece) => piece.key === row2)) {
-        const text2 = tr("by {by}", { by: force.by });
-        pieces.push({ key: row2, cls: "carts-acts-row", text: text2, x: "6", y: px(y + 4), anchor: "start" });
+        const text3 = tr("by {by}", { by: force.by });
+        pieces.push({ key: row2, cls: "carts-acts-row", text: text3, x: "6", y: px(y + 4), anchor: "start" });
       }
     }
     const leaders = [...lowest].map(([name, y]) => ({
@@ -13766,8 +14010,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }));
     return [...leaders, ...pieces];
   }
-  function fits(x, length, text2, picture) {
-    const needed = text2.length * PER_CHARACTER + GAP + 4;
+  function fits(x, length, text3, picture) {
+    const needed = text3.length * PER_CHARACTER + GAP + 4;
     return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture - needed;
   }
   function beside(x, length, width, picture) {
@@ -13862,8 +14106,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const taken = [];
       const [low, high] = this.#between();
       for (const { push: push2, size, x } of told3) {
-        const [text2, other] = push2.groups.map((group) => need(group, '[data-part="text"]'));
-        if (!text2 || !other) continue;
+        const [text3, other] = push2.groups.map((group) => need(group, '[data-part="text"]'));
+        if (!text3 || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
         const half = label.length * PER_CHARACTER2 / 2;
         const at = Math.min(Math.max(x, low + half), high - half);
@@ -13871,10 +14115,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
           (y) => taken.every(([row2, from, to]) => row2 !== y || at + half < from || at - half > to)
         );
         put(other, "visibility", "hidden");
-        if (free === void 0) put(text2, "visibility", "hidden");
+        if (free === void 0) put(text3, "visibility", "hidden");
         else {
           taken.push([free, at - half, at + half]);
-          write(text2, label, at, free, "middle");
+          write(text3, label, at, free, "middle");
         }
       }
     }
@@ -13926,11 +14170,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function write(text2, label, x, y, anchor) {
-    put(text2, "x", px(x));
-    put(text2, "y", px(y));
-    put(text2, "text-anchor", anchor);
-    say(text2, label);
+  function write(text3, label, x, y, anchor) {
+    put(text3, "x", px(x));
+    put(text3, "y", px(y));
+    put(text3, "text-anchor", anchor);
+    say(text3, label);
   }
 
   // src/scene/stage.js
@@ -14112,12 +14356,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const cut = shortened ? tr(", arrow cut") : "";
       const [per, unit] = speedUnit(view.velocity);
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
-      const text2 = need(cart2.velocity, '[data-part="text"]');
+      const text3 = need(cart2.velocity, '[data-part="text"]');
       const outside2 = x < 0 || x > layout.width;
-      put(text2, "x", px(outside2 ? x < 0 ? 8 : layout.width - 8 : at));
-      put(text2, "y", px(cart2.lane + 4));
-      put(text2, "text-anchor", outside2 ? x < 0 ? "start" : "end" : anchor);
-      say(text2, outside2 ? tr("{name} is outside: {speed}", { name, speed }) : speed);
+      put(text3, "x", px(outside2 ? x < 0 ? 8 : layout.width - 8 : at));
+      put(text3, "y", px(cart2.lane + 4));
+      put(text3, "text-anchor", outside2 ? x < 0 ? "start" : "end" : anchor);
+      say(text3, outside2 ? tr("{name} is outside: {speed}", { name, speed }) : speed);
     }
   };
   function drawBox(group, name, box2) {
@@ -14224,7 +14468,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
-      this.model.replaceChildren(...modelSentences(header).map((text2) => html2("li", "", text2)));
+      this.model.replaceChildren(...modelSentences(header).map((text3) => html2("li", "", text3)));
     }
     /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before2, now) {
@@ -14290,9 +14534,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.numbers.replaceChildren(
         ...times2.flatMap((t, i) => {
           const x = `${px(100 * t / until, 3)}%`;
-          const text2 = svg("text", { class: "carts-number", x, y: 32 });
-          text2.textContent = fixed(t, axisDecimals(axis2)) + (i === times2.length - 1 ? " s" : "");
-          return [svg("line", { class: "carts-fine", x1: x, x2: x, y1: 14, y2: 20 }), text2];
+          const text3 = svg("text", { class: "carts-number", x, y: 32 });
+          text3.textContent = fixed(t, axisDecimals(axis2)) + (i === times2.length - 1 ? " s" : "");
+          return [svg("line", { class: "carts-fine", x1: x, x2: x, y1: 14, y2: 20 }), text3];
         })
       );
     }
@@ -14400,15 +14644,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
     "cost-file": (values) => standalone(values).text,
     hard: (values) => inside2(values).text,
     map: ({ facts, draw, picture }) => inside3(facts, draw, picture).text,
-    "map-picture": mapPicture
+    "map-picture": mapPicture,
+    measured
   };
   function scene({ baked: raw, found }) {
     const baked = bakedOf(raw);
-    const root = filled2("carts-scene", inside4(baked, found).text);
+    const root = filled2("carts-scene", inside5(baked, found).text);
     const drawing = new Drawing(root, baked);
     drawing.show(baked.run, 0);
     drawing.at(0);
-    for (const { table: table3 } of drawing.graphs) table3.fill();
+    for (const { table: table4 } of drawing.graphs) table4.fill();
     for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", "");
     return root.innerHTML.replaceAll("&#160;", " ");
   }
@@ -14425,6 +14670,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const { places, width, height } = pixels(known2, columns, scale);
     const letters = Array.from(places, (place) => String.fromCharCode(48 + place)).join("");
     return JSON.stringify({ width, height, letters, palette: palette(scale) });
+  }
+  function measured(facts) {
+    const root = filled2("carts-measured", inside4(facts).text);
+    const [place, left] = [".carts-measured-figure", ".carts-measured-left"].map(
+      (one) => need(root, one)
+    );
+    if (place && left && facts.read) {
+      new Figure(place, left).show(facts.read.tracks, unitOf(facts.read), null);
+    }
+    return root.innerHTML;
   }
   function filled2(name, markup) {
     const root = document2.createElement(name);

@@ -695,6 +695,25 @@
     return made;
   }
 
+  // ../view/measured/table.js
+  var PLACES = 4;
+  function tableOf({ kind, names, tracks }, residuals) {
+    const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
+    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    const found = /* @__PURE__ */ new Map();
+    for (const [k, track] of tracks.entries()) {
+      for (const [n, t] of track.t.entries()) {
+        const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
+        cells[k] = fixed(Number(track.value[n]), PLACES);
+        if (residuals) cells[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
+        found.set(t, cells);
+      }
+    }
+    const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells]) => [fixed(t, PLACES), ...cells]);
+    return { head, rows };
+  }
+
   // src/measured/result.js
   function showResult(place2, report) {
     place2.hidden = false;
@@ -739,34 +758,22 @@
   }
   var upper = (text2) => text2.charAt(0).toUpperCase() + text2.slice(1);
   function showTable(place2, read, residuals) {
-    const [letter, unit] = read.kind === "length" ? ["x", "m"] : ["F", "N"];
-    const heads = ["t in s", ...read.names.map((name) => `${letter} of ${name} in ${unit}`)];
-    if (residuals) heads.push(...read.names.map((name) => `residual of ${name} in mm`));
-    const head = html("tr");
-    for (const text2 of heads) {
+    const { head, rows } = tableOf(read, residuals);
+    const top = html("tr");
+    for (const text2 of head) {
       const cell = html("th", "", text2);
       cell.setAttribute("scope", "col");
-      head.append(cell);
+      top.append(cell);
     }
-    const rows = /* @__PURE__ */ new Map();
-    for (const [k, track] of read.tracks.entries()) {
-      for (const [n, t] of track.t.entries()) {
-        const row = rows.get(t) ?? Array.from({ length: heads.length - 1 }, () => "");
-        row[k] = minus(Number(track.value[n]).toFixed(4));
-        if (residuals) row[2 + k] = minus((1e3 * Number(residuals[k]?.[n])).toFixed(2));
-        rows.set(t, row);
-      }
-    }
-    const body = [...rows].sort(([a], [b]) => a - b).map(([t, cells]) => {
+    const body = rows.map((cells) => {
       const row = html("tr");
-      row.append(...[minus(t.toFixed(4)), ...cells].map((cell) => html("td", "", cell)));
+      row.append(...cells.map((cell) => html("td", "", cell)));
       return row;
     });
-    place2.querySelector("thead")?.replaceChildren(head);
+    place2.querySelector("thead")?.replaceChildren(top);
     place2.querySelector("tbody")?.replaceChildren(...body);
     place2.closest("details")?.querySelector(".carts-measured-rest")?.remove();
   }
-  var minus = (text2) => text2.replace("-", "−");
 
   // src/measured/grid.js
   var ROWS = 10;
@@ -1117,7 +1124,7 @@
       say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
       say(this.#part("play"), this.player.playing ? "Pause" : "Play");
     }
-    /** What a fit says. @param {import("./types.js").Report} report */
+    /** What a fit says. @param {import("../../../view/measured/types.js").Report} report */
     told(report) {
       showResult(this.#part("result"), report);
       this.#part("back").hidden = false;
@@ -1127,7 +1134,7 @@
       );
       fence.value = report.fence;
     }
-    /** @param {string} name of the readings @param {import("./types.js").Fault[]} faults */
+    /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults */
     refuse(name, faults) {
       this.#part("faults").replaceChildren(
         ...faults.map(({ line, reason, hint }) => {
@@ -1246,7 +1253,7 @@
       this.named(this.#names);
       for (const [k, box] of this.#masses.entries()) box.value = kept.masses[k] ?? "";
     }
-    /** @returns {import("./types.js").Units} */
+    /** @returns {import("../../../view/measured/types.js").Units} */
     get chosen() {
       const units = { time: "", length: "", force: "" };
       for (const select of this.units) {
@@ -1319,6 +1326,8 @@
       /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
       #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
       #generation = 0;
+      #leaving = new AbortController();
+      // ends what the element hears of the worker
       connectedCallback() {
         if (this.#facts) return;
         const facts = JSON.parse(need(this, ".carts-measured-baked").textContent ?? "");
@@ -1338,6 +1347,7 @@
         this.complete = this.#restore();
       }
       disconnectedCallback() {
+        this.#leaving.abort();
         this.picture?.player.pause();
       }
       #wire() {
@@ -1379,7 +1389,8 @@
         const live = () => {
           if (client.state === "ready") this.dataset.state = "live";
         };
-        client.addEventListener("state", live);
+        const { signal } = this.#leaving;
+        client.addEventListener("state", live, { signal });
         live();
       }
       get #texts() {
@@ -1533,7 +1544,7 @@
         addEventListener("afterprint", () => delete this.dataset.printing, { once: true });
         print();
       }
-      /** @param {import("./types.js").Fault[]} faults */
+      /** @param {import("../../../view/measured/types.js").Fault[]} faults */
       #refuse(faults) {
         this.picture?.refuse(this.#name, faults);
       }

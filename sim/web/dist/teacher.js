@@ -302,11 +302,11 @@
   function loadIndex(base) {
     const known = indexes.get(base);
     if (known) return known;
-    const inside3 = Boolean(page.__cartsInside);
-    const read = inside3 ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
+    const inside4 = Boolean(page.__cartsInside);
+    const read = inside4 ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
     const loading = read.then(() => {
       const index = page.__cartsRuntime;
-      if (!inside3) delete page.__cartsRuntime;
+      if (!inside4) delete page.__cartsRuntime;
       if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
       if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
       return index;
@@ -316,12 +316,12 @@
     return loading;
   }
   async function loadPart(base, name, number, part) {
-    const inside3 = Boolean(page.__cartsInside);
-    if (!inside3) await runScript(new URL(part.src, base).href, name);
+    const inside4 = Boolean(page.__cartsInside);
+    if (!inside4) await runScript(new URL(part.src, base).href, name);
     const key = `${name}.${number}`;
     const text2 = page.__cartsParts?.[key];
     if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
-    if (!inside3) delete page.__cartsParts[key];
+    if (!inside4) delete page.__cartsParts[key];
     const bytes = decode(text2, part.src, name);
     if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
       throw new RuntimeFailure("payload-damaged", part.src, name);
@@ -1354,6 +1354,110 @@ ${second && across2}
 <tbody>${rows}</tbody></table></div></details>`;
   }
 
+  // ../view/measured/table.js
+  var PLACES = 4;
+  function tableOf2({ kind, names, tracks }, residuals) {
+    const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
+    const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+    if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+    const found = /* @__PURE__ */ new Map();
+    for (const [k, track] of tracks.entries()) {
+      for (const [n, t] of track.t.entries()) {
+        const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
+        cells[k] = fixed(Number(track.value[n]), PLACES);
+        if (residuals) cells[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
+        found.set(t, cells);
+      }
+    }
+    const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells]) => [fixed(t, PLACES), ...cells]);
+    return { head, rows };
+  }
+
+  // ../view/measured/skeleton.js
+  var MOST_ROWS = 60;
+  var UNITS = (
+    /** @type {const} */
+    [
+      ["length", "lengths are in"],
+      ["time", "times are in"],
+      ["force", "forces are in"]
+    ]
+  );
+  var HANDS = [
+    ["touch", "first touch at", "s"],
+    ["va", "velocity of A before", "m/s"],
+    ["vb", "velocity of B before", "m/s"],
+    ["ratio", "mass of B ÷ mass of A", ""],
+    ["e", "bounciness e", ""],
+    ["duration", "the contact lasts", "s"]
+  ];
+  function inside2(facts) {
+    const { id, title } = facts;
+    const hint = html2`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file, drop it here, or type readings.</text>`;
+    return html2`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+${source(facts)}
+<div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label="the model’s carts; rings are the measured places"></svg>
+<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">Play</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label="time"><output class="carts-measured-clock"></output></div></div>
+<div class="carts-measured-figures">
+<p class="carts-measured-legend"></p>
+<svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label="readings over time; the numbers are in the table below">${!facts.read && hint}</svg>
+<svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label="residuals: measured minus model" hidden></svg>
+<p class="carts-measured-spread" role="status"></p>
+</div>
+${model(facts)}
+<div class="carts-measured-result" hidden></div>
+<div class="carts-measured-back" hidden>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-scene">Save the fitted scene</button> <button type="button" class="carts-button carts-measured-tracker">Save the model’s run for Tracker</button> <button type="button" class="carts-button carts-measured-print">Print this alone</button></p>
+<details class="carts-more"><summary>The fitted scene as a block of a lesson</summary><textarea class="carts-measured-fence" rows="10" readonly spellcheck="false" aria-label="block of a lesson"></textarea></details>
+</div>
+${table2(facts)}
+<noscript><p class="carts-noscript">The readings are shown. Fitting them here needs JavaScript; on the command line “carts fit” does the same.</p></noscript>
+</div>`;
+  }
+  function source({ name, units, offered, read }) {
+    const choices = UNITS.map(([kind, text2], k) => {
+      const options = offered[kind].map(
+        (unit) => html2`<option value=${unit}${units?.[kind] === unit && html2` selected`}>${unit}</option>`
+      );
+      return html2`${k > 0 && " "}<label>${text2} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">choose …</option>${options}</select></label>`;
+    });
+    const own = html2`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
+    return html2`<div class="carts-measured-source">
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
+<details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
+<details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
+<p class="carts-measured-row">${choices}</p>
+<p class="carts-measured-row"><label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
+<div role="alert"><ul class="carts-measured-faults"></ul></div>
+</div>`;
+  }
+  function model({ id, law }) {
+    const hands = HANDS.map(
+      ([key, text2, unit]) => html2`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text2}</label><input type="range" class="carts-measured-slide" aria-label=${text2} disabled><span class="carts-measured-typed"><input type="number" id="${id}-${key}" step="any" inputmode="decimal" disabled> ${unit}</span></div>`
+    );
+    const laws = ["bumper", "paper"].map(
+      (name) => html2`<option value=${name}${law === name && html2` selected`}>${name}</option>`
+    );
+    return html2`<div class="carts-measured-model" hidden>
+<p class="carts-heading">Set the model by hand, or let it be fitted</p>
+<div class="carts-measured-hands">${hands}</div>
+<p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option></select></label></p>
+<p class="carts-measured-row carts-measured-masses"></p>
+<p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
+</div>`;
+  }
+  function table2({ read }) {
+    const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
+    const heads = head.map((cell) => html2`<th scope="col">${cell}</th>`);
+    const lines2 = rows.slice(0, MOST_ROWS).map((row) => html2`<tr>${row.map((cell) => html2`<td>${cell}</td>`)}</tr>`);
+    const more = rows.length - lines2.length;
+    return html2`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines2}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+  }
+
   // ../view/bodies.js
   function body(name) {
     if (name === "left") return tr("the left wall");
@@ -1851,27 +1955,27 @@ ${rows}</tbody></table></div>
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
     const label = tr("{quantity} against time", { quantity: name });
-    const table2 = tr("Table: {quantity}", { quantity: lower(name) });
+    const table3 = tr("Table: {quantity}", { quantity: lower(name) });
     return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce)}
 <p class="carts-key"></p>
 ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
-<details class="carts-more"><summary>${table2}</summary>
+<details class="carts-more"><summary>${table3}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
   function plot(clip, isForce) {
-    const inside3 = html2`clip-path="url(#${clip})"`;
+    const inside4 = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} aria-hidden="true">
 <defs><clipPath id=${clip}><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside3}>${isForce && [shade, shade]}</g>
-<g data-part="curves" ${inside3}></g>
-<g data-part="cursor" ${inside3}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM2}" transform="translate(${LEFT2} 0)"/></g>
+<g data-part="areas" ${inside4}>${isForce && [shade, shade]}</g>
+<g data-part="curves" ${inside4}></g>
+<g data-part="cursor" ${inside4}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM2}" transform="translate(${LEFT2} 0)"/></g>
 </svg>`;
   }
 
@@ -2174,7 +2278,7 @@ ${slow && html2`<label class="carts-slow-label"><input type="checkbox" class="ca
 
   // ../view/skeleton/scene.js
   var FORCE_QUANTITIES = ["F", "a"];
-  function inside2(baked, found = false) {
+  function inside3(baked, found = false) {
     const { fence, view, run } = baked;
     const { id, predict: asked } = fence;
     const quantities = fence.show.filter(
@@ -2328,13 +2432,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   }
 
   // src/teach/draw.js
+  var DRAW = { "carts-scene": drawScene, "carts-map": drawMap, "carts-measured": drawMeasured };
   function drawBlock(element) {
-    if (element.localName === "carts-scene" && !element.querySelector(".carts-frame")) {
-      drawScene(element);
-    }
-    if (element.localName === "carts-map" && !element.querySelector(".carts-map-frame")) {
-      drawMap(element);
-    }
+    if (element.firstElementChild?.localName === "script") DRAW[element.localName]?.(element);
   }
   function drawScene(element) {
     const raw = JSON.parse(need(element, "script.carts-baked").textContent ?? "");
@@ -2344,9 +2444,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     );
     if (shown2) {
       const open2 = { ...raw, ...JSON.parse(shown2.dataset.baked ?? "{}") };
-      shown2.innerHTML = inside2(bakedOf(open2), true).text;
+      shown2.innerHTML = inside3(bakedOf(open2), true).text;
     }
-    element.insertAdjacentHTML("afterbegin", inside2(bakedOf(raw)).text);
+    element.insertAdjacentHTML("afterbegin", inside3(bakedOf(raw)).text);
   }
   function drawMap(element) {
     const facts = JSON.parse(need(element, ".carts-map-baked").textContent ?? "");
@@ -2361,6 +2461,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       picture = canvas.toDataURL();
     }
     element.insertAdjacentHTML("afterbegin", inside(facts, draw, picture).text);
+  }
+  function drawMeasured(element) {
+    const facts = JSON.parse(need(element, ".carts-measured-baked").textContent ?? "");
+    element.insertAdjacentHTML("afterbegin", inside2(facts).text);
   }
 
   // src/teach/formulas.js
@@ -2381,9 +2485,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     };
     try {
       for (const element of waiting2) {
-        const source = (element.textContent ?? "").trim();
-        const displayMode = source.startsWith("\\[");
-        const tex = source.replace(/^\\[[(]|\\[\])]$/g, "");
+        const source2 = (element.textContent ?? "").trim();
+        const displayMode = source2.startsWith("\\[");
+        const tex = source2.replace(/^\\[[(]|\\[\])]$/g, "");
         page2.katex.render(tex, element, { displayMode, throwOnError: false });
       }
     } finally {
@@ -2804,12 +2908,12 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       const { piece, findings } = this;
       if (!this.#filled) {
         this.#filled = true;
-        const inside3 = html("div", "carts-teach-inside");
-        if (piece.kind === "block") inside3.append(this.#fields.root, this.mistakes, this.asText);
-        else if (piece.kind === "text") inside3.append(this.prose, this.mistakes);
-        else inside3.append(this.text.root, this.mistakes);
+        const inside4 = html("div", "carts-teach-inside");
+        if (piece.kind === "block") inside4.append(this.#fields.root, this.mistakes, this.asText);
+        else if (piece.kind === "text") inside4.append(this.prose, this.mistakes);
+        else inside4.append(this.text.root, this.mistakes);
         if (!piece.fields?.length) this.asText.open = true;
-        this.root.append(inside3);
+        this.root.append(inside4);
       }
       this.#fields.show(piece.fields ?? [], findings);
       if (piece.kind === "text") {

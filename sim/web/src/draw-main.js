@@ -10,10 +10,13 @@ import { inside as hardInside } from "../../view/hard/skeleton.js";
 import { scaleFor } from "../../view/map/bands.js";
 import { palette, pixels } from "../../view/map/pixels.js";
 import { inside as mapInside } from "../../view/map/skeleton.js";
+import { inside as measuredInside } from "../../view/measured/skeleton.js";
 import { inside } from "../../view/skeleton/scene.js";
 import { CostStage } from "./cost/stage.js";
+import { Figure, unitOf } from "./measured/figure.js";
 import { bakedOf } from "./scene/baked.js";
 import { Drawing } from "./scene/drawing.js";
+import { need } from "./shared/dom.js";
 
 const { document } = parseHTML("<!doctype html><html><body></body></html>");
 
@@ -25,6 +28,7 @@ const KINDS = {
   hard: (values) => hardInside(values).text,
   map: ({ facts, draw, picture }) => mapInside(facts, draw, picture).text,
   "map-picture": mapPicture,
+  measured,
 };
 
 /** @param {{baked: Record<string, any>, found: boolean}} values @returns {string} the inside of `<carts-scene>` */
@@ -58,6 +62,18 @@ function mapPicture({ low, high, columns, values }) {
   const { places, width, height } = pixels(known, columns, scale);
   const letters = Array.from(places, (place) => String.fromCharCode(48 + place)).join("");
   return JSON.stringify({ width, height, letters, palette: palette(scale) });
+}
+
+/** @param {import("../../view/measured/types.js").Facts} facts @returns {string} the inside of `<carts-measured>` */
+function measured(facts) {
+  const root = filled("carts-measured", measuredInside(facts).text);
+  const [place, left] = [".carts-measured-figure", ".carts-measured-left"].map((one) =>
+    need(root, one),
+  );
+  if (place && left && facts.read) {
+    new Figure(place, left).show(facts.read.tracks, unitOf(facts.read), null);
+  }
+  return root.innerHTML;
 }
 
 /** @param {string} name of the element @param {string} markup of its inside */

@@ -8,11 +8,11 @@ import { Picture } from "./picture.js";
 import { Settings } from "./settings.js";
 import { Source } from "./source.js";
 
-/** @typedef {import("./types.js").Read} Read */
-/** @typedef {import("./types.js").Drawn} Drawn */
-/** @typedef {import("./types.js").Report} Report */
-/** @typedef {import("./types.js").Kept} Kept */
-/** @typedef {{id: string, name: string, text: string, units: import("./types.js").Units | null, law: string, read: Read | null}} Facts */
+/** @typedef {import("../../../view/measured/types.js").Read} Read */
+/** @typedef {import("../../../view/measured/types.js").Drawn} Drawn */
+/** @typedef {import("../../../view/measured/types.js").Report} Report */
+/** @typedef {import("../../../view/measured/types.js").Kept} Kept */
+/** @typedef {import("../../../view/measured/types.js").Facts} Facts */
 
 const PACKAGES = ["numpy", "scipy"]; // for the fit; reading and the model by hand do without
 
@@ -32,6 +32,7 @@ export function measuredElement(client) {
     /** @type {Record<string, object>} so that a newer request takes the place of an older one of its kind */
     #owners = { read: {}, model: {}, ready: {}, fit: {}, tracker: {} };
     #generation = 0;
+    #leaving = new AbortController(); // ends what the element hears of the worker
 
     connectedCallback() {
       if (this.#facts) return;
@@ -54,6 +55,7 @@ export function measuredElement(client) {
     }
 
     disconnectedCallback() {
+      this.#leaving.abort();
       this.picture?.player.pause();
     }
 
@@ -95,7 +97,8 @@ export function measuredElement(client) {
       const live = () => {
         if (client.state === "ready") this.dataset.state = "live";
       };
-      client.addEventListener("state", live);
+      const { signal } = this.#leaving;
+      client.addEventListener("state", live, { signal });
       live();
     }
 
@@ -252,7 +255,7 @@ export function measuredElement(client) {
       print();
     }
 
-    /** @param {import("./types.js").Fault[]} faults */
+    /** @param {import("../../../view/measured/types.js").Fault[]} faults */
     #refuse(faults) {
       this.picture?.refuse(this.#name, faults);
     }

@@ -1,16 +1,19 @@
-/** Readings over time as points, the model as lines, what is left over below. Twin of `sim/pages/measured/render.py`. */
+/** Readings over time as points, the model as lines, what is left over below. */
 
 import { fixed, px } from "../../../view/numbers.js";
 import { axisDecimals, span, ticks } from "../../../view/scales.js";
 import { put, svg } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/scales.js").Axis} Axis */
-/** @typedef {import("./types.js").Track} Track */
+/** @typedef {import("../../../view/measured/types.js").Track} Track */
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [58, 630, 10, 250];
 const LOW = { top: 8, bottom: 104 }; // of the residuals
 const ROOM = 0.06; // of the values, above and below the points
 const HEAD = 1.15; // of the greatest residual
+
+/** @param {import("../../../view/measured/types.js").Read} read @returns {string} what the axis of the values says */
+export const unitOf = ({ kind }) => (kind === "length" ? "x in m" : "F in N");
 
 /** @param {number[][]} lists @returns {[number, number]} */
 function reach(lists) {

@@ -2,8 +2,8 @@
 
 import { need } from "../shared/dom.js";
 
-/** @typedef {import("./types.js").Hand} Hand */
-/** @typedef {import("./types.js").Track} Track */
+/** @typedef {import("../../../view/measured/types.js").Hand} Hand */
+/** @typedef {import("../../../view/measured/types.js").Track} Track */
 
 const FASTER = 1.5; // times the fastest the film shows
 const RATIO = [0.1, 10];

@@ -2,7 +2,7 @@
 
 import { openAll, place, READINGS } from "../shared/storage.js";
 
-/** @typedef {import("./types.js").Kept} Kept */
+/** @typedef {import("../../../view/measured/types.js").Kept} Kept */
 
 /** @param {string} id of the block */
 export function keeper(id) {

@@ -8,8 +8,8 @@ import { showResult, showTable } from "./result.js";
 import { Source } from "./source.js";
 import { Stage } from "./stage.js";
 
-/** @typedef {import("./types.js").Read} Read */
-/** @typedef {import("./types.js").Drawn} Drawn */
+/** @typedef {import("../../../view/measured/types.js").Read} Read */
+/** @typedef {import("../../../view/measured/types.js").Drawn} Drawn */
 
 const QUARTER = 0.25; // a collision is over before it is seen
 const FINE = 0.01; // m; smaller residuals are told with two decimals of a millimetre
@@ -104,7 +104,7 @@ export class Picture {
     say(this.#part("play"), this.player.playing ? "Pause" : "Play");
   }
 
-  /** What a fit says. @param {import("./types.js").Report} report */
+  /** What a fit says. @param {import("../../../view/measured/types.js").Report} report */
   told(report) {
     showResult(this.#part("result"), report);
     this.#part("back").hidden = false;
@@ -112,7 +112,7 @@ export class Picture {
     fence.value = report.fence;
   }
 
-  /** @param {string} name of the readings @param {import("./types.js").Fault[]} faults */
+  /** @param {string} name of the readings @param {import("../../../view/measured/types.js").Fault[]} faults */
   refuse(name, faults) {
     this.#part("faults").replaceChildren(
       ...faults.map(({ line, reason, hint }) => {

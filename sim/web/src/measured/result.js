@@ -1,8 +1,9 @@
 /** What a fit says: numbers with their intervals, what is not told and why, sentences. */
 
+import { tableOf } from "../../../view/measured/table.js";
 import { html } from "../shared/dom.js";
 
-/** @typedef {import("./types.js").Report} Report */
+/** @typedef {import("../../../view/measured/types.js").Report} Report */
 
 /** @param {HTMLElement} place @param {Report} report */
 export function showResult(place, report) {
@@ -54,39 +55,22 @@ const upper = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /**
  * The table of all readings, residuals beside them if there are any.
- * @param {Element} place @param {import("./types.js").Read} read @param {number[][] | null} residuals in m
+ * @param {Element} place @param {import("../../../view/measured/types.js").Read} read @param {number[][] | null} residuals in m
  */
 export function showTable(place, read, residuals) {
-  const [letter, unit] = read.kind === "length" ? ["x", "m"] : ["F", "N"];
-  const heads = ["t in s", ...read.names.map((name) => `${letter} of ${name} in ${unit}`)];
-  if (residuals) heads.push(...read.names.map((name) => `residual of ${name} in mm`));
-  const head = html("tr");
-  for (const text of heads) {
+  const { head, rows } = tableOf(read, residuals);
+  const top = html("tr");
+  for (const text of head) {
     const cell = html("th", "", text);
     cell.setAttribute("scope", "col");
-    head.append(cell);
+    top.append(cell);
   }
-  /** @type {Map<number, string[]>} */
-  const rows = new Map();
-  for (const [k, track] of read.tracks.entries()) {
-    for (const [n, t] of track.t.entries()) {
-      const row = rows.get(t) ?? Array.from({ length: heads.length - 1 }, () => "");
-      row[k] = minus(Number(track.value[n]).toFixed(4));
-      if (residuals) row[2 + k] = minus((1000 * Number(residuals[k]?.[n])).toFixed(2));
-      rows.set(t, row);
-    }
-  }
-  const body = [...rows]
-    .sort(([a], [b]) => a - b)
-    .map(([t, cells]) => {
-      const row = html("tr");
-      row.append(...[minus(t.toFixed(4)), ...cells].map((cell) => html("td", "", cell)));
-      return row;
-    });
-  place.querySelector("thead")?.replaceChildren(head);
+  const body = rows.map((cells) => {
+    const row = html("tr");
+    row.append(...cells.map((cell) => html("td", "", cell)));
+    return row;
+  });
+  place.querySelector("thead")?.replaceChildren(top);
   place.querySelector("tbody")?.replaceChildren(...body);
   place.closest("details")?.querySelector(".carts-measured-rest")?.remove();
 }
-
-/** @param {string} text */
-const minus = (text) => text.replace("-", "−");

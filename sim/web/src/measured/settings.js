@@ -2,8 +2,8 @@
 
 import { html, need } from "../shared/dom.js";
 
-/** @typedef {import("./types.js").Kept} Kept */
-/** @typedef {import("./types.js").Read} Read */
+/** @typedef {import("../../../view/measured/types.js").Kept} Kept */
+/** @typedef {import("../../../view/measured/types.js").Read} Read */
 
 const WORDS = {
   time: "what times are in",
@@ -89,7 +89,7 @@ export class Settings {
     for (const [k, box] of this.#masses.entries()) box.value = kept.masses[k] ?? "";
   }
 
-  /** @returns {import("./types.js").Units} */
+  /** @returns {import("../../../view/measured/types.js").Units} */
   get chosen() {
     const units = { time: "", length: "", force: "" };
     for (const select of this.units) {

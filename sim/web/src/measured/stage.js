@@ -4,8 +4,8 @@ import { px } from "../../../view/numbers.js";
 import { span, ticks } from "../../../view/scales.js";
 import { put, svg } from "../shared/dom.js";
 
-/** @typedef {import("./types.js").Track} Track */
-/** @typedef {import("./types.js").Curve} Curve */
+/** @typedef {import("../../../view/measured/types.js").Track} Track */
+/** @typedef {import("../../../view/measured/types.js").Curve} Curve */
 
 const [WIDTH, FLOOR, SIDE, TALL] = [640, 62, 16, 34];
 const USUAL = 0.2; // m, length of a cart whose marks are at unusual places

@@ -2,19 +2,18 @@
 
 import { scaleFor } from "../../../view/map/bands.js";
 import { inside as mapInside } from "../../../view/map/skeleton.js";
+import { inside as measuredInside } from "../../../view/measured/skeleton.js";
 import { inside } from "../../../view/skeleton/scene.js";
 import { paint } from "../map/paint.js";
 import { bakedOf } from "../scene/baked.js";
 import { need } from "../shared/dom.js";
 
+/** @type {Record<string, (element: Element) => void>} by name of the element */
+const DRAW = { "carts-scene": drawScene, "carts-map": drawMap, "carts-measured": drawMeasured };
+
 /** What the element's own script takes over when it is put in the page. @param {Element} element of a block */
 export function drawBlock(element) {
-  if (element.localName === "carts-scene" && !element.querySelector(".carts-frame")) {
-    drawScene(element);
-  }
-  if (element.localName === "carts-map" && !element.querySelector(".carts-map-frame")) {
-    drawMap(element);
-  }
+  if (element.firstElementChild?.localName === "script") DRAW[element.localName]?.(element);
 }
 
 /** @param {Element} element */
@@ -45,4 +44,10 @@ function drawMap(element) {
     picture = canvas.toDataURL();
   }
   element.insertAdjacentHTML("afterbegin", mapInside(facts, draw, picture).text);
+}
+
+/** @param {Element} element */
+function drawMeasured(element) {
+  const facts = JSON.parse(need(element, ".carts-measured-baked").textContent ?? "");
+  element.insertAdjacentHTML("afterbegin", measuredInside(facts).text);
 }

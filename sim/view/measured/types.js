@@ -15,6 +15,10 @@
  * @typedef {{refused: Fault[], source?: number}} Refused
  * @typedef {{length: string, time: string, force: string}} Units an empty one: not chosen yet
  *
+ * What the generator wrote:
+ * @typedef {{id: string, title: string, name: string, text: string, units: Units | null, offered: Record<keyof Units, string[]>,
+ *   law: string, read: Read | null}} Facts
+ *
  * What a reader has done here, as it is kept:
  * @typedef {{name: string, texts: string[], cells: string[][], pasted?: string, units: Units, from: string, until: string,
  *   law: string, effect: string, distance: string, masses: string[], hand: Hand | null, fitted: "" | "fitted" | "compared"}} Kept

@@ -1,0 +1,103 @@
+/**
+ * Readings of real carts as they stand in the page. Without a script the points and their table are all there
+ * is; what the script fills in has its place already, so that nothing jumps.
+ */
+
+import { html } from "../markup.js";
+import { tableOf } from "./table.js";
+
+/** @typedef {import("./types.js").Facts} Facts */
+/** @typedef {import("../markup.js").Markup} Markup */
+
+const MOST_ROWS = 60; // of the table without a script; the page's script fills in all
+const UNITS = /** @type {const} */ ([
+  ["length", "lengths are in"],
+  ["time", "times are in"],
+  ["force", "forces are in"],
+]);
+const HANDS = [
+  ["touch", "first touch at", "s"],
+  ["va", "velocity of A before", "m/s"],
+  ["vb", "velocity of B before", "m/s"],
+  ["ratio", "mass of B ÷ mass of A", ""],
+  ["e", "bounciness e", ""],
+  ["duration", "the contact lasts", "s"],
+];
+
+/** @param {Facts} facts @returns {Markup} the inside of `<carts-measured>`; its figure is still empty */
+export function inside(facts) {
+  const { id, title } = facts;
+  const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file, drop it here, or type readings.</text>`;
+  return html`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
+<div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
+<div class="carts-note" role="status" hidden></div>
+${source(facts)}
+<div class="carts-measured-world" hidden><svg class="carts-measured-stage" viewBox="0 0 640 96" width="640" height="96" role="img" aria-label="the model’s carts; rings are the measured places"></svg>
+<div class="carts-transport carts-measured-transport"><button type="button" class="carts-button carts-play carts-measured-play">Play</button><input type="range" class="carts-measured-scrub" min="0" max="1" step="any" value="0" aria-label="time"><output class="carts-measured-clock"></output></div></div>
+<div class="carts-measured-figures">
+<p class="carts-measured-legend"></p>
+<svg class="carts-measured-figure" viewBox="0 0 640 284" width="640" height="284" role="img" aria-label="readings over time; the numbers are in the table below">${!facts.read && hint}</svg>
+<svg class="carts-measured-left" viewBox="0 0 640 134" width="640" height="134" role="img" aria-label="residuals: measured minus model" hidden></svg>
+<p class="carts-measured-spread" role="status"></p>
+</div>
+${model(facts)}
+<div class="carts-measured-result" hidden></div>
+<div class="carts-measured-back" hidden>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-scene">Save the fitted scene</button> <button type="button" class="carts-button carts-measured-tracker">Save the model’s run for Tracker</button> <button type="button" class="carts-button carts-measured-print">Print this alone</button></p>
+<details class="carts-more"><summary>The fitted scene as a block of a lesson</summary><textarea class="carts-measured-fence" rows="10" readonly spellcheck="false" aria-label="block of a lesson"></textarea></details>
+</div>
+${table(facts)}
+<noscript><p class="carts-noscript">The readings are shown. Fitting them here needs JavaScript; on the command line “carts fit” does the same.</p></noscript>
+</div>`;
+}
+
+/** Where readings come from. @param {Facts} facts */
+function source({ name, units, offered, read }) {
+  const choices = UNITS.map(([kind, text], k) => {
+    const options = offered[kind].map(
+      (unit) =>
+        html`<option value=${unit}${units?.[kind] === unit && html` selected`}>${unit}</option>`,
+    );
+    return html`${k > 0 && " "}<label>${text} <select class="carts-measured-unit" data-kind=${kind} disabled><option value="">choose …</option>${options}</select></label>`;
+  });
+  const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
+  return html`<div class="carts-measured-source">
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
+<details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
+<details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
+<p class="carts-measured-row">${choices}</p>
+<p class="carts-measured-row"><label>use readings from <input type="number" step="any" class="carts-measured-from" disabled> s</label> <label>until <input type="number" step="any" class="carts-measured-until" disabled> s</label></p>
+<p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
+<div role="alert"><ul class="carts-measured-faults"></ul></div>
+</div>`;
+}
+
+/** The model by hand, and what a fit may ask for. @param {Facts} facts */
+function model({ id, law }) {
+  const hands = HANDS.map(
+    ([key, text, unit]) =>
+      html`<div class="carts-measured-hand" data-hand=${key}><label for="${id}-${key}">${text}</label><input type="range" class="carts-measured-slide" aria-label=${text} disabled><span class="carts-measured-typed"><input type="number" id="${id}-${key}" step="any" inputmode="decimal" disabled> ${unit}</span></div>`,
+  );
+  const laws = ["bumper", "paper"].map(
+    (name) => html`<option value=${name}${law === name && html` selected`}>${name}</option>`,
+  );
+  return html`<div class="carts-measured-model" hidden>
+<p class="carts-heading">Set the model by hand, or let it be fitted</p>
+<div class="carts-measured-hands">${hands}</div>
+<p class="carts-measured-row"><label>contact law <select class="carts-measured-law">${laws}</select></label> <label>fit also <select class="carts-measured-effect"><option value="none">nothing else</option><option value="friction">friction of each cart</option><option value="tilt">a tilt of the track</option></select></label></p>
+<p class="carts-measured-row carts-measured-masses"></p>
+<p class="carts-measured-row"><label>marks are apart, when the bumpers just touch: <input type="number" step="any" min="0" class="carts-measured-distance"> m</label> <span class="carts-quiet">if you know it</span></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">Fit the model</button> <button type="button" class="carts-button carts-measured-compare">Compare with friction and tilt</button> <span class="carts-measured-busy" role="status"></span></p>
+</div>`;
+}
+
+/** @param {Facts} facts */
+function table({ read }) {
+  const { head, rows } = read ? tableOf(read, null) : { head: [], rows: [] };
+  const heads = head.map((cell) => html`<th scope="col">${cell}</th>`);
+  const lines = rows
+    .slice(0, MOST_ROWS)
+    .map((row) => html`<tr>${row.map((cell) => html`<td>${cell}</td>`)}</tr>`);
+  const more = rows.length - lines.length;
+  return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+}

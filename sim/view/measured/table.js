@@ -1,0 +1,28 @@
+/** The table of readings: a row for each time, with the residuals where a model lies over them. */
+
+import { fixed } from "../numbers.js";
+
+/** @typedef {import("./types.js").Read} Read */
+
+const PLACES = 4; // decimals of readings in SI units
+
+/** @param {Read} read @param {number[][] | null} residuals in m @returns {{head: string[], rows: string[][]}} */
+export function tableOf({ kind, names, tracks }, residuals) {
+  const [letter, unit] = kind === "length" ? ["x", "m"] : ["F", "N"];
+  const head = ["t in s", ...names.map((name) => `${letter} of ${name} in ${unit}`)];
+  if (residuals) head.push(...names.map((name) => `residual of ${name} in mm`));
+  /** @type {Map<number, string[]>} */
+  const found = new Map();
+  for (const [k, track] of tracks.entries()) {
+    for (const [n, t] of track.t.entries()) {
+      const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
+      cells[k] = fixed(Number(track.value[n]), PLACES);
+      if (residuals) cells[2 + k] = fixed(1000 * Number(residuals[k]?.[n]), 2);
+      found.set(t, cells);
+    }
+  }
+  const rows = [...found]
+    .sort(([a], [b]) => a - b)
+    .map(([t, cells]) => [fixed(t, PLACES), ...cells]);
+  return { head, rows };
+}
