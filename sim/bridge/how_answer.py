@@ -27,6 +27,7 @@ from sim.dynamics.stepping.drawn import Drawn, drawn
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
 from sim.scene import Problem, Scene, SceneError, read_scene
+from sim.scene.said import wire as said_by
 
 MOST_PARTS = 5_000
 """Steps of a run that a widget may ask for: it has to answer while a slider is moved."""
@@ -54,7 +55,9 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
         ]
         header["effects"] = effects_of(plain, scene)
         # A blown-up run would ask for stiffnesses that no bumper has.
-        header["warnings"] = [{"code": w.code, "message": w.message} for w in warnings(solved)]
+        header["warnings"] = [
+            {"code": w.code, "message": said_by(w.message)} for w in warnings(solved)
+        ]
         header["how"] = finite(_compared(scene, way, result, solved, shown))
     except (ArithmeticError, ValueError) as error:
         if not is_of_the_numbers(error):
