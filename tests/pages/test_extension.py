@@ -172,26 +172,6 @@ def test_what_comes_late_makes_the_same_page() -> None:
     assert extension.with_late(stubs, late) == at_once
 
 
-def test_without_v8_a_build_says_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A machine that mini-racer has no wheel for."""
-    from sim.pages import drawing
-
-    monkeypatch.setitem(sys.modules, "py_mini_racer", None)
-    monkeypatch.setattr(drawing, "_started", [])
-    monkeypatch.setattr(drawing, "_read", {})
-    found: list[Finding] = []
-    set_page(Page(Lesson("lesson.md"), report=found.append))
-    text = "```scene\nid: one\ncarts:\n  A: {mass: 1, position: 0}\n```\n"
-    try:
-        html = Markdown(extensions=[CartsExtension()]).convert(text)
-    finally:
-        set_page(None)
-    (finding,) = found
-    assert finding.code == "not-drawn"
-    assert "mini-racer" in finding.message
-    assert "carts-author-error" in text
-
-
 def test_without_v8_a_build_says_one_sentence(
     found: list[Finding], monkeypatch: pytest.MonkeyPatch
 ) -> None:
