@@ -112,10 +112,10 @@ def greatest_force(stretches: tuple[Swing, ...]) -> float:
             candidates.append(swing.start + min(first_turn(swing.rate, a, j), swing.duration))
         for t in candidates:
             force = -swing.at(t)[2]
-            if force > best * (1.0 + SAME_FORCE):
+            if force > best * (1.0 + WHERE_STRETCHES_MEET):
                 best, when = force, t
     return when
 
 
-SAME_FORCE = 1e-14
+WHERE_STRETCHES_MEET = 1e-14
 """Relative. Two stretches meet with one force; rounding must not move the peak to the later."""

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from sim.dynamics.batch.impacts import Impacts, impacts, reduced_mass
 from sim.dynamics.batch.parameters import Parameters
-from sim.dynamics.loop.contacts import STILL
+from sim.dynamics.loop.impacts import STILL
 from sim.scene.laws import laws
 
 if TYPE_CHECKING:

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable
 
 from sim.dynamics.motion.guards import PUSH_ROUNDING
+from sim.dynamics.state.body import Gap
 from sim.laws.contact_law import ContactLaw
 
 SCAN = 64
@@ -25,6 +26,13 @@ BISECTED = 1e-15
 def pushes(law: ContactLaw, mu: float, room: float, rate: float) -> bool:
     """Is the force of an overlap positive, by more than rounding?"""
     return law.force(mu, -room, -rate) > PUSH_ROUNDING * law.stiffness * -room
+
+
+def touches_at_start(gap: Gap) -> bool:
+    """Is a contact in progress when the run begins? Push-only ones may not push any more."""
+    if gap.room >= 0.0 or gap.law is None:
+        return False
+    return not gap.law.recontacts or pushes(gap.law, gap.mu, gap.room, gap.rate)
 
 
 def scan(

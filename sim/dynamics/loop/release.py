@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.loop import contacts
+from sim.dynamics.loop import contacts, impacts, pair_laws
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap
@@ -20,7 +20,7 @@ def latch(chain: Chain, release: EnergyRelease, record: Record) -> None:
     """Two that touch at the start with one velocity stay together until they are set free."""
     gap = chain.gaps[release.gap]
     if gap is not None and gap.room <= 0.0 and gap.rate == 0.0 and not gap.joined:
-        contacts.merge(chain, gap, ZERO, record)
+        impacts.merge(chain, gap, ZERO, record)
 
 
 def set_free(
@@ -30,10 +30,10 @@ def set_free(
     if gap.joined:
         split(chain, gap, now, record)
     elif gap.touching is None:
+        gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
         if gap.room > TOUCHING:
             record.idle_bursts.append((gap.index, now[0], gap.room))
             return False
-        gap.rate = gap.right.v - gap.left.v  # others may have pushed them since it was known
     else:  # what their bumpers still hold is no part of the energy
         if gap.law is not None:
             ledger.dissipate(gap.law.stored(-gap.room, -gap.rate, gap.memory))
@@ -44,12 +44,12 @@ def set_free(
     before = (left.v, right.v)
     apart = math.sqrt(gap.rate * gap.rate + 2.0 * release.energy / mu)
     impulse = mu * (apart - gap.rate)
-    centre = contacts.common_velocity(left, right)
-    a, b = contacts.shares(left, right, mu)
+    centre = pair_laws.common_velocity(left, right)
+    a, b = pair_laws.shares(left, right, mu)
     left.v, right.v = centre - a * apart, centre + b * apart
     gap.rate, gap.time = apart, now
     ledger.work(release.kind, release.energy)
-    contacts.outside(left, right, impulse, ledger)
+    pair_laws.outside(left, right, impulse, ledger)
     record.event("release", gap, now, before, (left.v, right.v), impulse, None)
     for other in chain.neighbours(gap):
         if other is not None and not other.joined:

@@ -10,7 +10,7 @@ import heapq
 import math
 from collections.abc import Callable
 
-from sim.dynamics.loop import contacts, release, synchronise
+from sim.dynamics.loop import contacts, recontact, release, synchronise
 from sim.dynamics.loop.simulation import Simulation
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
@@ -96,7 +96,7 @@ def _start(sim: Simulation) -> None:
     for gap in sim.chain.gaps:
         if gap is None:
             continue
-        if gap.room < 0.0 and gap.law is not None:
+        if recontact.touches_at_start(gap):
             sim.begin(gap, ZERO)
         elif gap.touching is None:
             sim.predictions.gap(gap, ZERO)
@@ -112,7 +112,7 @@ def _start_with_effects(sim: Simulation, forces: Forces) -> None:
         sim.calendar.from_outside(len(forces.releases), t)
     gaps = [gap for gap in sim.chain.gaps if gap is not None]
     for gap in gaps:
-        if gap.room < 0.0 and gap.law is not None and not gap.joined:
+        if recontact.touches_at_start(gap) and not gap.joined:
             contacts.touch(gap, ZERO, sim.record, sim.ledger)
     sim.form_again(list(dict.fromkeys(sim.chain.bodies)), gaps, ZERO)
     free = sum(body.motion is None for body in sim.chain.bodies)

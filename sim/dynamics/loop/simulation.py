@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 
-from sim.dynamics.loop import contacts, release, synchronise, transitions
+from sim.dynamics.loop import contacts, impacts, release, synchronise, transitions
 from sim.dynamics.loop.calendar import Calendar
 from sim.dynamics.loop.detect import no_approach, resting
 from sim.dynamics.loop.predictions import Predictions
@@ -102,9 +102,9 @@ class Simulation:
         self.solvers[gap.contact.law] += 1
         if not gap.contact.joins:
             self.fastest = max(self.fastest, -gap.rate)
-            contacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
+            impacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
             return
-        contacts.join(self.chain, gap, now, self.record, self.ledger)
+        impacts.join(self.chain, gap, now, self.record, self.ledger)
         for other in self.chain.neighbours(gap):
             if other is not None and other.solver is None:
                 self.chain.advance(other, now)
@@ -141,10 +141,10 @@ class Simulation:
         self, gap: Gap, bodies: list[Body], gaps: list[Gap], now: Time, *, in_contact: bool
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
-        stays = contacts.rests(gap, self.fastest, in_contact=in_contact)
+        stays = impacts.rests(gap, self.fastest, in_contact=in_contact)
         self.at_once(gap, now, stays=stays)
         if stays and not gap.joined:
-            contacts.rest_together(self.chain, gap, self.ledger)
+            impacts.rest_together(self.chain, gap, self.ledger)
         for other in gaps:
             if other is not gap and not other.joined:
                 other.rate = other.right.v - other.left.v

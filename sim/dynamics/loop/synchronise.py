@@ -8,7 +8,7 @@ brought to that instant, and what the motions did is booked.
 
 from __future__ import annotations
 
-from sim.dynamics.loop.contacts import outside
+from sim.dynamics.loop.pair_laws import outside
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap, Motion, Part

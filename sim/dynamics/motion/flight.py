@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
 from sim.dynamics.state.clock import Time, elapsed
@@ -159,13 +159,13 @@ class Flight:
     duration: float = field(init=False)
     carts: tuple[int, ...] = field(init=False)  # a body may grow or split later
     bodies: list[Body] = field(init=False)
-    members: list[Gap] = field(init=False, default_factory=list)
-    ends: list[End] = field(init=False, default_factory=lambda: [End("halt", 0)])
+    members: ClassVar[list[Gap]] = []
+    ends: ClassVar[list[End]] = [End("halt", 0)]
     name = "flight"
     tier = 0
-    gaps: tuple[int, ...] = ()
-    short_steps: bool = False
-    fading: tuple[Rate, ...] = ()
+    gaps: ClassVar[tuple[int, ...]] = ()
+    short_steps = False
+    fading: ClassVar[tuple[Rate, ...]] = ()
 
     def __post_init__(self) -> None:
         self.carts, self.bodies = self.body.carts, [self.body]

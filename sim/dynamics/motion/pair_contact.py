@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar
 from sim.dynamics.state.clock import Time, elapsed
@@ -48,11 +49,11 @@ class PairContact:
     duration: float = field(init=False)
     _stretches: tuple[Swing, ...] | None = field(init=False, default=None)
     gap: int = field(init=False)
-    ends: list[End] = field(init=False, default_factory=lambda: [End("apart", 0)])
+    ends: ClassVar[list[End]] = [End("apart", 0)]
     name = "pair-contact"
     tier = 1
-    parabolic: bool = False
-    short_steps: bool = False
+    parabolic = False
+    short_steps = False
 
     def __post_init__(self) -> None:
         self.gap = self.members[0].index

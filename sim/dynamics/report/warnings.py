@@ -37,14 +37,14 @@ ALONE = (
 
 
 @dataclass(frozen=True, slots=True)
-class Warning:
+class Remark:
     """A remark about a run; it changes no number."""
 
     code: str
     message: str
 
 
-def warnings(run: Run) -> tuple[Warning, ...]:
+def warnings(run: Run) -> tuple[Remark, ...]:
     """Bumpers squeezed beyond their length, deepest first.
 
     Between two carts there are two bumpers, at a wall there is one. In every linear law the
@@ -73,19 +73,19 @@ def warnings(run: Run) -> tuple[Warning, ...]:
             slower = speed * (room / deepest) ** faster
             told["stiffness"] = f"{_up(stiffness)} {field.dimension.si}"
             message = said(advised, **told, speed=f"{_down(slower)} m/s")
-        found.append((deepest - room, Warning("bumper-bottoms", message)))
+        found.append((deepest - room, Remark("bumper-bottoms", message)))
     found = sorted(found, key=lambda item: -item[0])
     return (*(warning for _, warning in found), *_idle(run), *_nearly_rigid(run))
 
 
-def _nearly_rigid(run: Run) -> list[Warning]:
+def _nearly_rigid(run: Run) -> list[Remark]:
     """Groups in which a bumper that hardly springs back was held instead."""
     laws_here = [contact_law(contact) for contact in run.scene.contacts if contact is not None]
     tiny = [law.e for law in laws_here if law is not None and 0.0 < law.e <= law.held_below]
     if "power-series" not in run.solvers or not tiny:
         return []
     return [
-        Warning(
+        Remark(
             "nearly-rigid",
             said(
                 "Several contacts held at once: there a bumper with a restitution of {e} "
@@ -96,7 +96,7 @@ def _nearly_rigid(run: Run) -> list[Warning]:
     ]
 
 
-def _idle(run: Run) -> list[Warning]:
+def _idle(run: Run) -> list[Remark]:
     """Exploders whose carts had parted."""
     found = []
     for gap, t, room in run.record.idle_bursts:
@@ -109,7 +109,7 @@ def _idle(run: Run) -> list[Warning]:
             time=f"{t:.6g} s",
             gap=f"{100 * room:.3g} cm",
         )
-        found.append(Warning("release-apart", message))
+        found.append(Remark("release-apart", message))
     return found
 
 

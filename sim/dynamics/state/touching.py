@@ -34,9 +34,9 @@ class Touching:
 
     def see(self, peak: Peak) -> None:
         """Keep the greater force; of equal ones the first."""
-        if self.peak is None or peak.force > self.peak.force * (1.0 + SAME_FORCE):
+        if self.peak is None or peak.force > self.peak.force * (1.0 + HANDED_OVER):
             self.peak = peak
 
 
-SAME_FORCE = 1e-12
+HANDED_OVER = 1e-12
 """Relative. A force that is handed from one solver to the next is not a new peak."""

@@ -33,7 +33,9 @@ class Paper(Dashpot):
     def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
         """Until the overlap is zero."""
         rate = self.damping.rate(self.stiffness, mu)
-        return (Swing(rate, 0.0, first_zero(rate, d0, v0), 0.0, d0, v0),)
+        over = d0 <= 0.0 and v0 <= 0.0  # it has no overlap, and gets none
+        duration = 0.0 if over else first_zero(rate, d0, v0)
+        return (Swing(rate, 0.0, duration, 0.0, d0, v0),)
 
     def guards(self, branch: Branch, d: float, memory: Memory) -> tuple[Guard, ...]:
         """It may pull: it ends at no overlap."""

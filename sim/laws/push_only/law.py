@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from sim.laws.stepping import SteppedContact
 
 
+NO_PUSH = 1e-12
+"""Of k d. Spring and damper cancel where the force is zero; what rounding leaves is no force."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class PushOnly(Dashpot):
     """Ends at force zero, damping corrected."""
@@ -38,11 +42,15 @@ class PushOnly(Dashpot):
     def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
         """Until the force is zero."""
         rate = self.damping.rate(self.stiffness, mu)
-        if d0 == 0.0:  # from first touch the half-angle form is exact at any damping
+        if d0 == 0.0 and v0 > 0.0:  # from first touch the half-angle form is exact at any damping
             return (Swing(rate, 0.0, 2.0 / (rate.w0 * self.damping.sinc), 0.0, d0, v0),)
         n0 = rate.w0 * rate.w0 * d0 + 2.0 * rate.beta * v0  # N/mu solves the same equation
+        if abs(n0) <= NO_PUSH * rate.w0 * rate.w0 * d0:
+            n0 = 0.0
         n1 = rate.w0 * rate.w0 * v0 - 2.0 * rate.beta * n0
-        return (Swing(rate, 0.0, first_zero(rate, n0, n1), 0.0, d0, v0),)
+        pulls = n0 < 0.0 or (n0 == 0.0 and n1 <= 0.0)  # it may not: it is over as it begins
+        duration = 0.0 if pulls else first_zero(rate, n0, n1)
+        return (Swing(rate, 0.0, duration, 0.0, d0, v0),)
 
     def guards(self, branch: Branch, d: float, memory: Memory) -> tuple[Guard, ...]:
         """It ends where it would pull."""

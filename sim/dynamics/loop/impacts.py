@@ -1,0 +1,131 @@
+"""Impacts without a duration, and carts that stay together."""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.loop.pair_laws import common_velocity, outside, velocities_after
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.result.record import Record
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import Chain, component
+from sim.dynamics.state.clock import Time
+from sim.dynamics.state.touching import Touching
+
+STILL = 1e-30
+"""Of the fastest approach so far. Impacts that follow each other at one instant, ever slower by a
+constant factor, never end; once their approach speed is this small, the two go on together. It is
+far below the last bit of any velocity, so no cart that moves is stopped by it."""
+
+AT_REST = 1e-12
+"""Of the fastest approach so far. Impacts under a force that presses on come ever faster and ever
+slower; there are infinitely many before a finite time. Below this speed the two stay in contact:
+what is left out of the energy is 1e-24 of it, of the time 1e-12."""
+
+AT_REST_IN_CONTACT = 1e-8
+"""The same where one of the two is in a contact with somebody else: its place is known to 1e-16
+only, and below this speed that decides the next impact. 1e-16 of the energy is left out."""
+
+
+def rests(gap: Gap, fastest: float, *, in_contact: bool) -> bool:
+    """Would this impact leave so little speed that the two stay in contact, if they are pressed?"""
+    small = AT_REST_IN_CONTACT if in_contact else AT_REST
+    return (gap.contact.restitution or 0.0) * -gap.rate <= small * fastest
+
+
+def instant(
+    gap: Gap, now: Time, record: Record, ledger: Ledger, fastest: float, *, stays: bool = False
+) -> None:
+    """An impulse without duration. `fastest` [m/s]: the greatest approach so far.
+
+    `stays`: the two go on together, in contact, while something presses them together.
+    """
+    left, right = gap.left, gap.right
+    e, u, mu = gap.contact.restitution or 0.0, -gap.rate, gap.mu
+    if stays or u < STILL * fastest:
+        e = 0.0
+    before = (left.v, right.v)
+    left.v, right.v = velocities_after(left, right, e)
+    if e == 0.0 and u < STILL * fastest:
+        together = common_velocity(left, right)
+        left.v = right.v = together if abs(together) > STILL * fastest else 0.0
+    impulse = mu * (1.0 + e) * u
+    gap.room, gap.rate, gap.time = 0.0, e * u, now
+    ledger.dissipate(0.5 * mu * u * u * (1.0 - e) * (1.0 + e))
+    outside(left, right, impulse, ledger)
+    record.event("contact", gap, now, before, (left.v, right.v), impulse, None)
+    if stays:
+        gap.touching = Touching(now, before)
+    for body in (left, right):
+        if body.carts:
+            record.piece(body)
+
+
+def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
+    """Bodies that rest against each other by `instant` contacts get one velocity, next to a wall 0.
+
+    What one impact among them leaves of velocity is too little to part them (`AT_REST`).
+    """
+    _, gaps = component(chain, gap.left if gap.left.carts else gap.right)
+    resting = [other for other in gaps if other.law is None and other.touching is not None]
+    here = resting.index(gap)
+    first = last = here
+    while first > 0 and resting[first - 1].right is resting[first].left:
+        first -= 1
+    while last + 1 < len(resting) and resting[last + 1].left is resting[last].right:
+        last += 1
+    group = [resting[first].left, *(other.right for other in resting[first : last + 1])]
+    movers = [body for body in group if body.mass < math.inf]
+    fixed = len(movers) < len(group)  # a wall is among them, or a cart that sticks to one
+    momentum = math.fsum(body.mass * body.v for body in movers)
+    together = 0.0 if fixed else momentum / math.fsum(body.mass for body in movers)
+    for body in movers:
+        ledger.dissipate(0.5 * body.mass * (body.v - together) * (body.v + together))
+        body.v = together
+    if fixed:
+        ledger.push_from_outside(-momentum)
+    for other in resting[first : last + 1]:
+        other.rate = 0.0
+
+
+def join(chain: Chain, gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
+    """The two stay together: from now on they are one body."""
+    left, right = gap.left, gap.right
+    u, mu = -gap.rate, gap.mu
+    centre = common_velocity(left, right)
+    before = (left.v, right.v)
+    ledger.dissipate(0.5 * mu * u * u)
+    outside(left, right, mu * u, ledger)
+    record.event("contact", gap, now, before, (centre, centre), mu * u, None)
+    one = merge(chain, gap, now, record)
+    one.v = centre
+    record.piece(one)
+
+
+def merge(chain: Chain, gap: Gap, now: Time, record: Record) -> Body:
+    """The bodies of a gap become one; a wall makes it immovable."""
+    left, right = gap.left, gap.right
+    record.join(gap, now)
+    gap.turn += 1
+    gap.joined, gap.rate = True, 0.0
+    one = left if left.carts else right
+    if left.carts and right.carts:
+        one.carts, one.mass, one.right = (
+            left.carts + right.carts,
+            left.mass + right.mass,
+            right.right,
+        )
+        beyond = chain.gaps[right.right]
+        if beyond is not None:
+            beyond.left = one
+        for k, body in enumerate(chain.bodies):
+            if body is right:
+                chain.bodies[k] = one
+        for near in chain.gaps:
+            if near is not None and near.joined and near.left is right:
+                near.left = near.right = one
+    else:  # stuck to a wall
+        one.mass = math.inf
+    one.time = now
+    gap.left = gap.right = one
+    return one

@@ -1,0 +1,40 @@
+"""What every touch of two bodies comes to: each law of nature is applied once, here.
+
+two carts  v' = V + e (V − v)  (see `impact`)        a wall  v' = −e v
+"""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.state.body import Accounts, Body
+
+
+def common_velocity(left: Body, right: Body) -> float:
+    """m/s, of the common centre of mass; 0 with a wall."""
+    if math.inf in (left.mass, right.mass):
+        return 0.0
+    return (left.mass * left.v + right.mass * right.v) / (left.mass + right.mass)
+
+
+def velocities_after(left: Body, right: Body, e: float) -> tuple[float, float]:
+    """m/s, after an impact with restitution e."""
+    if left.mass == math.inf:
+        return 0.0, -e * right.v
+    if right.mass == math.inf:
+        return -e * left.v, 0.0
+    return outgoing(left.mass, right.mass, left.v, right.v, e)
+
+
+def shares(left: Body, right: Body, mu: float) -> tuple[float, float]:
+    """mu/mA and mu/mB; nought for a wall."""
+    return mu / left.mass, mu / right.mass
+
+
+def outside(left: Body, right: Body, impulse: float, accounts: Accounts) -> None:
+    """A wall pushes from outside: book its impulse."""
+    if left.mass == math.inf:
+        accounts.push_from_outside(impulse)
+    elif right.mass == math.inf:
+        accounts.push_from_outside(-impulse)
