@@ -9,7 +9,7 @@ from pathlib import Path
 import markdown
 import pytest
 
-from sim.pages import extension
+from sim.pages import extension, makers
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.page_head import blocked
@@ -89,7 +89,7 @@ def test_a_crash_of_ours_is_not_swallowed(
     def crash(*_: object) -> None:
         raise ZeroDivisionError("our own mistake")
 
-    monkeypatch.setattr(extension, "bake", crash)
+    monkeypatch.setattr(makers, "bake", crash)
     with pytest.raises(ZeroDivisionError):
         html(SCENE)
 
@@ -170,26 +170,6 @@ def test_what_comes_late_makes_the_same_page() -> None:
     (at_once, _), (stubs, late) = made
     assert "<carts-" in at_once and "<carts-" not in stubs
     assert extension.with_late(stubs, late) == at_once
-
-
-def test_without_v8_a_build_says_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A machine that mini-racer has no wheel for."""
-    from sim.pages import drawing
-
-    monkeypatch.setitem(sys.modules, "py_mini_racer", None)
-    monkeypatch.setattr(drawing, "_started", [])
-    monkeypatch.setattr(drawing, "_read", {})
-    found: list[Finding] = []
-    set_page(Page(Lesson("lesson.md"), report=found.append))
-    text = "```scene\nid: one\ncarts:\n  A: {mass: 1, position: 0}\n```\n"
-    try:
-        html = Markdown(extensions=[CartsExtension()]).convert(text)
-    finally:
-        set_page(None)
-    (finding,) = found
-    assert finding.code == "not-drawn"
-    assert "mini-racer" in finding.message
-    assert "carts-author-error" in text
 
 
 def test_without_v8_a_build_says_one_sentence(
