@@ -1,4 +1,5 @@
-"""The scenes in tests/scenes: one registry for tests, browser tests, gallery and benchmarks."""
+"""The scenes in tests/scenes and in the folders of the effects: one registry for tests, browser
+tests, gallery and benchmarks."""
 
 from __future__ import annotations
 
@@ -8,13 +9,18 @@ from typing import Any
 from sim.pages.yaml_source import load
 from sim.scene import Scene, read_scene
 
-FOLDER = Path(__file__).parent / "scenes"
-NAMES = sorted(path.stem for path in FOLDER.glob("*.yml"))
+ROOT = Path(__file__).parents[1]
+PATHS = {
+    path.stem: path
+    for folder in ("tests/scenes", "sim/effects/*/scenes")
+    for path in ROOT.glob(f"{folder}/*.yml")
+}
+NAMES = sorted(PATHS)
 
 
 def plain(name: str) -> dict[str, Any]:
     """The plain values of one scene file."""
-    return dict(load((FOLDER / f"{name}.yml").read_text(encoding="utf-8")).plain)
+    return dict(load(PATHS[name].read_text(encoding="utf-8")).plain)
 
 
 def scene(name: str) -> Scene:

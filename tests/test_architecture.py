@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -11,23 +12,48 @@ from pathlib import Path
 
 import pytest
 
+from sim.scene.effects import kinds
+from sim.scene.laws import laws
+
 ROOT = Path(__file__).parents[1]
 SIM = ROOT / "sim"
 
 # A layer may import those to its right and itself: cli, pages, bridge -> classroom -> lesson and
-# cli, pages, bridge -> measured -> dynamics -> scene. `pages` computes only in bake.py, and inside
-# functions.
+# cli, pages, bridge -> measured -> dynamics -> effects, laws -> scene. `pages` computes only in
+# bake.py, and inside functions.
 MAY_IMPORT = {
     "scene": {"scene"},
-    "dynamics": {"dynamics", "scene"},
+    "effects": {"effects", "scene"},
+    "laws": {"laws", "scene"},
+    "dynamics": {"dynamics", "effects", "laws", "scene"},
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
-    "measured": {"measured", "dynamics", "scene"},
-    "bridge": {"bridge", "classroom", "measured", "lesson", "dynamics", "scene"},
-    "pages": {"pages", "bridge", "classroom", "measured", "lesson", "dynamics", "scene"},
-    "cli": {"cli", "pages", "bridge", "classroom", "measured", "lesson", "dynamics", "scene"},
+    "measured": {"measured", "dynamics", "effects", "laws", "scene"},
+    "bridge": {"bridge", "classroom", "measured", "lesson", "dynamics", "effects", "laws", "scene"},
+    "pages": {
+        "pages",
+        "bridge",
+        "classroom",
+        "measured",
+        "lesson",
+        "dynamics",
+        "effects",
+        "laws",
+        "scene",
+    },
+    "cli": {
+        "cli",
+        "pages",
+        "bridge",
+        "classroom",
+        "measured",
+        "lesson",
+        "dynamics",
+        "effects",
+        "scene",
+    },
 }
-STANDARD_LIBRARY_ONLY = ("scene", "lesson", "bridge")
+STANDARD_LIBRARY_ONLY = ("scene", "effects", "lesson", "bridge")
 ONLY_IN = {"js": "bridge/pyodide_entry.py", "pyodide": "bridge/pyodide_entry.py"}
 
 
@@ -74,7 +100,7 @@ def test_the_browsers_own_modules_are_imported_in_one_file_only() -> None:
             assert only in (None, inside) or in_the_page, f"{inside} imports {name}"
 
 
-@pytest.mark.parametrize("layer", ["dynamics", "measured"])
+@pytest.mark.parametrize("layer", ["dynamics", "laws", "measured"])
 def test_numerics_import_numpy_and_scipy_only_when_used(layer: str) -> None:
     for path in modules(layer):
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
@@ -123,6 +149,82 @@ def test_the_inner_layers_do_not_load_slow_parts_of_the_standard_library() -> No
     # Every module loaded here is loaded in the page too, before the first reply.
     slow = {"asyncio", "email", "http", "logging", "subprocess", "typing_extensions", "unittest"}
     assert loaded_by("import sim.bridge.protocol") & slow == set()
+
+
+def test_reading_a_scene_loads_no_forces_that_it_does_not_list() -> None:
+    scene = {"carts": {"A": {"mass": 1, "position": 0}}, "effects": [{"drag": {"linear": 1}}]}
+    loaded = loaded_by(f"from sim.scene import read_scene; scene = read_scene({scene})")
+    assert not {name for name in loaded if name.startswith("sim.") and name.endswith(".force")}
+    loaded = loaded_by(
+        f"from sim.scene import read_scene; scene = read_scene({scene})\n"
+        "from sim.dynamics.loop.run import run; run(scene)"
+    )
+    forces = {name for name in loaded if name.startswith("sim.effects.") and "force" in name}
+    assert forces == {"sim.effects.forces", "sim.effects.drag.force"}
+
+
+def test_no_effect_is_named_outside_its_folder() -> None:
+    """Code that decides by the name of a kind is code that a new effect has to change."""
+    chains = re.compile(r"(?:kind|name) (?:==|!=|in) \(?[\"'](?:" + "|".join(kinds()) + r")[\"']")
+    for layer in ("scene", "dynamics", "bridge", "cli"):
+        for path in modules(layer):
+            found = chains.findall(path.read_text(encoding="utf-8"))
+            allowed = ['kind == "release"'] if path.name in EVENTS_CALLED_RELEASE else []
+            assert [one for one in found if one not in allowed] == [], path.relative_to(ROOT)
+
+
+EVENTS_CALLED_RELEASE = ("energy_parts.py",)
+"""A kind of event has the name of the effect that it tells of."""
+
+
+def test_no_law_is_named_outside_its_folder() -> None:
+    names = "|".join(laws())
+    chains = re.compile(rf"law\w* (?:==|!=|in) [\[(]?[\"'](?:{names})[\"']|startswith\([\"']push")
+    for layer in ("scene", "dynamics", "bridge", "cli"):
+        for path in modules(layer):
+            assert not chains.findall(path.read_text(encoding="utf-8")), path.relative_to(ROOT)
+
+
+ROOMS = {
+    "state": {"state"},
+    "motion": {"motion", "state", "result"},  # of `result` only what is refused
+    "result": {"result", "state"},
+    "loop": {"loop", "motion", "result", "state"},
+    "report": {"report", "result", "motion", "state"},
+}
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_the_rooms_of_the_numerics_import_in_one_direction(room: str) -> None:
+    for path in modules(f"dynamics/{room}"):
+        for name in imported(path):
+            if name.startswith("sim.dynamics."):
+                assert name.split(".")[2] in ROOMS[room], f"{path.relative_to(ROOT)}: {name}"
+    for path in modules("dynamics/motion"):
+        assert {n for n in imported(path) if ".result." in n} <= {
+            "sim.dynamics.result.outcome",
+            "sim.dynamics.result.outcome.UnsolvedError",
+        }
+
+
+@pytest.mark.parametrize("layer", ["scene", "effects", "laws", "dynamics"])
+def test_no_modules_import_each_other_in_a_circle(layer: str) -> None:
+    """Imports for types only and those inside functions count too."""
+    names = {
+        path.relative_to(ROOT).with_suffix("").as_posix().replace("/", "."): path
+        for path in modules(layer)
+        if path.name != "__init__.py"
+    }
+    open_: dict[str, set[str]] = {
+        name: {other for other in imported(path) if other in names} - {name}
+        for name, path in names.items()
+    }
+    while free := [name for name, needs in open_.items() if not needs]:
+        for name in free:
+            del open_[name]
+        for needs in open_.values():
+            needs.difference_update(free)
+    assert not open_, f"in or behind a circle: {sorted(open_)}"
 
 
 def test_no_module_holds_two_ideas() -> None:

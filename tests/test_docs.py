@@ -9,26 +9,28 @@ import pytest
 
 from sim.cli import COMMANDS
 from sim.cli.fit import command as fit_command
-from sim.dynamics.report import report
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
 from sim.measured.contact import LAWS as LAWS_FITTED
 from sim.pages.measured.block import KEYS as MEASURED_KEYS
 from sim.pages.yaml_source import load
 from sim.scene import fields, read_fence
-from sim.scene.effects import KINDS, EffectKind
+from sim.scene.effects import EffectKind, kinds
+from sim.scene.laws import laws
 from sim.scene.map import MAP_KEYS
 from sim.scene.predict import KINDS as PREDICTIONS
 from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS, VIEWS
 from sim.scene.read import SCENE_KEYS
-from sim.scene.read_contact import LAWS
 from tests import registry
 
 ROOT = Path(__file__).parents[1]
 REFERENCE = (ROOT / "docs" / "reference" / "scene.md").read_text(encoding="utf-8")
-TEXTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+TEXTS = sorted(
+    [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("sim/effects/*/page.md")]
+)
 
 CART_KEYS = [field.key for field in fields.CART]
-OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *LAWS, *PREDICTIONS, *SHOWS, *VIEWS, *PACKAGES]
+OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *laws(), *PREDICTIONS, *SHOWS, *VIEWS, *PACKAGES]
 
 
 @pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])
@@ -64,7 +66,7 @@ def test_the_reference_names_every_unit_of_a_cart(field: fields.Field) -> None:
         assert field.default in line
 
 
-EFFECT_FIELDS = [(kind, field) for kind in KINDS.values() for field in kind.fields]
+EFFECT_FIELDS = [(kind, field) for kind in kinds().values() for field in kind.fields]
 
 
 @pytest.mark.parametrize(("kind", "field"), EFFECT_FIELDS, ids=lambda one: getattr(one, "key", ""))
@@ -76,11 +78,11 @@ def test_the_reference_names_every_key_of_an_effect(kind: EffectKind, field: fie
         assert "| required |" in line
     elif field.default is not None:
         assert f"| {field.default} |" in line
-    page = (ROOT / "docs/physics/effects" / f"{kind.name}.md").read_text(encoding="utf-8")
+    page = (ROOT / "sim/effects" / kind.name / "page.md").read_text(encoding="utf-8")
     assert re.search(rf"^\| `{field.key}` \|", page, re.M), (kind.name, field.key)
 
 
-@pytest.mark.parametrize("kind", KINDS.values(), ids=lambda kind: kind.name)
+@pytest.mark.parametrize("kind", kinds().values(), ids=lambda kind: kind.name)
 def test_the_reference_names_the_bodies_of_an_effect(kind: EffectKind) -> None:
     for key in (kind.needs or "carts", *(["by"] if kind.by else [])):
         assert re.search(rf"^\| `{kind.name}\.{key}` \|", REFERENCE, re.M), (kind.name, key)
@@ -102,9 +104,8 @@ def test_every_command_is_documented(command: str) -> None:
 def scene_blocks() -> list[tuple[str, str]]:
     found = []
     for text in TEXTS:
-        for block in re.findall(
-            r"^```scene\n(.*?)^```", text.read_text(encoding="utf-8"), re.M | re.S
-        ):
+        shown = re.sub(r"^````.*?^````$", "", text.read_text(encoding="utf-8"), flags=re.M | re.S)
+        for block in re.findall(r"^```scene\n(.*?)^```", shown, re.M | re.S):
             found.append((text.relative_to(ROOT).as_posix(), block))
     return found
 
@@ -122,5 +123,9 @@ def test_no_text_links_to_a_file_that_is_not_there(path: Path) -> None:
     for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", path.read_text(encoding="utf-8")):
         if "worksheets/" in target:  # the site puts docs/ and worksheets/ into one folder
             assert (ROOT / target[target.index("worksheets/") :]).exists(), target
-        else:
-            assert (path.parent / target).exists(), (path.name, target)
+            continue
+        home = ROOT / "docs/physics/effects" if path.name == "page.md" else path.parent
+        file = (home / target).resolve()
+        if file.parent == ROOT / "docs/physics/effects" and file.stem in kinds():
+            file = ROOT / "sim/effects" / file.stem / "page.md"  # it joins the docs there
+        assert file.exists(), (path.name, target)

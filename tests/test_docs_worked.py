@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import re
 import subprocess
 import sys
@@ -13,12 +12,8 @@ from typing import Any
 
 import pytest
 
-from sim.dynamics.report import report
-from sim.dynamics.run import run
 from sim.lesson import read as lesson_read
 from sim.pages.runtime.node import node_program
-from sim.pages.yaml_source import load
-from sim.scene import effects, read_fence
 
 DEVELOPERS = Path(__file__).parents[1] / "docs" / "developers"
 
@@ -33,25 +28,6 @@ def module(name: str, text: str) -> Any:
     sys.modules[name] = made
     exec(compile(text, name, "exec"), vars(made))
     return made
-
-
-def test_the_added_effect_moves_a_cart_as_its_formula_says(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    row, numerics = code("add-an-effect.md", "python")
-    name = "sim.dynamics.effects.wind"
-    monkeypatch.setitem(sys.modules, name, ModuleType(name))  # gone again afterwards
-    monkeypatch.setitem(effects.KINDS, "wind", module("row_of_wind", row).WIND)
-    module(name, numerics)
-    (scene,) = code("add-an-effect.md", "yaml")
-    plain = dict(load(scene).plain)
-    done = run(read_fence({"id": "wind", **plain}).scene)
-    b, w, m, t = 0.4, 0.8, 0.5, 4.0
-    v = w * (1 - math.exp(-b * t / m))
-    x = 0.5 + w * t - (m * w / b) * (1 - math.exp(-b * t / m))
-    final = report(done)["final"]
-    assert final["v"]["A"] == pytest.approx(v, rel=1e-12)
-    assert final["x"]["A"] == pytest.approx(x, rel=1e-12)
 
 
 def test_the_added_question_type_marks_alike_in_both_languages(

@@ -18,15 +18,15 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
-from sim.classroom.class_csv import items_csv, students_csv
-from sim.classroom.codes import read_codes
-from sim.classroom.keyed import KeyedForm, read_key_file
-from sim.classroom.marks_file import given_marks, marks_file
-from sim.classroom.reading import Outcome, Reading, Refused, Source, outcomes
-from sim.classroom.records import as_record, from_record
-from sim.classroom.report import Asked, class_report
-from sim.classroom.show import report_html
-from sim.classroom.standalone import standalone
+from sim.classroom.files.codes import read_codes
+from sim.classroom.files.keyed import KeyedForm, read_key_file
+from sim.classroom.files.marks_file import given_marks, marks_file
+from sim.classroom.files.reading import Outcome, Reading, Refused, Source, outcomes
+from sim.classroom.files.records import as_record, from_record
+from sim.classroom.report.class_csv import items_csv, students_csv
+from sim.classroom.report.report import Asked, class_report
+from sim.classroom.show.report_page import report_html
+from sim.classroom.show.standalone import standalone
 
 SLICE = 0.4
 """s. How long a page waits for a slice of files."""
@@ -67,7 +67,7 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
 
 def _ready(_: Mapping[str, Any]) -> dict[str, Any]:
     """Imports what the tests need: on a slow computer that takes some seconds."""
-    from sim.classroom.tails import t_quantile, t_two_sided
+    from sim.classroom.statistics.tails import t_quantile, t_two_sided
 
     return {"ready": t_two_sided(t_quantile(0.975, 9), 9) < 0.06}
 

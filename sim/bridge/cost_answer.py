@@ -18,12 +18,12 @@ from typing import Any
 from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.measure import exact_rows, row, ways
 from sim.dynamics.cost.report import row_object
-from sim.dynamics.ledger import kinetic
-from sim.dynamics.report import finite
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import finite
+from sim.dynamics.result.ledger import kinetic
+from sim.dynamics.result.trajectory import sample
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
-from sim.dynamics.trajectory import sample
 from sim.scene import Problem, Scene, SceneError, read_scene
 
 MOST_PARTS = 20_000

@@ -13,9 +13,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, plain_of
-from sim.dynamics.energy_parts import energy_parts
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.energy_parts import energy_parts
+from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 
 

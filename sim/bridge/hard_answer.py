@@ -24,10 +24,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.bridge.end_state import read
-from sim.dynamics.finished import Run
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.report import finite, report
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import finite, report
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
 from sim.scene import Scene, read_scene

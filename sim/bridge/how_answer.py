@@ -17,15 +17,15 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
-from sim.dynamics.finished import Run
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.report import finite
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import is_of_the_numbers, run
+from sim.dynamics.report.document import finite
+from sim.dynamics.report.warnings import warnings
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.drawn import Drawn, drawn
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
-from sim.dynamics.trajectory import trajectory
-from sim.dynamics.warnings import warnings
 from sim.scene import Problem, Scene, SceneError, read_scene
 
 MOST_PARTS = 5_000
@@ -56,7 +56,9 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
         # A blown-up run would ask for stiffnesses that no bumper has.
         header["warnings"] = [{"code": w.code, "message": w.message} for w in warnings(solved)]
         header["how"] = finite(_compared(scene, way, result, solved, shown))
-    except (OverflowError, ValueError):
+    except (ArithmeticError, ValueError) as error:
+        if not is_of_the_numbers(error):
+            raise
         raise UnsolvedError(
             "the numbers of this method grow beyond all bounds", "a shorter step", 0.0, ()
         ) from None

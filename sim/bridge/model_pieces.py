@@ -21,16 +21,6 @@ stuck = set()  # contacts that hold together
 t = 0.0
 """
 
-SAYS = {
-    "slopes": "cart, acceleration down the slope in m/s²",
-    "drags": "cart, drag per speed, drag per speed squared",
-    "pushes": "cart, force in N, from when to when",
-    "springs": "left, right, stiffness, natural length, damping",
-    "magnets": "left, right, strength C, power n",
-    "releases": "when, left, right, energy in J",
-    "rough": "cart, friction while it slides and at most at rest, in N",
-}
-
 PLACES = '''
 
 def gap(left, right):
@@ -109,49 +99,17 @@ def step():
     force = [0.0] * len(names)
 '''
 
-CONTACT_FORCES = """\
+CONTACTS = """\
     for k, (left, right, law, stiffness, e, c) in enumerate(contacts):
         d, s = -gap(left, right), approach(left, right)
         deepest[k] = max(d, deepest[k]) if d > 0 else 0.0
-        if d <= 0 or k in stuck:
+        if d <= 0 or k in stuck or stiffness == 0:
             continue
-        if law == "bumper" and e > 0:  # back more steeply: e² of the energy
-            size = max(0.0, stiffness / e**2 * (d - (1 - e**2) * deepest[k]))
-        elif law == "bumper":
-            size = stiffness * d if d == deepest[k] else 0.0
-        elif law == "hertz":
-            size = max(0.0, stiffness * d**1.5 + c * d**0.25 * s)
-        else:
-            size = stiffness * d + c * s
-            if law.startswith("push-only"):
-                size = max(0.0, size)
-        push_apart(force, left, right, size)
 """
 
-FORCES = {
-    "incline": """\
-    for i, a in slopes:
-        force[i] += mass[i] * a
-""",
-    "drag": """\
-    for i, linear, quadratic in drags:
-        force[i] -= linear * v[i] + quadratic * v[i] * abs(v[i])
-""",
-    "push": """\
-    for i, size, start, stop in pushes:
-        if start <= t < stop:
-            force[i] += size
-""",
-    "spring": """\
-    for left, right, stiffness, length, damping in springs:
-        pull = stiffness * (gap(left, right) - length) - damping * approach(left, right)
-        push_apart(force, left, right, -pull)
-""",
-    "magnets": """\
-    for left, right, strength, power in magnets:
-        push_apart(force, left, right, strength / max(gap(left, right), 1e-6) ** power)
-""",
-}
+PUSH_APART = """\
+        push_apart(force, left, right, size)
+"""
 
 MOVE_ALONE = """\
     for i in range(len(names)):
@@ -169,50 +127,14 @@ MOVE = """\
     t += dt
 """
 
-FRICTION = """\
-    before = list(v)
-    for i in range(len(names)):
-        if not free(i):
-            continue
-        carts = team(i)
-        total, m = sum(force[j] for j in carts), sum(mass[j] for j in carts)
-        slide = sum(kinetic for j, kinetic, static in rough if j in carts)
-        hold = sum(static for j, kinetic, static in rough if j in carts)
-        if before[i] == 0 and abs(total) <= hold:
-            continue  # the track holds it
-        way = before[i] or total
-        v[i] = before[i] + (total - copysign(slide, way)) / m * dt
-        if v[i] * before[i] < 0:
-            v[i] = 0.0  # friction stops a cart; it does not turn it round
-    for i in range(len(names)):
-        x[i] += (v[i] if free(i) else 0.0) * dt
-    t += dt
-"""
-
 IMPACTS = """\
     for _ in range(50):  # one impact may lead to the next
         for k, (left, right, law, stiffness, e, c) in enumerate(contacts):
             s = approach(left, right)
-            if law in ("instant", "velcro") and k not in stuck and gap(left, right) <= 0 and s > 0:
+            if stiffness == 0 and k not in stuck and gap(left, right) <= 0 and s > 0:
                 kick(left, right, (1 + e) * s / light(left, right))
-                if law == "velcro":
+                if law in JOINING:
                     stuck.add(k)
-"""
-
-RELEASE = """\
-    for when, left, right, energy in releases:
-        k = [row[:2] for row in contacts].index((left, right))
-        if t - dt <= when < t and gap(left, right) < 1e-6:
-            stuck.discard(k)
-            s = -approach(left, right)
-            more = sqrt(s * s + 2 * energy * light(left, right)) - s
-            kick(left, right, more / light(left, right))
-
-
-for k, (left, right, *_) in enumerate(contacts):  # a latch holds what is to be released
-    latched = any((left, right) == (a, b) for _, a, b, _ in releases)
-    if latched and gap(left, right) <= 1e-12 and approach(left, right) == 0:
-        stuck.add(k)
 """
 
 RUN = """

@@ -9,13 +9,18 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from importlib import import_module
+from textwrap import indent
 from typing import Any
 
-from sim.bridge import model_pieces as piece
+from sim.bridge import model_pieces as text_of
 from sim.bridge.protocol import plain_of
-from sim.dynamics.laws.lookup import finite_law
+from sim.effects.plain_model import Piece, piece_of
+from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
+from sim.scene.effects import kinds
+from sim.scene.laws import folder_of
 
 PARTS = 100
 """Steps in a quarter swing: the end of a contact is then met within a hundredth of it."""
@@ -23,16 +28,17 @@ PARTS = 100
 FEWEST, MOST_STEPS = 20_000, 2_000_000
 """Steps of a whole run: fine enough to print, and no longer than some seconds."""
 
-STEPPED = ("bumper", "paper", "push-only", "push-only-uncorrected", "hertz")
-
 
 def model_text(scene: Scene) -> str:
     """The program. It prints where the carts are, twenty times, and how fast they end."""
-    kinds = {effect.kind for effect in scene.effects}
-    laws = {contact.law for contact in scene.contacts if contact is not None}
-    joins = "velcro" in laws or "release" in kinds
-    kicked = joins or "instant" in laws
-    text = piece.HEAD.format(
+    own = _pieces(scene)
+    pieces = [own[kind] for kind in kinds() if kind in own]
+    contacts = [contact for contact in scene.contacts if contact is not None]
+    joining = tuple(sorted({contact.law for contact in contacts if contact.joins}))
+    sudden = any(contact.sudden for contact in contacts)
+    joins = bool(joining) or any(one.joins for one in pieces)
+    kicked = joins or sudden
+    text = text_of.HEAD.format(
         title=" ".join((scene.title or "Carts").split()),
         names=[cart.name for cart in scene.carts],
         mass=[cart.mass for cart in scene.carts],
@@ -44,19 +50,19 @@ def model_text(scene: Scene) -> str:
         dt=_step(scene),
         contacts="".join(f"    {row},\n" for row in _contacts(scene)),
     )
-    text += "".join(f"{name} = {rows!r}  # {says}\n" for name, rows, says in _effects(scene))
-    text += piece.PLACES
+    text += _lists(scene, own)
+    text += text_of.PLACES
     if kicked:
-        text += piece.KICK
-    if kicked or "friction" in kinds:
-        text += piece.GROUPS if joins else piece.ALONE
-    text += piece.STEP
-    text += piece.CONTACT_FORCES if laws & set(STEPPED) else ""
-    text += "".join(force for kind, force in piece.FORCES.items() if kind in kinds)
-    text += piece.FRICTION if "friction" in kinds else piece.MOVE if joins else piece.MOVE_ALONE
-    text += piece.IMPACTS if laws & {"instant", "velcro"} else ""
-    text += piece.RELEASE if "release" in kinds else ""
-    return text + piece.RUN
+        text += text_of.KICK
+    moves = next((one.move for one in pieces if one.move), "")
+    if kicked or moves:
+        text += text_of.GROUPS if joins else text_of.ALONE
+    text += text_of.STEP
+    text += _contact_forces(dict.fromkeys(c.law for c in contacts if not c.sudden))
+    text += "".join(one.force for one in pieces)
+    text += moves or (text_of.MOVE if joins else text_of.MOVE_ALONE)
+    text += text_of.IMPACTS.replace("JOINING", repr(joining)) if sudden else ""
+    return text + "".join(one.after for one in pieces) + text_of.RUN
 
 
 def model_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
@@ -73,49 +79,36 @@ def _contacts(scene: Scene) -> list[tuple[int | None, int | None, str, float, fl
         if contact is None:
             continue
         left, right = (k - 1 if k else None), (k if k < n else None)
-        law = finite_law(contact)
-        damper = getattr(law, "damper", None)
-        c = damper(_reduced(scene, k)) if damper and contact.law != "bumper" else 0.0
+        law = contact_law(contact)
+        c = 0.0 if law is None else law.damper(_reduced(scene, k))
         e = 0.0 if contact.restitution is None else contact.restitution
         found.append((left, right, contact.law, contact.stiffness or 0.0, e, c))
     return found
 
 
-def _effects(scene: Scene) -> list[tuple[str, list[tuple[object, ...]], str]]:
+def _contact_forces(laws: Iterable[str]) -> str:
+    """The force of each law that is there; a law without lines of its own cannot be left out."""
+    text = ""
+    for law in laws:
+        size = import_module(f"sim.laws.{folder_of(law)}.model").SIZE
+        text += f'        {"elif" if text else "if"} law == "{law}":\n' + indent(size, " " * 12)
+    return text_of.CONTACTS + text + text_of.PUSH_APART if text else ""
+
+
+def _pieces(scene: Scene) -> dict[str, Piece]:
+    """By kind; those that move the carts themselves last: they may need what others say."""
+    pieces = {name: piece_of(name) for name in dict.fromkeys(e.kind for e in scene.effects)}
+    return dict(sorted(pieces.items(), key=lambda item: bool(item[1].move)))
+
+
+def _lists(scene: Scene, pieces: Mapping[str, Piece]) -> str:
     """The lists that the pieces of the effects read."""
-    number = {cart.name: i for i, cart in enumerate(scene.carts)}
-    g = scene.gravity
-    angle = [0.0] * len(scene.carts)
-    rows: dict[str, list[tuple[object, ...]]] = {}
-    for effect in scene.effects:
-        n = effect.numbers
-        on = [number[name] for name in effect.carts]
-        pair = tuple(number.get(name) for name in effect.between or ())
-        if effect.kind == "incline":
-            for i in on:
-                angle[i] += n["angle"]
-            rows.setdefault("slopes", []).extend((i, g * math.sin(n["angle"])) for i in on)
-        elif effect.kind == "drag":
-            both = (n.get("linear", 0.0), n.get("quadratic", 0.0))
-            rows.setdefault("drags", []).extend((i, *both) for i in on)
-        elif effect.kind == "push":
-            times = (n.get("from", 0.0), n.get("until", scene.until))
-            rows.setdefault("pushes", []).append((on[0], n["force"], *times))
-        elif effect.kind == "spring":
-            three = (n["stiffness"], n["length"], n.get("damping", 0.0))
-            rows.setdefault("springs", []).append((*pair, *three))
-        elif effect.kind == "magnets":
-            rows.setdefault("magnets", []).append((*pair, n["strength"], n.get("power", 3.0)))
-        elif effect.kind == "release":
-            rows.setdefault("releases", []).append((n.get("at", 0.0), *pair, n["energy"]))
-    for effect in scene.effects:
-        if effect.kind == "friction":
-            n, low = effect.numbers, effect.numbers["coefficient"]
-            for i in (number[name] for name in effect.carts):
-                press = scene.carts[i].mass * g * math.cos(angle[i])
-                high = max(low, n.get("static", low))
-                rows.setdefault("rough", []).append((i, low * press, high * press))
-    return [(name, listed, piece.SAYS[name]) for name, listed in rows.items()]
+    text = ""
+    for name, piece in pieces.items():
+        own = [effect for effect in scene.effects if effect.kind == name]
+        rows = [row for effect in own for row in piece.rows(effect, scene)]
+        text += f"{piece.name} = {rows!r}  # {piece.says}\n"
+    return text
 
 
 def _reduced(scene: Scene, k: int) -> float:
@@ -128,14 +121,12 @@ def _step(scene: Scene) -> float:
     """s. A round number."""
     step = scene.until / FEWEST
     for k, contact in enumerate(scene.contacts):
-        if contact is not None and contact.stiffness is not None:
-            steep = contact.stiffness
-            if contact.law == "bumper" and contact.restitution:
-                steep /= contact.restitution**2
-            step = min(step, 0.5 * math.pi * math.sqrt(_reduced(scene, k) / steep) / PARTS)
+        law = None if contact is None else contact_law(contact)
+        if law is not None:
+            swing = math.sqrt(_reduced(scene, k) / law.steepest)
+            step = min(step, 0.5 * math.pi * swing / PARTS)
     for effect in scene.effects:
-        if effect.kind == "spring":
-            lightest = min(cart.mass for cart in scene.carts)
-            quarter = 0.5 * math.pi * math.sqrt(lightest / 2 / effect.numbers["stiffness"])
-            step = min(step, quarter / PARTS)
+        quarter = piece_of(effect.kind).quarter
+        if quarter is not None:
+            step = min(step, quarter(effect, scene) / PARTS)
     return float(f"{max(step, scene.until / MOST_STEPS):.2g}")

@@ -17,14 +17,16 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
-from sim.dynamics.finished import Run
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.plan import not_simulated
-from sim.dynamics.report import report
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import PER_STRETCH, Trajectory, trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
+from sim.dynamics.report.plan import not_simulated
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
+from sim.scene.effects import kinds
 from sim.scene.read_effects import listed_effects
+from sim.scene.said import wire as said_by
 
 PROTOCOL = 1
 MOST_STEPS_DRAWN = 2_500
@@ -94,7 +96,12 @@ def _other(request: Mapping[str, Any]) -> Answer:
 def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> Answer:
     """The answer to a request that cannot be run."""
     listed = [
-        {"path": list(p.path), "code": p.code, "message": p.message, "hint": p.hint}
+        {
+            "path": list(p.path),
+            "code": p.code,
+            "message": said_by(p.message),
+            "hint": said_by(p.hint),
+        }
         for p in problems
     ]
     return {"id": identity, "ok": False, "problems": listed}, array("d")
@@ -126,6 +133,8 @@ def wire(finished: Run, samples: Trajectory, told: dict[str, Any]) -> Answer:
         "columns": [list(name) for name in samples.columns],
         "notSimulated": list(not_simulated(scene)),
         **told,
+        "plan": [{**phase, "why": said_by(phase["why"])} for phase in told["plan"]],
+        "warnings": [{**row, "message": said_by(row["message"])} for row in told["warnings"]],
     }
     return header, numbers
 
@@ -145,7 +154,11 @@ def _bodies(scene: Scene) -> list[dict[str, Any]]:
 
 
 def effects_of(plain: Mapping[str, Any], scene: Scene) -> list[dict[str, Any]]:
-    """Everything that the scene lists, with what is switched off: SI numbers, carts, agents."""
+    """Everything that the scene lists, with what is switched off: SI numbers, carts, agents.
+
+    `agent` and `called` are English: who pushes (empty: `by`, or the other of the two), and the
+    effect's name in a sentence. Forces on single carts have columns ("E", kind, cart).
+    """
     names = [cart.name for cart in scene.carts]
     return [
         {
@@ -156,6 +169,8 @@ def effects_of(plain: Mapping[str, Any], scene: Scene) -> list[dict[str, Any]]:
             "carts": list(effect.carts),
             "between": None if effect.between is None else list(effect.between),
             "by": effect.by,
+            "agent": kinds()[effect.kind].agent,
+            "called": kinds()[effect.kind].called or effect.kind,
         }
         for effect in listed_effects(plain.get("effects", []), names, scene.track, [])
     ]

@@ -10,10 +10,10 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from sim.classroom.adjusted import Adjusted, adjusted, from_deviations
-from sim.classroom.compare import PaperZ, cohen_d, paper_z
-from sim.classroom.gain import hake_gain
-from sim.classroom.spread import Spread
+from sim.classroom.statistics.adjusted import Adjusted, adjusted, from_deviations
+from sim.classroom.statistics.compare import PaperZ, cohen_d, paper_z
+from sim.classroom.statistics.gain import hake_gain
+from sim.classroom.statistics.spread import Spread
 
 LAWS = ("first", "third")
 EXPERIMENTAL, CONTROL = "experimental", "control"

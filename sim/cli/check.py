@@ -25,8 +25,8 @@ from sim.pages.findings import Finding
 def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: str) -> None:
     """Look for mistakes in lessons (.md) and scene files (.yml).
 
-    PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes are
-    checked. Exit code 1 means that something was found, 2 that there is nothing to check.
+    PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes
+    are checked. Exit code 1 means that something was found, 2 that there is nothing to check.
 
     \b
     carts check

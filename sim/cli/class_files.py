@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
-from sim.classroom.archive import MOST_UNPACKED, is_zip
-from sim.classroom.reading import Source
+from sim.classroom.files.archive import MOST_UNPACKED, is_zip
+from sim.classroom.files.reading import Source
 from sim.lesson.answer_file import MOST_BYTES
 
 ENDINGS = (".json", ".zip")

@@ -10,11 +10,11 @@ from typing import Any
 
 import click
 
-from sim.classroom.class_csv import items_csv, students_csv
-from sim.classroom.codes import read_codes
-from sim.classroom.reading import Read, Reading, Refused, outcomes
-from sim.classroom.report import WHOLE, Asked, class_report
-from sim.classroom.standalone import standalone
+from sim.classroom.files.codes import read_codes
+from sim.classroom.files.reading import Read, Reading, Refused, outcomes
+from sim.classroom.report.class_csv import items_csv, students_csv
+from sim.classroom.report.report import WHOLE, Asked, class_report
+from sim.classroom.show.standalone import standalone
 from sim.cli.class_files import group_of, sources
 from sim.cli.class_text import report_as_text
 
@@ -39,6 +39,13 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
     help="Put files into a group; the same name again is another class of it. With two groups "
     "the first is compared with the second.",
 )
+@click.option(
+    "--student",
+    "students",
+    multiple=True,
+    metavar="FILE=CODE",
+    help="The code word of a file that has none.",
+)
 @click.pass_context
 def command(
     ctx: click.Context,
@@ -51,6 +58,7 @@ def command(
     marks: Path | None,
     codes: Path | None,
     groups: tuple[str, ...],
+    students: tuple[str, ...],
 ) -> None:
     """Say what a class answered and learned, from its answer files.
 
@@ -72,6 +80,7 @@ def command(
         typed, bad = read_codes(codes.read_text(encoding="utf-8-sig"), reading.keys)
         reading.files += typed
         reading.refused += bad
+    reading.name(dict(_student(text) for text in students))
     report = class_report(*_sorted(reading, named), _asked(reading, named))
     if html:
         html.write_text(standalone(report), encoding="utf-8")
@@ -89,6 +98,13 @@ def command(
             click.echo(f"Written: {path}")
     if reading.refused or not reading.files:
         ctx.exit(1)
+
+
+def _student(text: str) -> tuple[str, str]:
+    name, equals, code = text.rpartition("=")
+    if not (name.strip() and equals and code.strip()):
+        raise click.UsageError(f"--student {text}: write FILE=CODE, for example a.json=BLUE-FOX-27")
+    return name.strip(), code.strip()
 
 
 def _group(text: str) -> tuple[str, str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sim.classroom.sentences import number, unmarked
+from sim.classroom.report.sentences import number, unmarked
 from sim.cli.tables import table
 
 
@@ -59,18 +59,43 @@ def _items(form: Mapping[str, Any]) -> str:
     rows = [
         (
             item["id"],
-            *(str(item[name]) for name in ("right", "wrong", "empty", "unread")),
+            *(str(item[name]) for name in ("right", "partly", "wrong", "empty", "unread")),
             *("–" if item[name] is None else number(item[name])
               for name in ("difficulty", "discrimination", "point_biserial")),
             " ".join(f"{c['option']}{'*' if c.get('correct') else ''}:{c['count']}"
-                     for c in item["choices"]),
+                     for c in item["choices"] if c["count"] or len(c["option"]) == 1),
         )
         for item in form["items"]
     ]  # fmt: skip
-    head = ("item", "right", "wrong", "open", "to read", "difficulty", "discr.", "r", "chosen")
+    head = (
+        "item",
+        "right",
+        "partly",
+        "wrong",
+        "open",
+        "to read",
+        "difficulty",
+        "discr.",
+        "r",
+        "chosen",
+    )
     made = f"Form {form['form']}:\n{table(head, rows)}" if rows else ""
     beliefs = _lines([row["sentence"] for row in form["beliefs"]])
-    return f"{made}\n{beliefs}" if beliefs else made
+    talk = _lines([row["sentence"] for row in form["talk"]])
+    parts = [made, beliefs, f"What to talk about first:\n{talk}" if talk else ""]
+    parts += [_prediction(row) for row in form["predictions"]]
+    return "\n".join(part for part in parts if part)
+
+
+def _prediction(row: Mapping[str, Any]) -> str:
+    """How many predicted what; of drawn curves only how many there are."""
+    said = [f"{one['count']} × {_safe(one['said'])}" for one in row["answers"]]
+    said += [f"{len(row['curves'])} curves (see the report that --html writes)"] * bool(
+        row["curves"]
+    )
+    said += [f"and {row['more']} more"] if row["more"] else []
+    said += [f"{len(row['reasons'])} gave a reason (--json)"] if row["reasons"] else []
+    return f"Predicted, {_safe(row['ask'] or row['id'])}\n{_lines(said)}"
 
 
 def _safe(text: object) -> str:

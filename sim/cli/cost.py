@@ -12,7 +12,7 @@ from sim.cli import scene_file
 from sim.cli.tables import table
 from sim.dynamics.cost.measure import CostRow, cost, ways
 from sim.dynamics.cost.report import cost_report
-from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.pages.drawing import DrawingError, draw
 from sim.pages.findings import Finding
 from sim.scene import Scene

@@ -70,7 +70,7 @@ def _site(folder: Path, title: str | None, like: str | None) -> None:
             f"“{name}” is there already and not empty. Nothing was changed. Choose another name."
         )
     title = title or starter.title_of(name)
-    files = starter.site_files(title, starter.site_id_of(name))
+    files = starter.site_files(title, starter.new_site_id(name))
     files |= _lesson(folder, like or FIRST, None, like)
     _write(folder, files)
     click.echo(f"The site “{title}” is written into the folder {folder}:")

@@ -9,8 +9,8 @@ import click
 from sim.cli import scene_file
 from sim.cli.progress import run_on_terminal
 from sim.cli.tables import table
-from sim.dynamics.plan import not_simulated, plan
-from sim.dynamics.report import finite, phase_object
+from sim.dynamics.report.document import finite, phase_object
+from sim.dynamics.report.plan import not_simulated, plan
 
 
 @click.command("plan")

@@ -10,9 +10,9 @@ from functools import partial
 from typing import Any
 
 from sim.cli.scene_file import fail, shown_name
-from sim.dynamics.finished import Run
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.pages.findings import Finding
 from sim.scene import Scene
 

@@ -10,9 +10,9 @@ import click
 from sim.cli import scene_file
 from sim.cli.progress import run_on_terminal
 from sim.cli.tables import columns_as_csv, run_as_text
-from sim.dynamics.report import report
-from sim.dynamics.run import MOST_EVENTS
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.loop.run import MOST_EVENTS
+from sim.dynamics.report.document import report
+from sim.dynamics.result.trajectory import trajectory
 from sim.pages.findings import Finding
 
 if TYPE_CHECKING:
@@ -118,7 +118,7 @@ def _stepped(
     keep_events: bool,
 ) -> SteppedRun:
     """The run by a stepping method; what it cannot do goes to standard error."""
-    from sim.dynamics.outcome import UnsolvedError
+    from sim.dynamics.result.outcome import UnsolvedError
     from sim.dynamics.stepping.adaptive_events import RTOL
     from sim.dynamics.stepping.methods import MOST_STEPS, STEP, Way
     from sim.dynamics.stepping.recorded import stepped

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import re
+import secrets
 import unicodedata
 from pathlib import Path
 
 from sim import __version__
+from sim.scene.schema import scene_schema
 
 STARTER = Path(__file__).parent / "starter"
 
@@ -18,15 +21,25 @@ SITE = {
 }
 """Name in the starter -> name in a new site. Its lessons come on top."""
 
+EDITOR_SETTINGS, EDITOR_SCHEMA = ".vscode/settings.json", ".vscode/scene.schema.json"
+
 
 def site_files(title: str, site_id: str) -> dict[str, str]:
     """The texts of a new site by path, without lessons."""
     series = ".".join(__version__.split(".")[:2])
     words = {"SITE_ID": site_id, "VERSION": __version__, "SERIES": series}
-    return {
+    filled = {
         path: _filled(name, title if name == "README.md" else quoted(title), words)
         for name, path in SITE.items()
     }
+    return filled | editor_files()
+
+
+def editor_files() -> dict[str, str]:
+    """What lets an editor complete and check scene files as somebody types."""
+    settings = {"yaml.schemas": {EDITOR_SCHEMA: ["worksheets/scenes/*.yml", "*.scene.yml"]}}
+    made = {EDITOR_SETTINGS: settings, EDITOR_SCHEMA: scene_schema()}
+    return {path: json.dumps(of, ensure_ascii=False, indent=1) + "\n" for path, of in made.items()}
 
 
 def lesson_text(name: str, title: str, order: int) -> str:
@@ -72,6 +85,11 @@ def site_id_of(name: str) -> str:
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
     slug = re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:40].strip("-")
     return slug if len(slug) >= 3 else "my-lessons"
+
+
+def new_site_id(name: str) -> str:
+    """The same with an ending of its own: on one computer two sites never share their answers."""
+    return f"{site_id_of(name)[:33].strip('-')}-{secrets.token_hex(3)}"
 
 
 def quoted(text: str) -> str:

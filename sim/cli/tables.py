@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.dynamics.finished import Run
-from sim.dynamics.report import energy_parts
-from sim.dynamics.trajectory import Trajectory
-from sim.dynamics.warnings import warnings
+from sim.dynamics.report.document import energy_parts
+from sim.dynamics.report.warnings import warnings
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.trajectory import Trajectory
 
 UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N"}
 NAMES = {"kinetic": "in motion", "bumpers": "in bumpers", "incline": "height on the incline"}

@@ -28,7 +28,8 @@ _TIME = re.compile(r"\d{4}-\d{2}-\d{2}T\d{2}:\d{2}:\d{2}(\.\d{1,3})?Z", re.ASCII
 _NAME = re.compile(r"[\w.+-]{1,64}", re.ASCII)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f#@]")
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
-TEXTS = ("unit", "said", "asked", "sure", "locked")
+TEXTS = ("unit", "said", "asked", "sure", "locked", "why")
+PREDICTIONS = ("arrows", "curve", "choice", "text")  # types of what was said before a run
 
 
 class AnswerFileError(ValueError):

@@ -4,7 +4,7 @@ With d the overlap of the bumpers and mu = 1 (only w0 = sqrt(k/mu) shows in a mo
 
     d'' = −N(d, d') + A ,      A = a1 − a2
 
-N is the force of a law of sim.dynamics.laws, a1 and a2 the accelerations that friction gives each
+N is the force of a law of sim.laws, a1 and a2 the accelerations that friction gives each
 cart. Without friction these are the law's own stretches. With friction A is constant between the
 instants at which a cart turns round, and the motion is again a swing, about a centre that A moves:
 press in about A/w0², spring back about (1 − e²) dm + A e²/w0². The instants of turning are those of
@@ -18,9 +18,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from sim.dynamics.laws.bumper import Bumper
-from sim.dynamics.laws.dashpot import Paper
-from sim.dynamics.laws.swing import Swing, first_turn, first_zero, solve, undamped
+from sim.laws.bumper.law import Bumper
+from sim.laws.damped_oscillation import Swing, first_turn, first_zero, solve, undamped
+from sim.laws.paper.law import Paper
 
 Law = Literal["bumper", "paper"]
 LAWS: tuple[Law, ...] = ("bumper", "paper")

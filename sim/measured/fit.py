@@ -17,9 +17,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
+from sim.measured.bounds import bounds_of
 from sim.measured.contact import Law
+from sim.measured.covariance import covariance_of
 from sim.measured.curves import places
-from sim.measured.guess import CALM, E_HIGH, E_LOW, EACH_SIDE, RATIO_HIGH, guesses
+from sim.measured.guess import CALM, EACH_SIDE, guesses
 from sim.measured.motion import Motion, Parameters
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
@@ -36,13 +38,7 @@ SHARE = 0.95
 CLOSE = 1e-8
 """Relative. A descent ends when its steps, or what they gain, are smaller."""
 
-UNTOLD_CHANGE = 1.0
-"""An unknown that may change by so much (in ln w0: 2.7-fold) without a trace is not told."""
 
-NEARLY_ZERO = 1e-5
-"""Singular value of the Jacobian with columns of size one: below is rounding of its differences."""
-
-ALONG = 1e-2
 STILL = 4.0
 """A cart whose speed before the touch is below so many standard deviations stood still."""
 
@@ -192,7 +188,7 @@ def _solve(start: Parameters, asked: Asked, t: Any, x: Any) -> tuple[float, Para
     from scipy.optimize import least_squares
 
     names = _names(start, asked)
-    low, high = _bounds(names, t, x)
+    low, high = bounds_of(names, t, x)
     begin = np.clip([_READ[name](start) for name in names], low + 1e-9 * (high - low),
                     high - 1e-9 * (high - low))  # fmt: skip
 
@@ -205,33 +201,6 @@ def _solve(start: Parameters, asked: Asked, t: Any, x: Any) -> tuple[float, Para
         xtol=CLOSE, ftol=CLOSE, gtol=1e-12, max_nfev=80,
     )  # fmt: skip
     return 2.0 * float(found.cost), _with(start, names, found.x.tolist()), found.jac
-
-
-def _bounds(names: Sequence[str], t: Any, x: Any) -> tuple[Floats, Floats]:
-    """Wide enough that only nonsense lies outside."""
-    import numpy as np
-
-    begin, end = min(t[0][0], t[1][0]), max(t[0][-1], t[1][-1])
-    length = end - begin
-    frame = float(np.median(np.diff(t[0])))
-    reach = max(float(np.ptp(np.concatenate(x))), 1e-9)
-    fastest = 50.0 * reach / length
-    middle = float(np.mean(np.concatenate(x)))
-    limits = {
-        "touch": (begin, end),
-        "x": (middle - 10.0 * reach, middle + 10.0 * reach),
-        "distance": (-10.0 * reach, 10.0 * reach),
-        "v1": (-fastest, fastest),
-        "v2": (-fastest, fastest),
-        "ln_ratio": (-math.log(RATIO_HIGH), math.log(RATIO_HIGH)),
-        "e": (E_LOW, E_HIGH),
-        "ln_w0": (math.log(1.0 / length), math.log(60.0 / frame)),
-        "friction1": (0.0, fastest / length),
-        "friction2": (0.0, fastest / length),
-        "tilt": (-fastest / length, fastest / length),
-    }
-    pairs = np.array([limits[name] for name in names])
-    return pairs[:, 0], pairs[:, 1]
 
 
 def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
@@ -252,7 +221,6 @@ def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
             raise FitError(reason, f"at least {EACH_SIDE} are needed; {CALM}")
     squares = float(residuals @ residuals)
     noise = math.sqrt(squares / freedom)
-    covariance = _covariance(jacobian, noise)
     first = len(t[0])
     return Fit(
         asked=asked,
@@ -260,34 +228,9 @@ def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
         duration=motion.duration,
         unknowns=names,
         values=tuple(_READ[name](p) for name in names),
-        covariance=covariance,
+        covariance=covariance_of(jacobian, noise),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
         freedom=freedom,
         squares=squares,
     )
-
-
-def _covariance(jacobian: Floats, noise: float) -> tuple[tuple[float, ...], ...]:
-    """Of the unknowns; the variance of what the readings do not tell is infinite.
-
-    An unknown that hardly moves any reading is not told. Of the others, columns are scaled to one
-    size, and a direction in which no reading moves leaves all unknowns untold that lie along it.
-    """
-    import numpy as np
-
-    count = jacobian.shape[1]
-    norms = np.linalg.norm(jacobian, axis=0)
-    deaf = norms * UNTOLD_CHANGE < 1e-3 * noise
-    told = np.flatnonzero(~deaf & (norms > 0.0))
-    _, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
-    seen = singular > NEARLY_ZERO
-    inverse = axes[seen].T / singular[seen]
-    part = noise**2 * (inverse @ inverse.T) / np.outer(norms[told], norms[told])
-    blind = np.any(np.abs(axes[~seen]) > ALONG, axis=0)
-    part[np.diag_indices(len(told))] += np.where(blind, np.inf, 0.0)
-    whole = np.zeros((count, count))
-    whole[np.ix_(told, told)] = part
-    for k in set(range(count)) - set(told.tolist()):
-        whole[k, k] = math.inf
-    return tuple(tuple(map(float, row)) for row in whole)

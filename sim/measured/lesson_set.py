@@ -14,8 +14,8 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import Trajectory, trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import Trajectory, trajectory
 from sim.measured.made import filmed, tracker_text
 from sim.scene import read_scene
 

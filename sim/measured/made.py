@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from random import Random
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import sample
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import sample
 from sim.measured.tracks import Measured, Track
 from sim.scene import Scene
 

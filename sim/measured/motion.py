@@ -16,7 +16,7 @@ from bisect import bisect_right
 from dataclasses import dataclass, field
 from functools import partial
 
-from sim.dynamics.laws.swing import Swing
+from sim.laws.damped_oscillation import Swing
 from sim.measured.contact import Law, Stretch, with_friction, without_friction
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from sim.pages.bake import bake
 from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
+from sim.pages.effect_pages import SCENES
 from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
@@ -24,7 +25,7 @@ from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)
 SCENE_SUFFIXES = (".yml", ".yaml")
-USUAL_PLACES = ("worksheets", "docs", "tests/scenes")
+USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
 SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 
 
@@ -118,7 +119,11 @@ def check_paths(paths: Iterable[Path], root: Path) -> list[Finding]:
 
 def scene_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
     """Where a lesson's `file: NAME.yml` is looked for, in this order."""
-    return (lesson.parent, *(root / folder for folder in SCENE_FOLDERS))
+    return (
+        lesson.parent,
+        *(root / folder for folder in SCENE_FOLDERS),
+        *sorted(root.glob(SCENES)),
+    )
 
 
 def bank_folders(lesson: Path, root: Path) -> tuple[Path, ...]:

@@ -9,7 +9,6 @@ swallow an exception and show the block as code.
 from __future__ import annotations
 
 import hashlib
-import html as markup
 import re
 from contextvars import ContextVar
 
@@ -18,7 +17,7 @@ from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
 
 from sim.pages.fence_scan import scan
-from sim.pages.findings import AuthorError, Finding
+from sim.pages.findings import AuthorError, error_box
 from sim.pages.makers import MAKERS, Page, made
 from sim.pages.scene_block import Lesson
 
@@ -26,7 +25,6 @@ __all__ = [
     "MAKERS",
     "CartsExtension",
     "Page",
-    "error_box",
     "makeExtension",
     "set_page",
     "with_late",
@@ -120,13 +118,3 @@ class _PutIn(Postprocessor):
             # A paragraph may not contain a scene; in a tight list there is no paragraph.
             text = text.replace(f"<p>{word}</p>", block).replace(word, block)
         return text
-
-
-def error_box(findings: tuple[Finding, ...], title: str = "This block cannot be shown") -> str:
-    """What a reader of the preview sees in the place of a block with mistakes."""
-    text = markup.escape("\n".join(map(str, findings)))
-    return (
-        '<div class="admonition failure carts-author-error">'
-        f'<p class="admonition-title">{title}</p>'
-        f"<pre><code>{text}</code></pre></div>"
-    )

@@ -8,6 +8,7 @@ The printed form is the one compilers use, so that editors and build logs make i
 
 from __future__ import annotations
 
+import html
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Literal
@@ -58,3 +59,13 @@ class AuthorError(Exception):
     def __init__(self, findings: Iterable[Finding]) -> None:
         self.findings = tuple(findings)
         super().__init__("\n".join(str(finding) for finding in self.findings))
+
+
+def error_box(findings: tuple[Finding, ...], title: str = "This block cannot be shown") -> str:
+    """What a reader of the preview sees in the place of a block with mistakes."""
+    text = html.escape("\n".join(map(str, findings)))
+    return (
+        '<div class="admonition failure carts-author-error">'
+        f'<p class="admonition-title">{title}</p>'
+        f"<pre><code>{text}</code></pre></div>"
+    )

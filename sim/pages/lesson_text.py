@@ -14,6 +14,7 @@ from urllib.parse import unquote
 
 from yaml import YAMLError, safe_load
 
+from sim.pages.effect_pages import EFFECTS, PLACE
 from sim.pages.fence_scan import KINDS, after_front_matter, meant_kind
 from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
@@ -215,3 +216,7 @@ def _places(folder: Path, target: str, lesson: Lesson) -> Iterator[Path]:
     address = os.path.normpath(f"{inside}/{source}").lstrip("/")
     yield root / address
     yield root / "docs" / address
+    if lesson.file.startswith(EFFECTS):  # the pages of effects join the docs at their place
+        yield from (root / "docs" / PLACE / source, folder.parent / Path(source).stem / "page.md")
+    elif Path(address).parent.as_posix() == PLACE.strip("/"):
+        yield root / EFFECTS / Path(source).stem / "page.md"

@@ -28,9 +28,10 @@ from mkdocs.structure.nav import Navigation
 from mkdocs.structure.pages import Page as MkDocsPage
 from mkdocs.utils import CountHandler, get_relative_url
 
-from sim.pages import lessons_only
+from sim.pages import effect_pages, lessons_only
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding
+from sim.pages.joined_files import add_effect_pages, put_ready_pages
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting
 from sim.pages.page_head import Audience, blocked, trusted_scripts
@@ -90,6 +91,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         self.lessons = lessons_in(self.folder)
         if config.nav is not None:
             config.nav = with_lessons(config.nav, self.folder, self.lessons)
+            config.nav = effect_pages.with_effects(config.nav)
         if audience == "hosted":
             about, address = config.site_description or "", config.site_url or ""
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
@@ -110,13 +112,15 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         with _stopping():
             self.build.refuse_links(Path(config.docs_dir), self.folder)
         if self.lessons_only:
-            self._ready_pages(files, config)
+            names = self.named | {lessons_only.HOME}
+            put_ready_pages(files, config, self.folder, self.lessons, names)
         pictures = (p for p in sorted(self.folder.rglob("*")) if p.suffix.lower() in PICTURES)
         for path in (*self.lessons, *pictures):
             uri = f"{self.config.lessons}/{path.relative_to(self.folder).as_posix()}"
             file = File.generated(config, uri, abs_src_path=str(path))
             file.edit_uri = f"../{uri}"  # from docs/, where the generator believes it to be
             files.append(file)
+        add_effect_pages(files, config)
         with _stopping():
             for uri, content in self.build.assets().items():
                 files.append(File.generated(config, uri, content=content))
@@ -130,20 +134,6 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
                 script = search_from_disk(file.content_string)
                 files.append(File.generated(config, SEARCH_FROM_DISK, content=script))
         return files
-
-    def _ready_pages(self, files: Files, config: MkDocsConfig) -> None:
-        """Nothing of the lessons' folder stands at the root (banks hold keys): our pages do."""
-        for file in [
-            f for f in files if Path(f.abs_src_path or "/").resolve().is_relative_to(self.folder)
-        ]:
-            files.remove(file)
-        about = config.site_description or ""
-        inside = {path.relative_to(self.folder).as_posix(): path for path in self.lessons}
-        lessons = {f"{self.config.lessons}/{name}": path for name, path in inside.items()}
-        for name in sorted(self.named | {lessons_only.HOME}):
-            text = lessons_only.ready_page(name, config.site_name, about, lessons)
-            if text is not None:
-                files.append(File.generated(config, name, content=text))
 
     def on_nav(self, nav: Navigation, *, config: MkDocsConfig, files: Files) -> Navigation:
         """Pages that are not made again keep their names in the menu."""

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING
 from jinja2 import BytecodeCache
 from jinja2.bccache import Bucket
 
-from sim.pages.extension import error_box
-from sim.pages.findings import Finding
+from sim.pages.findings import Finding, error_box
 from sim.pages.lesson_text import text_findings
 from sim.pages.scene_block import Lesson
 

@@ -70,7 +70,7 @@ def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     yield "site.css", _style_sheet(node_modules)
     yield "formulas.js", _read(_WEB / "site" / "formulas.js", "git restore sim/web/site")
     yield "answers.js", _read(_WEB / "dist" / "answers.js", "make bundle")
-    sheets = [*sorted(_WEB.glob("css/*.css")), _CLASSROOM / "report.css"]
+    sheets = [*sorted(_WEB.glob("css/*.css")), _CLASSROOM / "show" / "report.css"]
     yield "carts.css", b"\n".join(path.read_bytes() for path in sheets)
     for font in FONTS:
         path = node_modules / font

@@ -17,6 +17,8 @@ from dataclasses import dataclass
 import yaml
 
 from sim.pages.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError
+from sim.pages.yaml_loader import Loader, RefusedError
+from sim.pages.yaml_typos import typos
 
 __all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
 
@@ -67,32 +69,6 @@ def load(text: str, *, first_line: int = 1, first_col: int = 1) -> Source:
     return reader.read(text)
 
 
-class _RefusedError(Exception):
-    """Something that YAML knows and scenes do not use, at a line and column from 0."""
-
-    def __init__(self, event: yaml.Event, message: str) -> None:
-        super().__init__(message)
-        self.message = message
-        mark = event.start_mark
-        self.line, self.col = (mark.line, mark.column) if mark else (0, 0)
-
-
-class _Loader(yaml.SafeLoader):
-    """PyYAML's own composer, without anchors, aliases and tags (they can blow a text up)."""
-
-    def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
-        event = self.peek_event()  # type: ignore[no-untyped-call]
-        if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
-            raise _RefusedError(event, "anchors and aliases (& and *) are not used here")
-        if getattr(event, "tag", None):
-            raise _RefusedError(event, f"the tag {_shown_tag(event.tag)} is not used here")
-        return super().compose_node(parent, index)
-
-
-def _shown_tag(tag: str) -> str:
-    return "!!" + tag.removeprefix("tag:yaml.org,2002:") if tag.startswith("tag:") else tag
-
-
 @dataclass(slots=True)
 class _Reader:
     """One reading: `first_line` and `first_col` are those of the text in its file."""
@@ -108,7 +84,8 @@ class _Reader:
                 f"this text has {len(text)} characters; at most {MAX_CHARACTERS} are read",
                 "a scene is short: is this the right file?",
             )
-        self._refuse_leading_tabs(text)
+        for typo in typos(text):
+            raise self.error(*typo)
         values: dict[KeyPath, Place] = {(): (self.first_line, self.first_col)}
         keys: dict[KeyPath, Place] = {}
         root = self._compose(text)
@@ -121,7 +98,7 @@ class _Reader:
 
     def _compose(self, text: str) -> yaml.Node | None:
         try:
-            loader = _Loader(text)
+            loader = Loader(text)
             try:
                 return loader.get_single_node()
             finally:
@@ -132,7 +109,7 @@ class _Reader:
             raise self.error(
                 line, col, "this character cannot be read", "delete it and type the text anew"
             ) from None
-        except _RefusedError as error:
+        except RefusedError as error:
             hint = "write the value out; if it is text, put it in quotes"
             raise self.error(error.line, error.col, error.message, hint) from None
         except yaml.MarkedYAMLError as error:
@@ -156,14 +133,6 @@ class _Reader:
             if part in problem or part in (error.context or ""):
                 return self.error(line, col, message, hint)
         return self.error(line, col, problem, "look at this line and the one above it")
-
-    def _refuse_leading_tabs(self, text: str) -> None:
-        for number, line in enumerate(text.split("\n")):
-            lead = line[: len(line) - len(line.lstrip())]
-            if "\t" in lead and line.strip():
-                raise self.error(
-                    number, lead.index("\t"), "a tab character", "indent with spaces, two per step"
-                )
 
     def _mapping(
         self,

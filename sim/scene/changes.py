@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from sim.scene.effects import KINDS
+from sim.scene.effects import kinds
 from sim.scene.fields import CART
 from sim.scene.problem import Path, Problem, SceneError, nearest
 
@@ -68,7 +68,7 @@ def resolve(plain: Mapping[str, Any], target: str) -> Path | None:
         return ("track", rest)
     if head == "effects":
         return _effect_path(plain.get("effects"), rest)
-    if head in KINDS:
+    if head in kinds():
         return _effect_by_kind(plain.get("effects"), head, rest)
     return None
 
@@ -94,7 +94,7 @@ def _effect_by_kind(effects: object, kind: str, key: str) -> Path | None:
 
 def _effect_keys(kind: str) -> tuple[str, ...]:
     """What can be changed of an effect: its numbers, and whether it acts."""
-    row = KINDS.get(kind)
+    row = kinds().get(kind)
     return () if row is None else (*(field.key for field in row.fields), "active")
 
 

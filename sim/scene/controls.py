@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.scene.effect_controls import effect_number, is_switch
-from sim.scene.effects import KINDS, Effect
+from sim.scene.effects import Effect, kinds
 from sim.scene.fields import CART, GRAVITY, RESTITUTION, STIFFNESS, TRACK_LENGTH, UNTIL, Field
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import QuantityError, read_quantity, unit_of
+from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
 
@@ -75,7 +76,7 @@ def _control(
     if found is None:
         names = [cart.name for cart in scene.carts]
         owner = str(target).partition(".")[0]
-        known = (*names, "contact", "track", "until", "gravity", "effects", *KINDS)
+        known = (*names, "contact", "track", "until", "gravity", "effects", *kinds())
         unknown = owner not in known
         problems.append(
             Problem(
@@ -162,26 +163,28 @@ def _target(target: str, scene: Scene) -> tuple[Field, str, float] | None:
         if cart.name == name:
             for field in CART:
                 if field.key == key:
-                    return field, f"{key.replace('_', ' ')} of {name}", getattr(cart, key)
+                    quantity = said(key.replace("_", " "))
+                    label = said("{quantity} of {cart}", quantity=quantity, cart=name)
+                    return field, label, getattr(cart, key)
     contact = next((contact for contact in scene.contacts if contact is not None), None)
     if target == "contact.restitution" and contact is not None and contact.restitution is not None:
-        return RESTITUTION, "bounciness e", contact.restitution
+        return RESTITUTION, said("bounciness e"), contact.restitution
     if target == "contact.stiffness" and contact is not None and contact.stiffness is not None:
-        return STIFFNESS, "stiffness k", contact.stiffness
+        return STIFFNESS, said("stiffness k"), contact.stiffness
     if target == "track.length" and scene.track.length is not None:
-        return TRACK_LENGTH, "length of the track", scene.track.length
+        return TRACK_LENGTH, said("length of the track"), scene.track.length
     if target == "until":
-        return UNTIL, "end of the run", scene.until
+        return UNTIL, said("end of the run"), scene.until
     if target == "gravity":
-        return GRAVITY, "gravity", scene.gravity
+        return GRAVITY, said("gravity"), scene.gravity
     return None
 
 
 def _shown_unit(field: Field, table: Mapping[str, Any]) -> tuple[str, float]:
     """The unit that all limits with a unit share, and its size in SI; else the SI unit."""
     texts = [str(table[key]) for key in ("from", "to", "step")]
-    units = {unit for text in texts if (unit := unit_of(text)) in field.dimension.units}
+    units = {unit for text in texts if (unit := unit_of(text)) and field.dimension.factor(unit)}
     if len(units) != 1:
         return field.dimension.si, 1.0
     unit = units.pop()
-    return unit, float(field.dimension.units[unit])
+    return unit, float(field.dimension.factor(unit) or 1)

@@ -12,36 +12,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from sim.scene.effects import KINDS, Effect
+from sim.scene.effects import Effect, kinds
 from sim.scene.fields import Field
 from sim.scene.problem import Path, Problem, nearest
-
-_LABELS = {
-    "friction.coefficient": "friction coefficient μ",
-    "friction.static": "friction coefficient at rest",
-    "incline.angle": "angle of the track",
-    "drag.linear": "drag, force per speed",
-    "drag.quadratic": "drag, force per speed squared",
-    "push.force": "force of the push",
-    "push.from": "begin of the push",
-    "push.until": "end of the push",
-    "spring.stiffness": "stiffness of the spring",
-    "spring.length": "natural length of the spring",
-    "spring.damping": "damping of the spring",
-    "magnets.strength": "strength of the magnets",
-    "magnets.power": "power of the distance",
-    "release.energy": "energy of the exploder",
-    "release.at": "time of the release",
-}
-_SWITCHES = {
-    "friction": "friction",
-    "incline": "slope",
-    "drag": "air resistance",
-    "push": "push",
-    "spring": "spring",
-    "magnets": "magnets",
-    "release": "exploder",
-}
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,8 +42,9 @@ def effect_number(target: str, effects: Sequence[Effect]) -> tuple[Field, str, f
     effect = effect_of(owner, effects) or _with_kind(owner, effects)
     if effect is None or key not in effect.numbers:
         return None
-    field = next(field for field in KINDS[effect.kind].fields if field.key == key)
-    return field, _LABELS[f"{effect.kind}.{key}"] + _whose(effect, effects), effect.numbers[key]
+    kind = kinds()[effect.kind]
+    field = next(field for field in kind.fields if field.key == key)
+    return field, _whose(kind.label_of(field), effect, effects), effect.numbers[key]
 
 
 def is_switch(entry: object) -> bool:
@@ -101,7 +76,7 @@ def read_switches(
         if effect is None:
             problems.append(_unknown((*path, "switch"), target, effects))
             continue
-        label = _SWITCHES[effect.kind] + _whose(effect, effects)
+        label = _whose(kinds()[effect.kind].label, effect, effects)
         switches.append(Switch(set=f"{target}.active", label=label, value=effect.active))
     return tuple(switches)
 
@@ -111,8 +86,8 @@ def _unknown(path: Path, target: str, effects: Sequence[Effect]) -> Problem:
     if same:
         places = " or ".join(f"switch: effects.{effect.index}" for effect in same)
         return Problem(path, "unknown-path", f"the scene lists {target} {len(same)} times", places)
-    if target in KINDS:
-        number = KINDS[target].fields[0]
+    if target in kinds():
+        number = kinds()[target].fields[0]
         hint = (
             f"effects:\n  - {target}: {{{number.key}: {number.dimension.example}, active: false}}"
         )
@@ -132,9 +107,13 @@ def _with_kind(owner: str, effects: Sequence[Effect]) -> Effect | None:
     return effect if effect is not None and effect.kind == kind else None
 
 
-def _whose(effect: Effect, effects: Sequence[Effect]) -> str:
-    """Who pushes whom, or the place among several of one kind."""
-    if effect.kind == "push":
-        return f" on {effect.carts[0]} by {effect.by}"
+def _whose(label: str, effect: Effect, effects: Sequence[Effect]) -> str:
+    """The label, with who pushes whom, or with the place among several of one kind."""
+    if effect.by is not None:
+        return said(
+            "{label} on {cart} by {agent}", label=label, cart=effect.carts[0], agent=effect.by
+        )
     same = [other.index for other in effects if other.kind == effect.kind]
-    return f" ({same.index(effect.index) + 1})" if len(same) > 1 else ""
+    if len(same) < 2:
+        return label
+    return said("{label} ({number})", label=label, number=str(same.index(effect.index) + 1))

@@ -1,34 +1,23 @@
 """What may act on carts besides contacts. Nothing acts that a scene does not list.
 
-Each kind is one row of the table: its parameters with units, and which carts it names. The
-numerics of each live in `sim.dynamics`.
+Each kind is described in a folder of its own under `sim/effects`, found when first asked for: its
+numbers with units, which carts it names, its rules and its names. This module knows none of them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from importlib import import_module
 from typing import Literal
 
-from sim.scene import quantity
 from sim.scene.fields import Field
+from sim.scene.problem import Problem
+from sim.scene.said import said
 
-
-@dataclass(frozen=True, slots=True)
-class EffectKind:
-    """A kind of effect: name, what it does, its numbers, and the other keys it takes.
-
-    `needs` are keys that must be there beside the numbers: ``cart`` or ``between``. `one_of`:
-    at least one of these numbers must be given.
-    """
-
-    name: str
-    says: str
-    fields: tuple[Field, ...]
-    needs: Literal["", "cart", "between"] = ""
-    walls: bool = False  # `between` may name a wall
-    one_of: tuple[str, ...] = ()
-    by: str | None = None  # default agent of a force
+FOLDER = "sim.effects"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,86 +37,66 @@ class Effect:
     active: bool = True
 
 
-_FROM = Field("from", quantity.TIME, "0", "the force begins", least="0")
-_UNTIL = Field(
-    "until",
-    quantity.TIME,
-    None,
-    "the force ends; left out: at the end of the run",
-    least="0",
-    optional=True,
-)
+Rule = Callable[[Sequence[Effect]], Iterator[Problem]]
+"""Told all effects of its kind that act; says what cannot be meant."""
 
-KINDS = {
-    kind.name: kind
-    for kind in (
-        EffectKind(
-            "friction",
-            "Coulomb friction: μ m g against the motion, with stopping and staying",
-            (
-                Field("coefficient", quantity.RATIO, None, "coefficient of friction", least="0"),
-                Field(
-                    "static",
-                    quantity.RATIO,
-                    None,
-                    "coefficient at rest; left out: the same",
-                    least="0",
-                    optional=True,
-                ),
-            ),
-        ),
-        EffectKind(
-            "incline",
-            "a tilted track: m g sin θ, + drives carts to the right",
-            (Field("angle", quantity.ANGLE, None, "angle of the track", least="-1.5", most="1.5"),),
-        ),
-        EffectKind(
-            "drag",
-            "air resistance against the motion",
-            (
-                Field("linear", quantity.LINEAR_DRAG, "0", "force per speed", least="0"),
-                Field(
-                    "quadratic", quantity.QUADRATIC_DRAG, "0", "force per speed squared", least="0"
-                ),
-            ),
-            one_of=("linear", "quadratic"),
-        ),
-        EffectKind(
-            "push",
-            "a force on one cart for a time",
-            (Field("force", quantity.FORCE, None, "+ pushes to the right"), _FROM, _UNTIL),
-            needs="cart",
-            by="hand",
-        ),
-        EffectKind(
-            "spring",
-            "a spring between two carts or to a wall, edge to edge",
-            (
-                Field("stiffness", quantity.STIFFNESS, None, "stiffness", least="0", above=True),
-                Field("length", quantity.LENGTH, None, "natural length, edge to edge", least="0"),
-                Field("damping", quantity.DAMPING, "0", "force per relative speed", least="0"),
-            ),
-            needs="between",
-            walls=True,
-        ),
-        EffectKind(
-            "magnets",
-            "repelling ends: F = C / r^n, r edge to edge",
-            (
-                Field("strength", quantity.STRENGTH, None, "C, in N m^n", least="0", above=True),
-                Field("power", quantity.STRENGTH, "3", "n", least="1", most="12"),
-            ),
-            needs="between",
-            walls=True,
-        ),
-        EffectKind(
-            "release",
-            "an exploder between two touching carts: exactly this energy, at one time",
-            (
-                Field("energy", quantity.ENERGY, None, "energy released", least="0", above=True),
-                Field("at", quantity.TIME, "0", "time of the release", least="0"),
-            ),
-            needs="between",
-        ),
-    )
-}
+RoomRule = Callable[[Effect, Fraction | None], Iterator[Problem]]
+"""Told one effect and the gap [m] between its two bodies at the start."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EffectKind:
+    """A kind of effect: name, what it does, its numbers, and the other keys it takes.
+
+    `needs` are keys that must be there beside the numbers: ``cart`` or ``between``. `one_of`:
+    at least one of these numbers must be given. `stores`: its work is a change of energy that is
+    stored, in the place of each cart or in the gap between two; `gives`: it is energy that comes
+    into the scene. What is neither, and what drag and dampers take, is warm.
+    """
+
+    name: str
+    says: str
+    fields: tuple[Field, ...]
+    place: int = 1000  # in lists of all kinds, from small to large
+    needs: Literal["", "cart", "between"] = ""
+    walls: bool = False  # `between` may name a wall
+    overlap: bool = False  # its two may overlap at the start
+    one_of: tuple[str, ...] = ()
+    by: str | None = None  # default agent of a force
+    stores: Literal["", "place", "gap"] = ""
+    gives: bool = False
+    called: str = ""  # in sentences: “Not simulated: a slope”; left out: the name
+    switch: str = ""  # on its switch; left out: as it is called
+    agent: str = ""  # who pushes, in “force on A by the air”; empty: `by`, or the other of the two
+    rule: Rule | None = None
+    room_rule: RoomRule | None = None
+
+    @property
+    def label(self) -> str:
+        """What its switch is called."""
+        return self.switch or self.called or said(self.name)
+
+    def label_of(self, field: Field) -> str:
+        """What the slider of one of its numbers is called."""
+        named = said("{effect}: {what}", effect=self.called or self.name, what=field.says)
+        return field.label or named
+
+
+class BrokenFolderError(ImportError):
+    """A folder under `sim/effects` or `sim/laws` that does not describe what it is named for."""
+
+
+@cache
+def kinds() -> Mapping[str, EffectKind]:
+    """Every kind by name, in the order of lists. Reads the descriptions, and nothing else."""
+    import pkgutil
+
+    found: list[EffectKind] = []
+    for folder in pkgutil.iter_modules(import_module(FOLDER).__path__):
+        if not folder.ispkg:
+            continue
+        kind = getattr(import_module(f"{FOLDER}.{folder.name}"), "KIND", None)
+        if not isinstance(kind, EffectKind) or kind.name != folder.name:
+            raise BrokenFolderError(f"{FOLDER}.{folder.name} describes no KIND of that name")
+        found.append(kind)
+    return {kind.name: kind for kind in sorted(found, key=lambda kind: (kind.place, kind.name))}

@@ -1,6 +1,6 @@
 """The field table: every key of a scene that holds a number, with kind, default, range and meaning.
 
-Validation, JSON Schemas and the reference page are all made from it.
+Validation and the JSON Schema (`sim.scene.schema`) are made from it; effects and laws add theirs.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from fractions import Fraction
 from sim.scene import quantity
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import Dimension, QuantityError, read_quantity
+from sim.scene.said import said
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,15 +26,22 @@ class Field:
     most: str | None = None
     above: bool = False  # the least value itself is not allowed
     optional: bool = False
+    label: str = ""  # of its slider
 
     @property
     def allowed(self) -> str:
         """The range in words: ``greater than 0``, ``0 to 1``."""
         unit = f" {self.dimension.si}" if self.dimension.si else ""
         if self.least is not None and self.most is not None:
-            return f"{'more than ' if self.above else ''}{self.least} to {self.most}{unit}"
+            both = f"{self.least} to {self.most}{unit}"
+            return said("more than {least}", least=both) if self.above else both
         if self.least is not None:
-            return f"{'greater than' if self.above else 'at least'} {self.least}{unit}"
+            least = f"{self.least}{unit}"
+            return (
+                said("greater than {least}", least=least)
+                if self.above
+                else said("at least {least}", least=least)
+            )
         return "any finite number"
 
     def read(self, value: object, path: Path) -> Fraction | Problem:
@@ -50,8 +58,13 @@ class Field:
             return Problem(
                 path,
                 "out-of-range",
-                f"{self.key} must be {self.allowed} (got {value})",
-                f"for example {self.key}: {self.dimension.example}",
+                said(
+                    "{key} must be {range} (got {value})",
+                    key=said(self.key),
+                    range=self.allowed,
+                    value=str(value),
+                ),
+                said("for example {example}", example=f"{self.key}: {self.dimension.example}"),
             )
         return number
 

@@ -183,7 +183,7 @@ def _force(of: str, scene: Scene, refuse: Any) -> Shown | None:
         left, right = scene.names_at(k)
         if contact is None or of not in (f"{left}-{right}", f"{right}-{left}"):
             continue
-        if contact.law in ("instant", "velcro"):
+        if contact.sudden:
             refuse(
                 "not-for-this-law",
                 f"{contact.law} has no duration, so its force has no greatest value",

@@ -13,7 +13,6 @@ from typing import Literal
 
 from sim.scene.effects import Effect
 
-Law = Literal["bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro", "hertz"]
 End = Literal["open", "wall"]
 
 
@@ -46,9 +45,19 @@ class Contact:
     the asked-for ratio of separation to approach speed, None for velcro, which never separates.
     """
 
-    law: Law
+    law: str
     restitution: float | None
     stiffness: float | None
+
+    @property
+    def sudden(self) -> bool:
+        """Without a duration: an impulse, or a joint."""
+        return self.stiffness is None
+
+    @property
+    def joins(self) -> bool:
+        """Does what touches stay together?"""
+        return self.restitution is None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

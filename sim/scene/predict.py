@@ -7,6 +7,7 @@ from typing import Literal
 
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
+from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
 KINDS = ("arrows", "curve", "choice", "text")
@@ -69,7 +70,7 @@ def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict 
                 Problem((*path, kind), "not-a-list", "choice lists two or more texts", hint)
             )
             return None
-        return Predict(kind="choice", ask=ask or "What will happen?", options=tuple(body))
+        return Predict(kind="choice", ask=ask or said("What will happen?"), options=tuple(body))
     if not isinstance(body, str) or not body.strip():
         problems.append(Problem((*path, kind), "not-text", "text is the question to answer", hint))
         return None
@@ -99,7 +100,7 @@ def _arrows(
         return None
     return Predict(
         kind="arrows",
-        ask=ask or "How long is each force arrow when the bumpers are squeezed the most?",
+        ask=ask or said("How long is each force arrow when the bumpers are squeezed the most?"),
         pairs=tuple(pair for pair in pairs if pair is not None),
     )
 
@@ -114,5 +115,7 @@ def _curve(
         )
         return None
     return Predict(
-        kind="curve", cart=cart, ask=ask or f"How does the force on {cart} change while they touch?"
+        kind="curve",
+        cart=cart,
+        ask=ask or said("How does the force on {cart} change while they touch?", cart=cart),
     )

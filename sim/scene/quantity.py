@@ -14,6 +14,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from sim.scene.notation import same_unit, with_exponent
+from sim.scene.said import said
 
 LARGEST = Fraction(10) ** 50
 SMALLEST = 1 / LARGEST
@@ -130,14 +131,14 @@ def read_quantity(value: object, dimension: Dimension) -> Fraction:
     Raises QuantityError for anything else: a truth value, NaN, an unknown or missing number, a
     unit of another kind, a magnitude outside SMALLEST to LARGEST.
     """
-    hint = f"write a number with its unit, for example {dimension.example}"
+    hint = said("write a number with its unit, for example {example}", example=dimension.example)
     if not dimension.si:
-        hint = f"write a plain number, for example {dimension.example}"
+        hint = said("write a plain number, for example {example}", example=dimension.example)
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-        raise QuantityError("not-a-number", f"{_shown(value)} is not a number", hint)
+        raise QuantityError("not-a-number", _no_number(_shown(value)), hint)
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise QuantityError("not-finite", f"{value} is not a usable number", hint)
+            raise QuantityError("not-finite", _not_usable(str(value)), hint)
         return _bounded(exact(repr(value)), hint)
     if isinstance(value, int):
         return _bounded(Fraction(value), hint)
@@ -158,32 +159,43 @@ def unit_of(text: str) -> str:
 
 def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
     if len(text) > LONGEST_TEXT:
-        raise QuantityError("not-a-number", "this text is too long to be a number", hint)
+        reason = said("this text is too long to be a number")
+        raise QuantityError("not-a-number", reason, hint)
     match = _NUMBER.fullmatch(with_exponent(text.strip()).translate(_MINUS))
     if match is None:
         if text.strip().lstrip("+-−").lower() in {"nan", "inf", "infinity", ".nan", ".inf"}:
-            raise QuantityError("not-finite", f"{text.strip()} is not a usable number", hint)
-        raise QuantityError("not-a-number", f"“{_shown(text)}” is not a number", hint)
+            raise QuantityError("not-finite", _not_usable(text.strip()), hint)
+        raise QuantityError("not-a-number", _no_number(f"“{_shown(text)}”"), hint)
     number, unit = match.group(1), match.group(2).strip()
     if unit and unit[0] in ",.'’_" and unit[1:2].isdigit():
         raise QuantityError(
             "not-a-number",
-            f"“{_shown(text)}” is not a number",
-            "write a point for the decimals and nothing between thousands: 0.5, 1000",
+            _no_number(f"“{_shown(text)}”"),
+            said("write a point for the decimals and nothing between thousands: 0.5, 1000"),
         )
     factor = Fraction(1)
     if unit:
         known = dimension.factor(unit)
         if known is None:
-            takes = ", ".join(dimension.units) or "no unit"
+            quantity = said(dimension.name)
             raise QuantityError(
                 "wrong-unit",
-                f"“{_shown(unit)}” is not a unit of {dimension.name}",
-                f"{dimension.name} takes {takes}; for example {dimension.example}",
+                said(
+                    "{unit} is not a unit of {quantity}",
+                    unit=f"“{_shown(unit)}”",
+                    quantity=quantity,
+                ),
+                said(
+                    "{quantity} takes {units}; for example {example}",
+                    quantity=quantity,
+                    units=", ".join(dimension.units) or said("no unit"),
+                    example=dimension.example,
+                ),
             )
         factor = known
     if abs(int(re.sub(r".*[eE]", "", number))) > 400 if "e" in number.lower() else False:
-        raise QuantityError("out-of-range", f"{number} is too large or too small", hint)
+        reason = said("{number} is too large or too small", number=number)
+        raise QuantityError("out-of-range", reason, hint)
     return exact(number) * factor
 
 
@@ -191,10 +203,21 @@ def _bounded(value: Fraction, hint: str) -> Fraction:
     if value != 0 and not SMALLEST <= abs(value) <= LARGEST:
         raise QuantityError(
             "out-of-range",
-            "the number is too large or too small: magnitudes from 1e-50 to 1e50 can be computed",
+            said(
+                "the number is too large or too small: "
+                "magnitudes from 1e-50 to 1e50 can be computed"
+            ),
             hint,
         )
     return value
+
+
+def _no_number(shown: str) -> str:
+    return said("{number} is not a number", number=shown)
+
+
+def _not_usable(shown: str) -> str:
+    return said("{number} is not a usable number", number=shown)
 
 
 def _shown(value: object) -> str:

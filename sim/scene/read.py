@@ -8,12 +8,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from sim.scene.effect_rules import check_effects
+from sim.scene.effects import kinds
 from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
-from sim.scene.read_effects import magnets_apart, read_effects
+from sim.scene.read_effects import check_effects, check_room, read_effects
+from sim.scene.said import said
 from sim.scene.tables import mapping, number, unknown_keys
 
 SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
@@ -56,17 +57,17 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
     check_effects(effects, table.get("effects", []), problems)
-    released = {frozenset(e.between) for e in effects if e.kind == "release" and e.between}
+    released = {frozenset(e.between) for e in effects if kinds()[e.kind].overlap and e.between}
     gaps = _gaps(exact, names, track, length)
     for k, gap in enumerate(gaps):
         if gap is None or gap >= 0:
             continue
         contact = contacts[k] if k < len(contacts) else None
-        at_once = contact is not None and contact.law in ("instant", "velcro")
+        at_once = contact is not None and contact.sudden
         if at_once or not overlap_allowed:  # without a duration there is nothing to be pressed in
             _overlap(k, gap, names, released, problems, at_once=at_once)
     if len(problems) == before:
-        magnets_apart(effects, gaps, names, problems)
+        check_room(effects, gaps, names, problems)
     if len(problems) > before:
         return None
     return Scene(
@@ -231,16 +232,24 @@ def _overlap(
     if frozenset((left, right)) in released:
         return
     cart = right if k < len(names) else left
-    what = f"{left} and {right} overlap"
-    hint = "move them apart: a position is that of the cart's centre"
-    if k in (0, len(names)):
-        what = f"{cart} reaches into the {'left' if k == 0 else 'right'} wall"
-        hint = "move it away from the wall: a position is that of the cart's centre"
-    problems.append(
-        Problem(
-            ("carts", cart, "position"),
-            "overlap",
-            f"{what} by {float(-gap):.3g} m at the start",
-            hint if at_once else f"{hint}; start: {{overlap: true}} allows it",
+    length = f"{float(-gap):.3g} m"
+    hint = said("move it away from the wall: a position is that of the cart's centre")
+    if k == 0:
+        what = said(
+            "{cart} reaches into the left wall by {length} at the start", cart=cart, length=length
         )
-    )
+    elif k == len(names):
+        what = said(
+            "{cart} reaches into the right wall by {length} at the start", cart=cart, length=length
+        )
+    else:
+        what = said(
+            "{one} and {other} overlap by {length} at the start",
+            one=left,
+            other=right,
+            length=length,
+        )
+        hint = said("move them apart: a position is that of the cart's centre")
+    if not at_once:
+        hint = said("{advice}; start: {overlap: true} allows it", advice=hint)
+    problems.append(Problem(("carts", cart, "position"), "overlap", what, hint))

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
-from typing import Any, cast, get_args
+from typing import Any
 
-from sim.scene.fields import HERTZ_STIFFNESS, RESTITUTION, STIFFNESS
-from sim.scene.model import Contact, Law, Track
+from sim.scene.fields import Field
+from sim.scene.laws import laws
+from sim.scene.model import Contact, Track
 from sim.scene.problem import Path, Problem, nearest
+from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
-LAWS: tuple[str, ...] = get_args(Law)
-WITHOUT_DURATION = ("instant", "velcro")
 KEYS = ("law", "restitution", "stiffness")
 HINT = "contact: {restitution: 0.8, stiffness: 400 N/m, law: bumper}"
 
@@ -74,28 +74,27 @@ def _gap_named(key: str, bodies: list[str]) -> int | None:
 def _unknown_pair(key: str, bodies: list[str], path: Path, problems: list[Problem]) -> None:
     pairs = [f"{a}-{b}" for a, b in itertools.pairwise(bodies)]
     close = nearest(key, pairs)
-    hint = f"did you mean “{close}”?" if close else f"neighbours: {', '.join(pairs[:12])}"
-    problems.append(Problem(path, "unknown-pair", f"“{key}” are not two neighbours", hint))
+    hint = f"neighbours: {', '.join(pairs[:12])}"
+    if close:
+        hint = said("did you mean {name}?", name=f"“{close}”")
+    message = said("{pair} are not two neighbours", pair=f"“{key}”")
+    problems.append(Problem(path, "unknown-pair", message, hint))
 
 
 def _contact(
     own: Mapping[str, Any], outer: Mapping[str, Any], path: Path, problems: list[Problem]
 ) -> Contact | None:
     """One contact; `own` keys are the author's here, missing ones come from `outer`."""
-    law = own.get("law", outer.get("law", "bumper"))
-    if law not in LAWS:
-        close = nearest(str(law), LAWS)
-        hint = f"did you mean “{close}”?" if close else f"laws: {', '.join(LAWS)}"
+    law = own.get("law", outer.get("law", next(iter(laws()))))
+    kind = laws().get(law) if isinstance(law, str) else None
+    if kind is None:
+        close = nearest(str(law), laws())
+        hint = f"did you mean “{close}”?" if close else f"laws: {', '.join(laws())}"
         if path == ("contact",) or "law" in own:
             problems.append(Problem((*path, "law"), "not-a-choice", f"unknown law “{law}”", hint))
         return None
-    for key in ("stiffness", "restitution"):
-        if (
-            key in own
-            and law in WITHOUT_DURATION
-            and not (law == "instant" and key == "restitution")
-        ):
-            why = "has no duration" if key == "stiffness" else "holds the carts together"
+    for key, why in kind.takes_no.items():
+        if key in own:
             problems.append(
                 Problem(
                     (*path, key),
@@ -105,33 +104,32 @@ def _contact(
                 )
             )
             return None
-    restitution = stiffness = None
-    if law != "velcro":
-        restitution = _value("restitution", own, outer, path, problems)
-        if restitution is None:
-            return None
-    if law not in WITHOUT_DURATION:
-        stiffness = _value("hertz" if law == "hertz" else "stiffness", own, outer, path, problems)
-        if stiffness is None:
-            return None
-    if law.startswith("push-only") and restitution == 0:
+    numbers: dict[str, float | None] = {"restitution": None, "stiffness": None}
+    for field in (kind.restitution, kind.stiffness):
+        if field is not None:
+            numbers[field.key] = _value(field, own, outer, path, problems)
+            if numbers[field.key] is None:
+                return None
+    if kind.no_zero and numbers["restitution"] == 0:
         problems.append(
             Problem(
                 (*path, "restitution"),
                 "out-of-range",
-                f"{law} cannot give restitution 0: the force may only push, so the carts "
-                "always fly apart",
+                f"{law} cannot give restitution 0: {kind.no_zero}",
                 "use law: bumper or law: velcro",
             )
         )
         return None
-    return Contact(law=cast(Law, law), restitution=restitution, stiffness=stiffness)
+    return Contact(law=law, restitution=numbers["restitution"], stiffness=numbers["stiffness"])
 
 
 def _value(
-    what: str, own: Mapping[str, Any], outer: Mapping[str, Any], path: Path, problems: list[Problem]
+    field: Field,
+    own: Mapping[str, Any],
+    outer: Mapping[str, Any],
+    path: Path,
+    problems: list[Problem],
 ) -> float | None:
-    field = {"restitution": RESTITUTION, "stiffness": STIFFNESS, "hertz": HERTZ_STIFFNESS}[what]
     value = own.get(field.key, outer.get(field.key, field.default))
     if value is None:
         value = "nothing"  # an empty key: reported as not a number, with the example

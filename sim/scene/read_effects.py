@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from sim.scene.effects import KINDS, Effect, EffectKind
+from sim.scene.effects import Effect, EffectKind, kinds
 from sim.scene.model import Track
 from sim.scene.problem import Path, Problem, nearest
 from sim.scene.tables import mapping, number, unknown_keys
@@ -64,10 +64,10 @@ def _entry(
         )
         return None
     name, body = next(iter(entry.items()))
-    kind = KINDS.get(name)
+    kind = kinds().get(name)
     if kind is None:
-        close = nearest(str(name), KINDS)
-        hint = f"did you mean “{close}”?" if close else f"effects: {', '.join(KINDS)}"
+        close = nearest(str(name), kinds())
+        hint = f"did you mean “{close}”?" if close else f"effects: {', '.join(kinds())}"
         problems.append(Problem((*path, name), "unknown-effect", f"unknown effect “{name}”", hint))
         return None
     path = (*path, kind.name)
@@ -194,25 +194,24 @@ def _bodies(
     return tuple(name for name in names if name in carts), None
 
 
-def magnets_apart(
-    effects: tuple[Effect, ...],
+def check_effects(effects: Sequence[Effect], listed: object, problems: list[Problem]) -> None:
+    """One problem for each effect that cannot be meant. `listed` is the author's list."""
+    if not isinstance(listed, Sequence) or len(effects) != len(listed):
+        return  # some of them were not understood: that has been told
+    for kind in kinds().values():
+        if kind.rule is not None:
+            problems.extend(kind.rule([effect for effect in effects if effect.kind == kind.name]))
+
+
+def check_room(
+    effects: Sequence[Effect],
     gaps: Sequence[Fraction | None],
     names: list[str],
     problems: list[Problem],
 ) -> None:
-    """Magnets need room between them: at no distance their force has no limit."""
+    """What effects ask of the gaps [m] in which they act at the start."""
     row = ["left", *names, "right"]
     for effect in effects:
-        if effect.kind != "magnets" or effect.between is None:
-            continue
-        gap = gaps[row.index(effect.between[0])]
-        if gap is not None and gap <= 0:
-            a, b = effect.between
-            problems.append(
-                Problem(
-                    ("effects", effect.index, "magnets", "between"),
-                    "overlap",
-                    f"magnets need room between them, but {a} and {b} touch at the start",
-                    "move them apart",
-                )
-            )
+        rule = kinds()[effect.kind].room_rule
+        if rule is not None and effect.between is not None:
+            problems.extend(rule(effect, gaps[row.index(effect.between[0])]))

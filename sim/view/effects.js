@@ -4,7 +4,7 @@
  */
 
 import { VIEWS } from "../effects/views.js";
-import { heard } from "./language.js";
+import { told } from "./language.js";
 
 /** @typedef {import("./types.js").Header} Header */
 /** @typedef {import("./types.js").Effect} Effect */
@@ -22,7 +22,7 @@ export function viewOf(kind) {
 /** @param {Effect} effect @returns {string} who or what its force comes from */
 export function agent(effect) {
   const view = viewOf(effect.kind);
-  return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+  return view.agent?.(effect) ?? (effect.by ? told(effect.by) : view.name);
 }
 
 /** @param {Effect} effect @param {number} t in s @returns {boolean} whether it acts then */

@@ -5,11 +5,11 @@
  * @typedef {{left: string, right: string, length: number | null}} Track
  * @typedef {{pair: string, bodies: [string, string], law: string, restitution: number | null, stiffness: number | null}} Contact
  * @typedef {{t: number, kind: string, bodies: string[], before: Record<string, number>, after: Record<string, number>, impulse: number | null, force: number | null}} RunEvent
- * @typedef {{from: number, until: number, tier: number, solver: string, why: string, packages: string[]}} Phase
- * @typedef {{code: string, message: string}} Warning
+ * @typedef {{from: number, until: number, tier: number, solver: string, why: import("./language.js").Said, packages: string[]}} Phase
+ * @typedef {{code: string, message: import("./language.js").Said}} Warning
  * @typedef {{kind: string, index: number, active: boolean, numbers: Record<string, number>, carts: string[],
  *   between: [string, string] | null, by: string | null}} Effect
- * @typedef {{path: (string | number)[], code: string, message: string, hint: string}} Problem
+ * @typedef {{path: (string | number)[], code: string, message: import("./language.js").Said, hint: import("./language.js").Said}} Problem
  * @typedef {ArrayLike<number>} Column
  * @typedef {Record<string, Column>} Columns
  *

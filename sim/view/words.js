@@ -2,7 +2,7 @@
 
 import { body, isWall, listed } from "./bodies.js";
 import { viewOf } from "./effects.js";
-import { heard, tr } from "./language.js";
+import { told, tr } from "./language.js";
 import { fixed, NOISE, short, speedUnit } from "./numbers.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
@@ -167,11 +167,6 @@ export function modelSentences(header) {
     sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
   }
   return sentences;
-}
-
-/** @param {string} why of a phase, as Python says it: clauses between semicolons @returns {string} */
-export function told(why) {
-  return why.split("; ").map(heard).join("; ");
 }
 
 /** @param {string} name of a graph or a quantity @returns {string} it within a sentence */

@@ -18,7 +18,7 @@ from typing import Any
 
 from playwright.sync_api import expect, sync_playwright
 
-from sim.classroom.reading import Source
+from sim.classroom.files.reading import Source
 from sim.pages.runtime import CLASSROOM, default_cache, pack
 from tests.benchmarks.page import ROOT
 from tests.classroom.makers import bank, keys, random_class, sources

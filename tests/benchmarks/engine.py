@@ -13,8 +13,8 @@ from collections.abc import Callable
 from typing import Any
 from unittest import mock
 
-from sim.dynamics import series
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.motion import series
 from sim.scene import effects, read_scene
 from tests.benchmarks.physics import row
 from tests.dynamics.test_coupled_contacts import row as carts_in_a_row

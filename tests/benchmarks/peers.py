@@ -18,8 +18,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import sample
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import sample
 from sim.pages.runtime.node import node_program, node_version
 from sim.pages.widget.numbers import short
 from sim.scene import Scene

@@ -12,8 +12,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from sim.dynamics.impact import impact
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.motion.impact import impact
 from sim.scene import read_scene
 from tests import registry
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from sim.bridge.protocol import answer
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.scene import SceneError, apply_changes, read_scene
 from sim.scene.map import MOST, USUAL, read_map
 from tests import registry

@@ -10,7 +10,7 @@ import pytest
 
 from sim.bridge.model_text import MOST_STEPS, model_text
 from sim.bridge.protocol import answer
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests import registry
 

@@ -9,7 +9,7 @@ import zipfile
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from sim.classroom.reading import Source
+from sim.classroom.files.reading import Source
 from sim.lesson.bank import Bank, read_bank
 from sim.lesson.form import Form, read_form
 from sim.lesson.key_file import key_file

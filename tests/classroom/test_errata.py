@@ -10,8 +10,8 @@ from statistics import stdev
 import pytest
 
 from sim.classroom.paper import largest_deviation, whole_total
-from sim.classroom.tails import normal_inside, normal_two_sided
-from sim.dynamics.run import run
+from sim.classroom.statistics.tails import normal_inside, normal_two_sided
+from sim.dynamics.loop.run import run
 from sim.scene import SceneError, read_scene
 from tests.classroom.test_paper import TABLE_2, TABLE_3, text
 

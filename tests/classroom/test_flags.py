@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from sim.classroom.reading import Reading, Source
-from sim.classroom.report import Asked, class_report
+from sim.classroom.files.reading import Reading, Source
+from sim.classroom.report.report import Asked, class_report
 from tests.classroom.makers import answers, bank, keys, random_class, sources
 
 BANK = bank(6)

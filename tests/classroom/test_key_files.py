@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from sim.classroom.keyed import KeyFileError, keyed_item, read_key_file
+from sim.classroom.files.keyed import KeyFileError, keyed_item, read_key_file
 from sim.lesson import read_question
 from sim.lesson.key_file import item_key, key_file
 from sim.lesson.read import KINDS

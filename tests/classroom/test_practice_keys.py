@@ -8,7 +8,7 @@ from typing import Any
 
 from markdown import Markdown
 
-from sim.classroom.keyed import read_key_file
+from sim.classroom.files.keyed import read_key_file
 from sim.pages.classroom.practice_keys import keys_script, practice_key
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.scene_block import Lesson

@@ -9,14 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.classroom.adjusted import adjusted, pairs_of
-from sim.classroom.compare import paired_t, paper_z, welch
-from sim.classroom.item_numbers import corrected_point_biserial, discrimination
-from sim.classroom.ranks import wilcoxon
-from sim.classroom.reading import Reading, Source
+from sim.classroom.files.reading import Reading, Source
 from sim.classroom.refusal import RefusalError
-from sim.classroom.report import Asked, class_report
-from sim.classroom.spread import spread
+from sim.classroom.report.report import Asked, class_report
+from sim.classroom.statistics.adjusted import adjusted, pairs_of
+from sim.classroom.statistics.compare import paired_t, paper_z, welch
+from sim.classroom.statistics.item_numbers import corrected_point_biserial, discrimination
+from sim.classroom.statistics.ranks import wilcoxon
+from sim.classroom.statistics.spread import spread
 from tests.classroom.makers import bank, keys, random_class, sources
 
 MARKS = st.lists(st.tuples(st.integers(0, 12), st.integers(0, 12)), min_size=5, max_size=40)

@@ -12,9 +12,9 @@ from collections.abc import Callable
 
 import pytest
 
-from sim.classroom.archive import MOST_ENTRIES, is_zip
-from sim.classroom.reading import MOST_NAMED, Reading, Source
-from sim.classroom.report import Asked, class_report
+from sim.classroom.files.archive import MOST_ENTRIES, is_zip
+from sim.classroom.files.reading import MOST_NAMED, Reading, Source
+from sim.classroom.report.report import Asked, class_report
 from sim.lesson.answer_file import read_answer_file
 from tests.classroom.makers import answers, bank, keys, random_class, sources, zipped
 
@@ -36,6 +36,13 @@ def test_files_folders_and_zips_are_read_alike() -> None:
     assert not plain.refused
     assert not packed_too.refused
     assert packed_too.files[0].name.startswith("class.zip/")
+
+
+def test_what_students_zipped_is_read_from_the_zip_of_a_platform() -> None:
+    whole = packed(lambda a: [a.writestr(f"{k}.zip", zipped([one])) for k, one in enumerate(GOOD)])
+    reading = Reading.of([Source("all.zip", whole)])
+    assert len(reading.files) == len(GOOD)
+    assert reading.files[0].name.startswith("all.zip/0.zip/")
 
 
 def test_a_key_file_is_recognised_by_what_is_in_it() -> None:
@@ -87,7 +94,8 @@ def many_entries() -> bytes:
 
 
 def nested() -> bytes:
-    return packed(lambda a: a.writestr("inner.zip", zipped(GOOD)))
+    inner = packed(lambda a: a.writestr("inner.zip", zipped(GOOD)))
+    return packed(lambda a: a.writestr("outer.zip", inner))
 
 
 def encrypted() -> bytes:
@@ -116,7 +124,7 @@ BAD: dict[str, tuple[Callable[[], bytes], str]] = {
     "lying bomb": (lying_bomb, "damaged|too large"),
     "a million entries": (million, "more than 20,000 entries"),
     "more entries than a class": (many_entries, "more than 20,000 entries"),
-    "a zip in a zip": (nested, "zip inside a zip"),
+    "a zip in a zip in a zip": (nested, "too many zips"),
     "a password": (encrypted, "password"),
     "packed in another way": (strange_way, "not known here"),
     "cut": (lambda: zipped(GOOD)[:-30], "damaged"),
@@ -166,7 +174,7 @@ def test_a_file_that_nobody_thought_of_is_refused_and_the_others_are_read(
             raise ZeroDivisionError
         return read_answer_file(text)
 
-    monkeypatch.setattr("sim.classroom.reading.read_answer_file", surprising)
+    monkeypatch.setattr("sim.classroom.files.reading.read_answer_file", surprising)
     reading = Reading.of([GOOD[0], Source("odd.json", b"surprise"), GOOD[1]])
     assert len(reading.files) == 2
     assert reading.refused[0].reason == "this file cannot be read (ZeroDivisionError)"

@@ -9,12 +9,12 @@ from typing import Any
 import pytest
 from scipy import stats
 
-from sim.classroom.codes import read_codes
-from sim.classroom.escaped import escape
-from sim.classroom.reading import Reading, Source
-from sim.classroom.records import as_record, from_record
-from sim.classroom.report import Asked, class_report
-from sim.classroom.show import report_html
+from sim.classroom.files.codes import read_codes
+from sim.classroom.files.reading import Reading, Source
+from sim.classroom.files.records import as_record, from_record
+from sim.classroom.report.report import Asked, class_report
+from sim.classroom.show.escaped import escape
+from sim.classroom.show.report_page import report_html
 from sim.lesson.handin import encode
 from tests.classroom.makers import answers, bank, form, keys, random_class, sources
 

@@ -12,13 +12,17 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from sim.classroom.adjusted import adjusted, pairs_of
-from sim.classroom.compare import cohen_d, cohen_d_within, paired_t, paper_z, welch
-from sim.classroom.gain import hake_gain
-from sim.classroom.item_numbers import corrected_point_biserial, difficulty, discrimination
-from sim.classroom.ranks import wilcoxon
 from sim.classroom.refusal import RefusalError
-from sim.classroom.spread import Spread, spread
+from sim.classroom.statistics.adjusted import adjusted, pairs_of
+from sim.classroom.statistics.compare import cohen_d, cohen_d_within, paired_t, paper_z, welch
+from sim.classroom.statistics.gain import hake_gain
+from sim.classroom.statistics.item_numbers import (
+    corrected_point_biserial,
+    difficulty,
+    discrimination,
+)
+from sim.classroom.statistics.ranks import wilcoxon
+from sim.classroom.statistics.spread import Spread, spread
 
 CLASSES = 1_000
 NEAR = 1e-12

@@ -134,12 +134,12 @@ def test_a_path_that_cannot_be_read_is_a_wrong_call(command, tmp_path):
 
 
 def test_the_account_of_a_run_is_told_by_name():
-    story = carts("run", registry.FOLDER / "incline-bounce.yml").stdout
+    story = carts("run", registry.PATHS["incline-bounce"]).stdout
     assert "From outside: incline gave 0.684832 N s, walls gave −0.585522 N s." in story
     assert "height on the incline" in story
-    story = carts("run", registry.FOLDER / "release-and-friction.yml").stdout
+    story = carts("run", registry.PATHS["release-and-friction"]).stdout
     assert "Work: release 0.06 J, friction −0.06 J." in story
-    story = carts("run", registry.FOLDER / "magnets-repel.yml").stdout
+    story = carts("run", registry.PATHS["magnets-repel"]).stdout
     assert "No impulse from outside." in story
     assert "  magnets" in story
 
@@ -187,7 +187,7 @@ def test_a_long_run_tells_nobody_else():
 
 
 def test_what_cannot_be_solved_is_a_finding(monkeypatch, capsys):
-    from sim.dynamics.outcome import UnsolvedError
+    from sim.dynamics.result.outcome import UnsolvedError
 
     def refuse(*_, **__):
         raise UnsolvedError("no solver", "use another law", 0.0, ("A",))

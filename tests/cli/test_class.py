@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner, Result
 
-from sim.classroom.marks_file import marks_file
+from sim.classroom.files.marks_file import marks_file
 from sim.cli import main
 from tests.classroom.makers import bank, keys, random_class, sources, zipped
 

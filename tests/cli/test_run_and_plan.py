@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from sim.cli import main
 from tests import registry
 
-PAPER = str(registry.FOLDER / "paper-two-carts.yml")
+PAPER = str(registry.PATHS["paper-two-carts"])
 
 
 def carts(*arguments, stdin=None):
@@ -20,7 +20,7 @@ def carts(*arguments, stdin=None):
 
 @pytest.mark.parametrize("name", registry.NAMES)
 def test_every_scene_runs_and_has_a_plan(name):
-    path = registry.FOLDER / f"{name}.yml"
+    path = registry.PATHS[name]
     document = json.loads(carts("run", path, "--json").stdout)
     phases = json.loads(carts("plan", path, "--json").stdout)
     assert document["format"] == 1
@@ -66,7 +66,7 @@ def test_the_document_of_a_run_has_the_keys_of_the_interface():
 
 
 def test_a_scene_may_come_from_standard_input():
-    text = (registry.FOLDER / "paper-two-carts.yml").read_text(encoding="utf-8")
+    text = (registry.PATHS["paper-two-carts"]).read_text(encoding="utf-8")
     assert json.loads(carts("run", "-", "--json", stdin=text).stdout)["final"]["v"]["B"] == 0.4
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 from tests import registry
 

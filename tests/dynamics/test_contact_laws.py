@@ -7,7 +7,10 @@ import math
 
 import pytest
 
-from sim.dynamics.laws import Bumper, Paper, PushOnly, PushOnlyUncorrected
+from sim.laws.bumper.law import Bumper
+from sim.laws.paper.law import Paper
+from sim.laws.push_only.law import PushOnly
+from sim.laws.push_only_uncorrected.law import PushOnlyUncorrected
 from tests.reference import force_laws
 
 LAWS = {

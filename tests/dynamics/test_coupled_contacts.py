@@ -7,8 +7,8 @@ import random
 
 import pytest
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import sample, trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import sample, trajectory
 from sim.scene import read_scene
 from tests.reference import many_contacts
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import pkgutil
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -12,12 +13,13 @@ from pathlib import Path
 import pytest
 
 import sim.dynamics
-from sim.dynamics.plan import packages, plan
-from sim.dynamics.report import report
-from sim.dynamics.run import run
+import sim.effects
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
+from sim.dynamics.report.plan import packages, plan
 from sim.pages.bake import bake
 from sim.scene import apply_changes, read_scene
-from sim.scene.effects import KINDS
+from sim.scene.effects import kinds
 from tests import registry
 
 ROOT = Path(__file__).parents[2]
@@ -78,7 +80,7 @@ def listed(name: str) -> set[str]:
 
 def test_every_effect_has_a_scene_by_itself():
     alone = [listed(name) for name in registry.NAMES]
-    assert all({kind} in alone for kind in KINDS)
+    assert all({kind} in alone for kind in kinds())
 
 
 @pytest.mark.parametrize("name", registry.NAMES)
@@ -96,8 +98,8 @@ def test_an_effect_on_another_cart_is_not_evaluated_for_this_one():
 def imported_by(plain: dict) -> set[str]:
     """The modules that a process has after it has run this scene and nothing else."""
     script = (
-        "import json, sys; from sim.scene import read_scene; from sim.dynamics.run import run;"
-        "from sim.dynamics.report import report;"
+        "import json, sys; from sim.scene import read_scene; from sim.dynamics.loop.run import run;"
+        "from sim.dynamics.report.document import report;"
         "report(run(read_scene(json.load(sys.stdin)))); print(json.dumps(list(sys.modules)))"
     )
     done = subprocess.run(
@@ -118,9 +120,9 @@ ALONE += ["spring-pair", "magnets-repel", "release-explosion", "triple-hit"]
 @pytest.mark.parametrize("name", ALONE)
 def test_a_scene_imports_the_effects_that_it_lists_and_no_others(name):
     modules = imported_by(registry.plain(name))
-    effects = {m.rpartition(".")[2] for m in modules if m.startswith("sim.dynamics.effects.")}
-    assert effects & set(KINDS) == listed(name)
-    assert not modules & {"numpy", "scipy", "sim.dynamics.adaptive"}
+    forces = {m.split(".")[2] for m in modules if re.fullmatch(r"sim\.effects\.\w+\.force", m)}
+    assert forces == listed(name)
+    assert not modules & {"numpy", "scipy", "sim.dynamics.motion.adaptive"}
 
 
 def test_balls_that_never_touch_import_no_scipy():
@@ -144,9 +146,13 @@ def test_a_page_carries_packages_for_balls_that_a_slider_may_bring_together():
 
 
 def test_every_module_of_the_numerics_is_found_where_a_page_is_packed():
-    found = {m.name for m in pkgutil.walk_packages(sim.dynamics.__path__, "sim.dynamics.")}
-    assert {f"sim.dynamics.effects.{kind}" for kind in KINDS} <= found
-    assert "sim.dynamics.adaptive" in found
+    found = {
+        m.name
+        for package in (sim.dynamics, sim.effects)
+        for m in pkgutil.walk_packages(package.__path__, f"{package.__name__}.")
+    }
+    assert {f"sim.effects.{kind}.force" for kind in kinds()} <= found
+    assert "sim.dynamics.motion.adaptive" in found
 
 
 @pytest.mark.parametrize("name", TIERS)
@@ -167,7 +173,7 @@ def test_the_scenes_without_a_row_above_have_no_effects(name):
     assert listed(name) == set()
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", list(kinds()))
 def test_the_reasons_name_the_effect_while_it_acts(kind):
     if kind == "release":
         return  # no phase: it takes no time

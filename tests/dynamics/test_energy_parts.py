@@ -7,9 +7,9 @@ import math
 
 import pytest
 
-from sim.dynamics.energy_parts import energy_parts
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.energy_parts import energy_parts
+from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 from tests import registry
 

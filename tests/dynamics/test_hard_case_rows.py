@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sim.bridge.end_state import read
-from sim.dynamics.report import report
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.report.document import report
 from sim.pages.hard_cases import ALL, HardCase
 from sim.pages.hard_cases.collisions import pi_billiard, pi_digits
 from sim.scene import read_scene

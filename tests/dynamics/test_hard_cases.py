@@ -7,7 +7,7 @@ import random
 
 import pytest
 
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.scene import read_scene
 from tests import registry
 from tests.dynamics.test_coupled_contacts import row

@@ -8,8 +8,8 @@ from typing import Any
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 
 LAWS = ("bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro")

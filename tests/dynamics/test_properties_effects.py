@@ -10,9 +10,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.trajectory import trajectory
 from sim.scene import read_scene
 from tests.dynamics.random_effects import acted_on
 from tests.reference.contact_branches import UnsupportedError

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene

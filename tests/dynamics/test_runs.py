@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import sample, trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import sample, trajectory
 from sim.scene import apply_changes, read_scene
 from tests import registry
 
@@ -268,7 +268,7 @@ def test_a_bumper_caught_between_cart_and_wall_is_pressed_again_before_it_is_cle
 
 
 def test_bumpers_squeezed_beyond_their_length_are_told_before_the_run():
-    from sim.dynamics.warnings import warnings
+    from sim.dynamics.report.warnings import warnings
 
     (warning,) = warnings(run(registry.scene("too-soft-bumpers")))
     assert warning.code == "bumper-bottoms"

@@ -8,11 +8,10 @@ import math
 import numpy as np
 import pytest
 
-from sim.dynamics.laws import finite_law
-from sim.dynamics.run import run
-from sim.dynamics.stepping.contact_force import contact_force
+from sim.dynamics.loop.run import run
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, outcome
 from sim.dynamics.stepping.recorded import stepped, stepped_report
+from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
 from sim.scene.model import Contact
 from tests import registry
@@ -190,9 +189,9 @@ def test_a_batch_is_its_runs(law: str, method: str) -> None:
 @pytest.mark.parametrize("e", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("law", ["bumper", "paper"])
 def test_a_force_is_one_number_for_one_run_and_for_many(law: str, e: float) -> None:
-    contact = finite_law(Contact(law=law, restitution=e, stiffness=400.0))  # type: ignore[arg-type]
+    contact = contact_law(Contact(law=law, restitution=e, stiffness=400.0))
     assert contact is not None
-    force = contact_force(contact, 0.5)
+    force = contact.stepping(0.5)
     d, v, memory = (
         np.array(column)
         for column in zip(

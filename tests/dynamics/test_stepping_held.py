@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene

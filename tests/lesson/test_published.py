@@ -71,10 +71,22 @@ def faults(value: Any, rule: Mapping[str, Any], at: str = "") -> Iterator[str]:
         for name, part in value.items():
             if name in rule.get("properties", {}):
                 yield from faults(part, rule["properties"][name], f"{at}.{name}")
-            elif any(re.search(p, name) for p in rule.get("patternProperties", {})):
                 continue
-            elif rule.get("additionalProperties") is False:
+            fit = [r for p, r in rule.get("patternProperties", {}).items() if re.search(p, name)]
+            for one in fit:
+                yield from faults(part, one, f"{at}.{name}")
+            if fit:
+                continue
+            others = rule.get("additionalProperties", True)
+            if others is False:
                 yield f"{at}: {name} is unknown"
+            elif others is not True:
+                yield from faults(part, others, f"{at}.{name}")
+    if number and not (
+        rule.get("minimum", value) <= value <= rule.get("maximum", value)
+        and rule.get("exclusiveMinimum", value - 1) < value
+    ):
+        yield f"{at}: {value} is out of range"
     if isinstance(value, list):
         if not rule.get("minItems", 0) <= len(value) <= rule.get("maxItems", len(value)):
             yield f"{at}: {len(value)} items"

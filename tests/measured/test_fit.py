@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import sample
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import sample
 from sim.measured.effects import called_for, compare
 from sim.measured.fit import Asked, Fit, fit
 from sim.measured.known import told

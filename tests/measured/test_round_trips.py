@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import sample
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import sample
 from sim.measured.fit import Asked, fit
 from sim.measured.motion import Motion
 from sim.measured.report import model_as_tracker, motion_report

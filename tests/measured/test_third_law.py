@@ -7,8 +7,8 @@ from random import Random
 
 import pytest
 
-from sim.dynamics.run import run
-from sim.dynamics.trajectory import trajectory
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.trajectory import trajectory
 from sim.measured.refusal import FitError
 from sim.measured.report import forces_report
 from sim.measured.third_law import third_law

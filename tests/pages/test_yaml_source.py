@@ -34,6 +34,42 @@ def test_places_count_from_where_the_text_stands_in_its_file() -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "place", "said"),
+    [
+        ("mass:\u00a00.5 kg", (1, 6), "a character that nobody sees (U+00A0)"),
+        ("carts:\n\u00a0 A: {mass: 1}", (2, 1), "a character that nobody sees (U+00A0)"),
+        ("ma\u200bss: 1", (1, 3), "a character that nobody sees (U+200B)"),
+        ("effects:\n  – friction: {coefficient: 0.1}", (2, 3), "a long dash begins this line"),
+        ("ask: Join # of 50%", (1, 11), "what comes after # is left out"),
+        ("options:\n  - text: Item # 3", (2, 16), "what comes after # is left out"),
+        ("\tmass: 1", (1, 1), "a tab character"),
+    ],
+)
+def test_what_a_word_processor_leaves_behind_is_named_where_it_stands(
+    text: str, place: tuple[int, int], said: str
+) -> None:
+    with pytest.raises(YamlError) as caught:
+        load(text)
+    assert (caught.value.line, caught.value.col) == place
+    assert caught.value.message.startswith(said)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "ask: |\n  – A dash, 10\u00a0000 km and a # in prose\n  go on\nid: a",
+        "mass: 0.5 kg # a remark",
+        'ask: "Join # of 50%"',
+        "ask: 10\u00a0000 km away",
+        "title: No blank before it#1",
+        "# title: a whole line of remark # 2",
+    ],
+)
+def test_the_same_signs_in_prose_and_remarks_are_fine(text: str) -> None:
+    load(text)
+
+
+@pytest.mark.parametrize(
     ("written", "read"),
     [
         ("0", 0),

@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 from sim.lesson.form import Form
 from sim.lesson.handin import decode
 from sim.pages.extension import Page as MadePage
-from tests.web.answering import answer_everything, saved, saved_file
+from tests.web.answering import KEEP_FILES, answer_everything, saved, saved_file
 from tests.web.conftest import OpenPage
 from tests.web.question_site import BANK, question_site, questions_page, ready
 
@@ -69,7 +69,7 @@ def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site:
     expect(page.locator("#why textarea")).to_have_value("from somebody")
     page.get_by_label("its weight").check()
     saved(page, "pick-many")
-    continue_as(page, "RED-OWL-13", "Begin as")
+    continue_as(page, "RED-OWL-13")
     expect(page.locator("#why textarea")).to_have_value("")
     expect(page.get_by_label("its weight")).not_to_be_checked()
     page.locator(".carts-bar-open").click()
@@ -99,10 +99,28 @@ def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site:
         page.get_by_role("button", name="Delete all of them").click()
     ready(page)
     assert page.evaluate(COUNT_READINGS) == 0
+    continue_as(page, "RED-OWL-13")
+    expect(page.locator("#why textarea")).to_have_value("")
+
+
+def test_a_file_without_a_code_word_is_asked_for_one_and_takes_it(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(question_site / "kinds.html"))
+    page.locator("#why textarea").fill("nobody's yet")
+    saved(page, "why")
     page.locator(".carts-bar-open").click()
-    page.locator(".carts-answers-code").fill("RED-OWL-13")
-    page.locator(".carts-answers-go").click()
-    expect(page.locator(".carts-answers-who")).to_contain_text("nothing of RED-OWL-13")
+    page.evaluate(KEEP_FILES)
+    page.locator(".carts-answers-save").first.click()
+    assert page.evaluate("window.files.length") == 0
+    page.locator(".carts-answers-whose input").fill("blue fox 27")
+    with page.expect_navigation():
+        page.locator(".carts-answers-with-code").click()
+        name = page.evaluate("window.files[0].text()")
+        assert '"student": "BLUE-FOX-27"' in name
+    ready(page)
+    expect(page.locator(".carts-bar-who")).to_have_text("BLUE-FOX-27")
+    expect(page.locator("#why textarea")).to_have_value("nobody's yet")
 
 
 def bring_back(page: Page, name: str, text: str) -> None:
@@ -173,7 +191,7 @@ def test_a_form_is_taken_before_and_after_and_handed_in(
     open_page: OpenPage, question_site: Path
 ) -> None:
     page = ready(open_page(question_site / "test.html"))
-    continue_as(page, "BLUE-FOX-27", "Begin as")
+    continue_as(page, "BLUE-FOX-27")
     pre, post = (page.locator(f'carts-quiz[data-form="{form}"]') for form in ("pre", "post"))
     expect(post.locator("carts-question").first).to_be_hidden()
     pre.get_by_label("forwards").check()

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import FilePayload, Page, expect
 
-from sim.classroom.reading import Source
+from sim.classroom.files.reading import Source
 from sim.pages.runtime import CLASSROOM, default_cache, pack
 from tests.classroom.makers import answers, bank, form, keys, random_class, sources, zipped
 from tests.web.boot_site import ROOT, STRICT, bundle
@@ -39,7 +39,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     pack(site, packages=packages, cache=default_cache(ROOT), report=lambda _: None)
     web = ROOT / "sim" / "web"
     sheets = [web / "css" / "carts.css", web / "css" / "class.css"]
-    sheets.append(ROOT / "sim" / "classroom" / "report.css")
+    sheets.append(ROOT / "sim" / "classroom" / "show" / "report.css")
     (assets / "carts.css").write_bytes(b"\n".join(sheet.read_bytes() for sheet in sheets))
     bundle(web / "src" / "class-main.js", assets / "class.js")
     (site / "class.html").write_text(PAGE, encoding="utf-8")
@@ -227,6 +227,7 @@ def test_on_the_real_page_a_worksheet_needs_no_key_and_the_report_is_what_prints
 
     (key,) = [k for k in keys_of(site) if k["lesson"] == "newtons-third-law"]
     (item,) = [i for i in key["forms"][0]["items"] if i["id"] == "third-first-idea"]
+    number = 1 + key["forms"][0]["items"].index(item)
     right = item["key"]["correct"][0]
     time = "2026-09-01T08:00:00.000Z"
     files = [
@@ -243,7 +244,8 @@ def test_on_the_real_page_a_worksheet_needs_no_key_and_the_report_is_what_prints
     page = open_page(site / "teachers" / "class-results.html", folder=site)
     expect(page.locator("carts-class[data-state=ready]")).to_have_count(1)
     choose(page, sources(files))
-    row = page.locator(".carts-class-table.overview tr", has_text="third-first-idea")
+    cell = page.get_by_role("cell", name=f"Question {number}", exact=True)
+    row = page.locator(".carts-class-table.overview tr").filter(has=cell)
     expect(row).to_contain_text("4 of 6", timeout=60_000)
     complete(page)
     if page.context.browser and page.context.browser.browser_type.name == "chromium":

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, Request, expect
 
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
 from sim.pages.bake import bake
 from sim.pages.runtime import default_cache, pack
 from sim.scene import apply_changes, read_scene

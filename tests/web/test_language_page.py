@@ -11,12 +11,10 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from sim.bridge.protocol import answer
 from sim.pages import extension
-from sim.pages.language import speaking
+from sim.pages.language import speaking, told
 from sim.pages.language.extract import sentences
-from tests import registry
-from tests.pages.test_language import BRACKETS, told
+from tests.pages.test_language import BRACKETS, rebuilt, sent_of_runs
 from tests.web import question_site as question_pages
 from tests.web.conftest import OpenPage
 from tests.web.question_site import question_site
@@ -103,19 +101,15 @@ def open_all(page: Page) -> None:
 
 
 def test_the_page_tells_what_comes_from_python_as_the_generator_does() -> None:
-    said = set()
-    for name in registry.NAMES:
-        header, _ = answer({"id": 1, "kind": "run", "scene": registry.plain(name), "samples": 1})
-        said |= {clause for phase in header["plan"] for clause in phase["why"].split("; ")}
-        said |= {warning["message"] for warning in header["warnings"]}
-    asked = sorted(said | set(sentences()) | {"Do A and B stick?", "A and B", "mass"})
+    asked = [*sent_of_runs(), *sentences(), "Do A and B stick?", "A and B", "mass"]
     there = in_node(
         """globalThis.cartsWords = data.words;
-        const { heard } = await import(view + "/language.js");
-        give(data.asked.map(heard));""",
+        const { told } = await import(view + "/language.js");
+        give(data.asked.map(told));""",
         {"words": BRACKETS, "asked": asked},
     )
-    assert there == [told(sentence) for sentence in asked]
+    with speaking(BRACKETS):
+        assert there == [told(rebuilt(one)) for one in asked]
 
 
 def test_nothing_on_a_scene_is_said_in_another_language(

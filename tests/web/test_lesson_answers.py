@@ -22,7 +22,7 @@ def test_a_lesson_over_two_days_gives_one_file(
         pytest.skip("the same modules are tested in Firefox on lighter pages")
     lesson = site / "worksheets" / "newtons-third-law.html"
     page = ready(open_page(lesson, folder=site))
-    continue_as(page, "BLUE-FOX-27", "Begin as")
+    continue_as(page, "BLUE-FOX-27")
     page.get_by_label("Ana: the force on the trailer is larger.").check()
     saved(page, "third-first-idea")
     scene = page.locator("#third-equal")

@@ -18,8 +18,8 @@ from typing import TYPE_CHECKING, Any
 
 from sim.dynamics.batch.one_contact import Outcomes, outcomes
 from sim.dynamics.batch.parameters import Axis, Parameters, parameters
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import Scene, SceneError, apply_changes, read_scene
 
 if TYPE_CHECKING:

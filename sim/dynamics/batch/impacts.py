@@ -16,11 +16,10 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from sim.dynamics.batch import damping
+from sim.laws.many import PerSpeed, figures_of_many
+from sim.scene.laws import laws
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import numpy as np
     from numpy.typing import NDArray
 
@@ -44,17 +43,6 @@ class Impacts:
     warmed: Values  # J, into the bumpers
 
 
-@dataclass(frozen=True, slots=True)
-class _PerSpeed:
-    """One contact at approach speed 1 m/s, as in `laws.Figures`."""
-
-    e: Values
-    duration: Values
-    force: Values
-    overlap: Values
-    left_over: Values
-
-
 def impacts(
     law: str,
     m1: Values | float | None,
@@ -67,7 +55,7 @@ def impacts(
 ) -> Impacts:
     """The outcome of every contact; a mass None is a wall.
 
-    `law`: bumper, paper, push-only, push-only-uncorrected, instant or velcro. `u` [m/s]: approach
+    `law`: one that has a closed form for many, or none in time. `u` [m/s]: approach
     speeds, where they are known better than v1 − v2 in floating point.
     """
     import numpy as np
@@ -75,21 +63,18 @@ def impacts(
     first, second = np.asarray(v1, dtype=float), np.asarray(v2, dtype=float)
     u = np.asarray(first - second if u is None else u, dtype=float)
     mu = reduced_mass(m1, m2)
-    if law == "velcro":
-        asked = np.zeros(())
-    else:
-        assert e is not None
-        asked = np.asarray(e, dtype=float)
+    kind = laws()[law]
+    joins, sudden = kind.restitution is None, kind.stiffness is None
+    asked = np.zeros(()) if joins else np.asarray(e, dtype=float)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        if law in ("instant", "velcro"):
+        if sudden:
             none = np.zeros(())
-            per = _PerSpeed(asked, none, np.asarray(math.inf), none, none)
+            per = PerSpeed(asked, none, np.asarray(math.inf), none, none)
             impulse = mu * (1.0 + asked) * u
         else:
-            assert k is not None
-            per = FIGURES[law](np.asarray(k, dtype=float), asked, mu)
+            per = figures_of_many(law)(np.asarray(k, dtype=float), asked, mu)
             impulse = mu * (u + per.e * u)
-        if law == "velcro" and m1 is not None and m2 is not None:
+        if joins and m1 is not None and m2 is not None:
             common = (m1 * first + m2 * second) / (np.asarray(m1) + m2)
             after = common, common
         else:
@@ -150,56 +135,3 @@ def outgoing(m1: Values, m2: Values, v1: Values, v2: Values, e: Values) -> tuple
         centre + (rest - np.where(left_heavier, near, far)),
         centre + (rest + np.where(left_heavier, far, near)),
     )
-
-
-def _bumper(k: Values, e: Values, mu: Values) -> _PerSpeed:
-    import numpy as np
-
-    w = np.sqrt(k / mu)
-    quarter = 0.5 * math.pi / w
-    return _PerSpeed(e, quarter * (1.0 + e), np.sqrt(k * mu), 1.0 / w, (1.0 - e * e) / w)
-
-
-def _paper(k: Values, e: Values, mu: Values) -> _PerSpeed:
-    import numpy as np
-
-    d, w0 = damping.to_zero_overlap(e), np.sqrt(k / mu)
-    force, overlap = _dashpot(d, k, mu, w0)
-    return _PerSpeed(e, math.pi / (w0 * d.sine), force, overlap, np.zeros(()))
-
-
-def _push_only(k: Values, e: Values, mu: Values) -> _PerSpeed:
-    return _pushing(damping.to_zero_force(e), k, e, mu)
-
-
-def _push_only_uncorrected(k: Values, e: Values, mu: Values) -> _PerSpeed:
-    d, more = damping.delivered(e)
-    return _pushing(d, k, more, mu)
-
-
-def _pushing(d: damping.Dampings, k: Values, e: Values, mu: Values) -> _PerSpeed:
-    import numpy as np
-
-    w0 = np.sqrt(k / mu)
-    force, overlap = _dashpot(d, k, mu, w0)
-    return _PerSpeed(e, 2.0 / (w0 * d.sinc), force, overlap, 2.0 * d.zeta * e / w0)
-
-
-def _dashpot(d: damping.Dampings, k: Values, mu: Values, w0: Values) -> tuple[Values, Values]:
-    """Greatest force [N] and overlap [m] at 1 m/s. With zeta >= 1/2 the force only falls."""
-    import numpy as np
-
-    angle = 3.0 * np.sqrt(np.maximum(d.square, 0.0)) - math.pi
-    fade = np.exp(-d.zeta / np.where(d.sine > 0.0, d.sine, 1.0) * angle)
-    factor = np.where(d.zeta >= 0.5, 2.0 * d.zeta, fade)
-    return np.sqrt(k * mu) * factor, np.exp(-d.zeta / d.sinc) / w0
-
-
-FIGURES: dict[str, Callable[[Values, Values, Values], _PerSpeed]] = {
-    "bumper": _bumper,
-    "paper": _paper,
-    "push-only": _push_only,
-    "push-only-uncorrected": _push_only_uncorrected,
-}
-LAWS = (*FIGURES, "instant", "velcro")
-"""Laws with a closed-form outcome; `hertz` is run."""

@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING
 
 from sim.dynamics.batch.impacts import Impacts, impacts, reduced_mass
 from sim.dynamics.batch.parameters import Parameters
-from sim.dynamics.resolve import STILL
+from sim.dynamics.loop.contacts import STILL
+from sim.scene.laws import laws
 
 if TYPE_CHECKING:
     import numpy as np
@@ -126,7 +127,7 @@ def _alone(p: Parameters, contact: _Contact, touch: dict[int, Values], others: l
     fine = (contact.begin < math.inf) & (end < p.until * (1.0 - MARGIN))
     fine = fine & (p.closing[contact.gap] > STILL * (1.0 + MARGIN) * fastest)
     e = p.restitution[contact.gap]
-    if e is not None and p.law[contact.gap].startswith("push-only"):
+    if e is not None and laws()[p.law[contact.gap]].no_zero:
         fine = fine & (e > 0.0)
     for k in others:
         fine = fine & (touch[k] > contact.begin * (1.0 + MARGIN))

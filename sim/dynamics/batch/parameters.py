@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from sim.dynamics.batch.impacts import LAWS
+from sim.laws.many import outcome_known
 from sim.scene import Scene, SceneError, apply_changes, read_scene
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def parameters(plain: Mapping[str, Any], axes: Sequence[Axis]) -> Parameters | N
         return None
     base, others, tried = probes
     laws = [contact.law for contact in base.contacts if contact is not None]
-    if len(base.carts) > MOST_CARTS or base.effects or any(law not in LAWS for law in laws):
+    if len(base.carts) > MOST_CARTS or base.effects or not all(map(outcome_known, laws)):
         return None
     own = _numbers(base)
     found = {name: np.asarray(value) for name, value in own.items() if value is not None}

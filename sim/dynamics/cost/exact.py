@@ -1,7 +1,7 @@
 """The exact outcome of a scene, as cheaply as it can be had, and as truly as it can be known.
 
 Where a scene is one contact of two carts and nothing else, the outcome is the bare formula
-(`sim.dynamics.impact`), and its truth is rational arithmetic. Anything else is a run of the exact
+(`motion.impact`), and its truth is rational arithmetic. Anything else is a run of the exact
 solver, which is then the truth itself.
 """
 
@@ -12,10 +12,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sim.dynamics.impact import outgoing
-from sim.dynamics.laws import Hertz, finite_law
-from sim.dynamics.ledger import kinetic
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.result.ledger import kinetic
+from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 
 ONE_CONTACT = {"contact": 1, "peak": 1, "separate": 1, "end": 1}
@@ -60,8 +60,8 @@ def exact(scene: Scene) -> Exact:
 def _one_contact(scene: Scene, counts: dict[str, int]) -> bool:
     if len(scene.carts) != 2 or scene.effects or scene.contacts[1] is None:
         return False
-    law = finite_law(scene.contacts[1])
-    linear = law is not None and not isinstance(law, Hertz)
+    law = contact_law(scene.contacts[1])
+    linear = law is not None and law.linear
     return linear and counts == ONE_CONTACT and scene.gaps[1] >= 0.0
 
 
@@ -71,7 +71,7 @@ def _formula(scene: Scene) -> Callable[[], Outcome]:
     m1, m2, v1, v2, x1, x2 = a.mass, b.mass, a.velocity, b.velocity, a.position, b.position
     room, until, contact = scene.gaps[1], scene.until, scene.contacts[1]
     assert contact is not None
-    law = finite_law(contact)
+    law = contact_law(contact)
     assert law is not None
 
     def outcome() -> Outcome:
@@ -96,7 +96,7 @@ def _rational(scene: Scene) -> tuple[float, ...]:
     a, b = scene.carts
     contact = scene.contacts[1]
     assert contact is not None
-    law = finite_law(contact)
+    law = contact_law(contact)
     assert law is not None
     m1, m2, v1, v2 = (Fraction(c) for c in (a.mass, b.mass, a.velocity, b.velocity))
     e = Fraction(law.figures(1.0).e)

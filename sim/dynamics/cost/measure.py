@@ -16,12 +16,13 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from sim.dynamics.cost.exact import Exact, exact
-from sim.dynamics.finished import Run
-from sim.dynamics.laws import finite_law
-from sim.dynamics.ledger import kinetic
-from sim.dynamics.run import run
+from sim.dynamics.loop.run import run
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.ledger import kinetic
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, batchable, outcome
 from sim.dynamics.stepping.stepper import Stepper
+from sim.laws.lookup import contact_law
+from sim.scene.effects import kinds
 from sim.scene.model import Scene
 
 PHASES, FEW_PHASES = 64, 8
@@ -213,13 +214,13 @@ def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -
     field, total = run.field, 0.0
     for pair in field.pairs:
         d, rate = field.overlap(pair, s, v)
-        law = finite_law(pair.contact)
+        law = contact_law(pair.contact)
         if d > 0.0 and law is not None and pair.force is not None:
             pushes = pair.force.push(d, rate, memory[pair.gap])
             total += law.stored(d, rate, memory[pair.gap]) if pushes else 0.0
         total += math.fsum(link.energy(-d) for link in pair.links)
-    for pulls, way in zip(field.pulls(0.0), s, strict=True):
-        total -= math.fsum(pull.steady * way for pull in pulls if pull.kind == "incline")
+    for forces, way in zip(field.body_forces(0.0), s, strict=True):
+        total -= math.fsum(f.steady * way for f in forces if kinds()[f.kind].stores == "place")
     return total
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from sim.dynamics.cost.measure import CostRow
-from sim.dynamics.report import FORMAT, finite
+from sim.dynamics.report.document import FORMAT, finite
 
 
 def row_object(row: CostRow) -> dict[str, Any]:

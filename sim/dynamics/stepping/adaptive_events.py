@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from sim.dynamics.outcome import UnsolvedError
+from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.field import Row
 from sim.dynamics.stepping.located import CLOSE, Key, crossed, first_zero
 from sim.dynamics.stepping.stepper import LocatedStepper

@@ -12,9 +12,9 @@ import math
 from array import array
 from dataclasses import dataclass
 
-from sim.dynamics.finished import Run
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.trajectory import MOST_NUMBERS, Trajectory, trajectory
 from sim.dynamics.stepping.recorded import SteppedRun
-from sim.dynamics.trajectory import MOST_NUMBERS, Trajectory, trajectory
 
 FAR = 20.0
 """Times the greatest speed of the exact run. What is faster has blown up."""

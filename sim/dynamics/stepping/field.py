@@ -19,10 +19,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.effects import Link, Pull, acting
-from sim.dynamics.laws import finite_law
-from sim.dynamics.outcome import UnsolvedError
-from sim.dynamics.stepping.contact_force import ContactForce, Mode, contact_force
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.stepping.joint_forces import told
+from sim.effects.forces import FRICTION, BodyForce, PairForce, acting
+from sim.laws.lookup import contact_law
+from sim.laws.stepping import Mode, SteppedContact
 from sim.scene.model import Contact, Scene
 
 Row = list[Any]
@@ -39,8 +40,8 @@ class Pair:
     room: float  # m, at the start
     contact: Contact
     mu: float
-    force: ContactForce | None
-    links: tuple[Link, ...]
+    force: SteppedContact | None
+    links: tuple[PairForce, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,19 +70,19 @@ class Field:
         self.memory: list[Any] = [self.number() for _ in range(self.count + 1)]
         self.modes: dict[int, Mode] | None = None  # by gap, where events are located
         self.sliding: dict[int, int] = {}  # by body, likewise: −1, 0 (held) or 1
-        self.pull_time: float | None = None  # s, inside a step that no switch falls into
+        self.force_time: float | None = None  # s, inside a step that no switch falls into
         self.joined: set[int] = set()  # gaps whose bodies move as one
         self.held: set[int] = set()  # those of them that a pressed bumper keeps, see `held`
         self.bodies = [[k] for k in range(self.count)]
         self.grips = self._grips()
-        self.bursts = sorted(
-            (b for one in self._acting for b in one.bursts()), key=lambda b: b.time
+        self.releases = sorted(
+            (one for effect in self._acting for one in effect.releases()), key=lambda one: one.time
         )
         self.switches = sorted(
             {t for one in self._acting for t in one.switches() if 0.0 < t < math.inf}
         )
-        self._pulls = [self._pulls_from(t) for t in [0.0, *self.switches]]
-        self.loaded = any(pull for segment in self._pulls for pull in segment)
+        self._body_forces = [self._from(t) for t in [0.0, *self.switches]]
+        self.loaded = any(force for segment in self._body_forces for force in segment)
         self.linked = any(pair.links for pair in self.pairs)
         self.evaluations = 0
         self.keep: list[Detail] | None = None
@@ -103,8 +104,8 @@ class Field:
         right = gap if gap < self.count else None
         masses = [scene.carts[k].mass for k in (left, right) if k is not None]
         mu = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1])
-        law = finite_law(contact)
-        links = (one.link(gap) for one in self._acting)
+        law = contact_law(contact)
+        links = (one.pair_force(gap) for one in self._acting)
         return Pair(
             gap,
             left,
@@ -112,22 +113,22 @@ class Field:
             scene.gaps[gap],
             contact,
             mu,
-            contact_force(law, mu) if law is not None else None,
+            law.stepping(mu) if law is not None else None,
             tuple(link for link in links if link is not None),
         )
 
     def _grips(self) -> list[tuple[float, float]] | None:
         found = [
-            [grip for one in self._acting if (grip := one.grip(k)) is not None]
+            [grip for one in self._acting if (grip := one.friction(k)) is not None]
             for k in range(self.count)
         ]
         if not any(found):
             return None
         return [(sum(g.kinetic for g in f), sum(g.static for g in f)) for f in found]
 
-    def _pulls_from(self, t: float) -> list[list[Pull]]:
+    def _from(self, t: float) -> list[list[BodyForce]]:
         return [
-            [pull for one in self._acting if (pull := one.pull(k, t)) is not None]
+            [force for one in self._acting if (force := one.body_force(k, t)) is not None]
             for k in range(self.count)
         ]
 
@@ -152,8 +153,6 @@ class Field:
         if self.keep is not None:
             outside = self._outside(t, v) | rub
             if self.held:
-                from sim.dynamics.stepping.held import told  # it imports this module
-
                 push = told(self, push, total, rub, a)
             self.keep.append(Detail(push, links, outside, *self._taken(push, s, v), list(v)))
         return a
@@ -180,11 +179,11 @@ class Field:
                 links[link.kind, gap] = links.get((link.kind, gap), 0.0) + self._link(link, d, rate)
         return push, links, self._total(t, v, push, links)
 
-    def _link(self, link: Link, d: Any, rate: Any) -> Any:
+    def _link(self, link: PairForce, d: Any, rate: Any) -> Any:
         if not self.lanes:
-            if d >= 0.0 and link.kind == "magnets":
+            if d >= 0.0 and link.nearest:
                 raise UnsolvedError(
-                    "a step took two carts through each other, where magnets have no force",
+                    f"a step took two carts through each other, where {link.kind} have no force",
                     "a shorter step",
                     0.0,
                     (),
@@ -207,18 +206,16 @@ class Field:
         total = [between[k] - between[k + 1] for k in range(self.count)]
         if self.loaded:
             for k, speed in enumerate(v):
-                for pull in self.pulls(t)[k]:
-                    total[k] = total[k] + (
-                        pull.steady - (pull.linear + pull.quadratic * abs(speed)) * speed
-                    )
+                for one in self.body_forces(t)[k]:
+                    total[k] = total[k] + one.at(speed)
         return total
 
-    def pulls(self, t: float) -> list[list[Pull]]:
-        """By cart, just after t; while `pull_time` is set, as then."""
+    def body_forces(self, t: float) -> list[list[BodyForce]]:
+        """By cart, just after t; while `force_time` is set, as then."""
         if not self.switches:
-            return self._pulls[0]
-        return self._pulls[
-            bisect_right(self.switches, t if self.pull_time is None else self.pull_time)
+            return self._body_forces[0]
+        return self._body_forces[
+            bisect_right(self.switches, t if self.force_time is None else self.force_time)
         ]
 
     def moved(self, total: Row, v: Row, h: Any) -> tuple[Row, dict[tuple[str, int], float]]:
@@ -236,7 +233,7 @@ class Field:
                 force += friction
                 for k in body:
                     share = self.grips[k][0] / kinetic if kinetic else 0.0
-                    rub["friction", k] = friction * share
+                    rub[FRICTION, k] = friction * share
             for k in body:
                 a[k] = force / mass
         return a, rub
@@ -256,10 +253,9 @@ class Field:
 
     def _outside(self, t: float, v: Row) -> dict[tuple[str, int], float]:
         found: dict[tuple[str, int], float] = {}
-        for k, pulls in enumerate(self.pulls(t)):
-            for pull in pulls:
-                force = pull.steady - (pull.linear + pull.quadratic * abs(v[k])) * v[k]
-                found[pull.kind, k] = found.get((pull.kind, k), 0.0) + force
+        for k, forces in enumerate(self.body_forces(t)):
+            for one in forces:
+                found[one.kind, k] = found.get((one.kind, k), 0.0) + one.at(v[k])
         return found
 
     def _taken(self, push: Row, s: Row, v: Row) -> tuple[float, dict[str, float]]:

@@ -9,17 +9,14 @@ method joins the two, and asks for the force that keeps them together:
 
 from __future__ import annotations
 
-from sim.dynamics.stepping.contact_force import BumperForce
 from sim.dynamics.stepping.field import Field, Pair, Row
-
-Rub = dict[tuple[str, int], float]
-"""N of friction, by (kind, cart)."""
+from sim.dynamics.stepping.joint_forces import joint_forces
 
 
 def stays_pressed(field: Field, pair: Pair, t: float, s: Row, v: Row) -> bool:
     """Would the two close at once, were it not for their bumper? It has just come to a stop."""
     force = pair.force
-    if not isinstance(force, BumperForce) or force.back or field.memory[pair.gap] <= 0.0:
+    if force is None or not force.locks or field.memory[pair.gap] <= 0.0:
         return False
     a = field.moved(field.forces(t, s, v)[2], v, 0.0)[0]
     left = 0.0 if pair.left is None else a[pair.left]
@@ -52,40 +49,8 @@ def guards(field: Field, t: float, s: Row, v: Row) -> dict[int, tuple[float, flo
     total = field.forces(t, s, v)[2]
     a, rub = field.moved(total, v, 0.0)
     found = {}
-    for gap, push in joint_forces(field, _rubbed(total, rub), a).items():
+    for gap, push in joint_forces(field, total, rub, a).items():
         force = field.pair_at[gap].force
-        assert isinstance(force, BumperForce)
-        found[gap] = (push, force.k * field.memory[gap] - push)
+        assert force is not None
+        found[gap] = (push, force.most(field.memory[gap]) - push)
     return found
-
-
-def told(field: Field, push: Row, total: Row, rub: Rub, a: Row) -> Row:
-    """The forces of all contacts, with those that keep two carts together."""
-    between = joint_forces(field, _rubbed(total, rub), a)
-    return [between.get(gap, force) for gap, force in enumerate(push)]
-
-
-def _rubbed(total: Row, rub: Rub) -> Row:
-    """N on each cart, friction included."""
-    found = list(total)
-    for (_, k), friction in rub.items():
-        found[k] += friction
-    return found
-
-
-def joint_forces(field: Field, total: Row, a: Row) -> dict[int, float]:
-    """N in every held gap; `total` [N] is all else that acts on each cart, friction included."""
-    found: dict[int, float] = {}
-    for body in field.bodies:
-        rest = [field.mass[k] * a[k] - total[k] for k in body]
-        at_left_wall = body[0] == 0 and 0 in field.joined
-        push = 0.0
-        if at_left_wall:
-            for k, left_over in zip(reversed(body), reversed(rest), strict=True):
-                push += left_over
-                found[k] = push
-        else:
-            for k, left_over in zip(body, rest, strict=True):
-                push -= left_over
-                found[k + 1] = push
-    return {gap: push for gap, push in found.items() if gap in field.held}

@@ -11,9 +11,9 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.effects.base import Burst
-from sim.dynamics.impact import outgoing
+from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.stepping.field import Field, Pair, Row
+from sim.effects.forces import EnergyRelease
 
 SWEEPS = 20
 """Times that impulses go through the row at one instant, at most."""
@@ -26,7 +26,7 @@ TOUCHING = 1e-12
 class Blow:
     """An impulse without duration [N s], and the velocities around it."""
 
-    kind: str  # "contact" or "release"
+    release: str  # kind of the effect that set it free; empty: a contact
     pair: Pair
     before: tuple[float, float]
     after: tuple[float, float]
@@ -41,14 +41,14 @@ class Impacts:
         self.field = field
         self.remembering = [p for p in field.pairs if p.force is not None and p.force.remembers]
         self.sudden = [p for p in field.pairs if p.force is None]
-        self.bursts = list(field.bursts)
-        self.watches = bool(self.sudden or self.bursts)
+        self.releases = list(field.releases)
+        self.watches = bool(self.sudden or self.releases)
         self.blows: list[Blow] = []
 
     def latch(self, s: Row, v: Row) -> None:
         """Exploders hold together what touches with one velocity at the start."""
-        for burst in self.bursts:
-            pair = self.field.pair_at.get(burst.gap)
+        for release in self.releases:
+            pair = self.field.pair_at.get(release.gap)
             if pair is not None:
                 d, rate = self.field.overlap(pair, s, v)
                 if d >= 0.0 and rate == 0.0:
@@ -62,8 +62,8 @@ class Impacts:
             field.memory[pair.gap] = _remembered(d, field.memory[pair.gap])
         if not self.watches:
             return
-        while self.bursts and self.bursts[0].time <= t:
-            self.set_free(self.bursts.pop(0), s, v)
+        while self.releases and self.releases[0].time <= t:
+            self.set_free(self.releases.pop(0), s, v)
         for _ in range(SWEEPS):
             hit = [pair for pair in self.sudden if self._closes(pair, s, v)]
             if not hit:
@@ -83,15 +83,15 @@ class Impacts:
         field, e = self.field, pair.contact.restitution or 0.0
         (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
         out = outgoing_of(m1, m2, v1, v2, e)
-        if pair.contact.law == "velcro":
+        if pair.contact.joins:
             field.join(pair.gap)
         mu = 1.0 / (1.0 / m1 + 1.0 / m2)
-        self._set(pair, left, right, v, (v1, v2), out, mu, "contact")
+        self._set(pair, left, right, v, (v1, v2), out, mu)
 
-    def set_free(self, burst: Burst, s: Row, v: Row) -> None:
+    def set_free(self, release: EnergyRelease, s: Row, v: Row) -> None:
         """½ mu w'² = ½ mu w² + E, where the two touch."""
         field = self.field
-        pair = field.pair_at[burst.gap]
+        pair = field.pair_at[release.gap]
         d, _ = field.overlap(pair, s, v)
         if pair.gap in field.joined:
             field.join(pair.gap, part=True)
@@ -99,10 +99,10 @@ class Impacts:
             return
         (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
         mu = 1.0 / (1.0 / m1 + 1.0 / m2)
-        apart = math.sqrt((v2 - v1) ** 2 + 2.0 * burst.energy / mu)
+        apart = math.sqrt((v2 - v1) ** 2 + 2.0 * release.energy / mu)
         change = apart - (v2 - v1)
         out = v1 - mu / m1 * change, v2 + mu / m2 * change
-        self._set(pair, left, right, v, (v1, v2), out, mu, "release")
+        self._set(pair, left, right, v, (v1, v2), out, mu, release.kind)
 
     def _body(self, cart: int | None, v: Row) -> tuple[float, list[int], float]:
         """Mass, carts and velocity of the body of a cart; a wall is infinite."""
@@ -122,14 +122,14 @@ class Impacts:
         before: tuple[float, float],
         out: tuple[float, float],
         mu: float,
-        kind: str,
+        release: str = "",
     ) -> None:
         for body, speed in ((left, out[0]), (right, out[1])):
             for k in body:
                 v[k] = speed
         u, w = before[0] - before[1], out[1] - out[0]
         warmed = 0.5 * mu * (u - w) * (u + w)
-        self.blows.append(Blow(kind, pair, before, out, mu * (u + w), warmed))
+        self.blows.append(Blow(release, pair, before, out, mu * (u + w), warmed))
 
 
 def outgoing_of(m1: float, m2: float, v1: float, v2: float, e: float) -> tuple[float, float]:

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sim.dynamics.stepping import held
-from sim.dynamics.stepping.contact_force import mode_of
 from sim.dynamics.stepping.field import Field, Row
 from sim.dynamics.stepping.impacts import Impacts
 
@@ -43,7 +42,7 @@ class Located:
         for pair in field.pairs:
             if pair.force is not None:
                 d, rate = field.overlap(pair, s, v)
-                field.modes[pair.gap] = mode_of(pair.force, d, rate, field.memory[pair.gap])
+                field.modes[pair.gap] = pair.force.begin(d, rate, field.memory[pair.gap])
         self._grip(t, s, v)
 
     def guards(self, t: float, s: Row, v: Row) -> dict[Key, float]:

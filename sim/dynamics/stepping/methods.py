@@ -12,6 +12,7 @@ from sim.dynamics.stepping.rk4 import RK4
 from sim.dynamics.stepping.semi_implicit_euler import SemiImplicitEuler
 from sim.dynamics.stepping.stepper import LocatedStepper, Stepper
 from sim.dynamics.stepping.velocity_verlet import VelocityVerlet
+from sim.effects.forces import acting
 from sim.scene.model import Scene
 
 if TYPE_CHECKING:
@@ -84,9 +85,11 @@ def outcome(scene: Scene, way: Way, phase: float = 1.0) -> Stepper:
 
 def batchable(scene: Scene) -> bool:
     """Can many runs with fixed steps go on together as arrays? No impulses, joints or friction."""
-    kinds = {effect.kind for effect in scene.effects}
-    laws = {contact.law for contact in scene.contacts if contact is not None}
-    return not (kinds & {"friction", "release", "push"} or laws & {"instant", "velcro"})
+    for effect in acting(scene):
+        frictions = [effect.friction(k) for k in range(len(scene.carts))]
+        if effect.switches() or effect.releases() or any(frictions):
+            return False
+    return not any(contact is not None and contact.sudden for contact in scene.contacts)
 
 
 def batch(scene: Scene, way: Way, phases: NDArray[np.float64]) -> tuple[Row, Row, Stepper]:

@@ -15,17 +15,18 @@ from array import array
 from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.finished import Run
-from sim.dynamics.laws import finite_law
-from sim.dynamics.ledger import Ledger
-from sim.dynamics.record import Record
-from sim.dynamics.report import finite, report
-from sim.dynamics.stepping.contact_force import BumperForce, DashpotForce
+from sim.dynamics.report.document import finite, report
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.result.record import Record
+from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping.field import Detail, Pair, Row
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.story import Story
-from sim.dynamics.trajectory import Trajectory
+from sim.effects.forces import acting
+from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
+from sim.scene.said import said
 
 MOST_ROWS = 20_000
 """Samples kept; of a longer run every so many steps one."""
@@ -99,7 +100,7 @@ class _Recorder:
             for (kind, k), force in detail.outside.items():
                 ledger.push_from_outside(weight * force, kind)
                 ledger.work(kind, weight * force * detail.v[k])
-            ledger.warm(weight * detail.warming)
+            ledger.dissipate(weight * detail.warming)
             for kind, power in detail.damped.items():
                 if power:
                     ledger.work(kind, -weight * power)
@@ -109,10 +110,10 @@ class _Recorder:
         for blow in run.impacts.blows:
             self.story.blow(t, blow)
             self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
-            if blow.kind == "release":
-                ledger.work("release", -blow.warmed)
+            if blow.release:
+                ledger.work(blow.release, -blow.warmed)
             else:
-                ledger.warm(blow.warmed)
+                ledger.dissipate(blow.warmed)
         run.impacts.blows.clear()
         self.v = list(run.v)
         self.count += 1
@@ -120,22 +121,18 @@ class _Recorder:
             self._row(t, a, detail)
 
     def _bumpers(self, push: Row) -> None:
-        """What pressing further in costs for good, and what an overlap that is left still held.
-
-        `held` is the greatest overlap of a bumper, and the energy in a contact that may only push.
-        """
+        """What a step left in the bumpers for good."""
         field = self.run.field
         for pair in field.pairs:
-            gap, held = pair.gap, self.held.get(pair.gap, 0.0)
-            if isinstance(pair.force, BumperForce):
-                self.held[gap] = field.memory[gap]
-                if field.memory[gap] > held:
-                    self.ledger.warm(pair.force.kept(field.memory[gap]) - pair.force.kept(held))
-            elif isinstance(pair.force, DashpotForce) and not pair.force.pulls:
-                if held and not push[gap]:
-                    self.ledger.warm(held)
+            gap = pair.gap
+            if pair.force is not None:
                 d, rate = field.overlap(pair, self.run.s, self.run.v)
-                self.held[gap] = _stored(pair, d, rate, 0.0) if push[gap] else 0.0
+                stored = _stored(pair, d, rate, 0.0)
+                warm, self.held[gap] = pair.force.settle(
+                    self.held.get(gap, 0.0), push[gap], field.memory[gap], stored
+                )
+                if warm:
+                    self.ledger.dissipate(warm)
 
     def _from_wall(self, left: int | None, right: int | None, impulse: float) -> None:
         if impulse and (left is None or right is None):
@@ -174,13 +171,11 @@ class _Recorder:
         )
 
     def _links(self, *, first: bool) -> None:
-        field, links = self.run.field, self.ledger._links
+        field = self.run.field
         for pair in field.pairs:
             for link in pair.links:
                 d, _ = field.overlap(pair, self.run.s, self.run.v)
-                start, end = links.get(link.kind, (0.0, 0.0))
-                energy = link.energy(-d)
-                links[link.kind] = (start + energy, end) if first else (start, end + energy)
+                self.ledger.store(link.kind, link.energy(-d), first=first)
 
     def finish(self) -> SteppedRun:
         """Drive it to the end, and settle the accounts."""
@@ -191,7 +186,7 @@ class _Recorder:
         ledger.stored_final = self._stored(self._now(scene.until)[1].push)
         self._links(first=False)
         evaluations = run.field.evaluations
-        kinds = {effect.kind for effect in scene.effects if effect.kind != "release"}
+        kinds = {one.kind for one in acting(scene) if not one.releases()}
         finished = Run(
             scene=scene,
             t=scene.until,
@@ -208,7 +203,7 @@ class _Recorder:
 
 
 def _stored(pair: Pair, d: float, rate: float, memory: float) -> float:
-    law = finite_law(pair.contact)
+    law = contact_law(pair.contact)
     return law.stored(d, rate, memory) if law is not None and d > 0.0 else 0.0
 
 
@@ -234,14 +229,18 @@ def stepped_report(result: SteppedRun) -> dict[str, Any]:
     """What `carts run --method … --json` prints: format 1, the plan and the imbalance its own."""
     run, way = result.run, result.way
     document = report(run)
-    asked = f"step {way.step:.6g} s" if way.step else f"relative tolerance {way.rtol:.3g}"
+    asked = (
+        said("asked for: step {size}, for the whole run", size=f"{way.step:.6g} s")
+        if way.step
+        else said("asked for: relative tolerance {size}, for the whole run", size=f"{way.rtol:.3g}")
+    )
     document["plan"] = [
         {
             "from": 0.0,
             "until": run.t,
             "tier": None,
             "solver": way.method,
-            "why": f"asked for: {asked}, for the whole run; it is not exact",
+            "why": said("{first}; {last}", first=asked, last=said("it is not exact")),
             "packages": ["numpy", "scipy"] if way.method in ADAPTIVE else [],
         }
     ]

@@ -69,7 +69,7 @@ class LocatedStepper(Stepper):
     def __init__(self, scene: Scene, method: type[StepMethod] = RK4) -> None:
         super().__init__(scene, method)
         self.located = Located(self.field, self.impacts, self.s, self.v)
-        times = {*self.field.switches, *(burst.time for burst in self.field.bursts)}
+        times = {*self.field.switches, *(one.time for one in self.field.releases)}
         self.times = sorted(t for t in times if t > 0.0)
 
     def boundaries(self, t: float, end: float) -> list[float]:
@@ -80,7 +80,7 @@ class LocatedStepper(Stepper):
         """From t over h, part by part."""
         self.steps += 1
         field, done = self.field, 0.0
-        field.pull_time = t + 0.5 * h
+        field.force_time = t + 0.5 * h
         for _ in range(self.most_changes):
             part, keys = self.part(t + done, h - done)
             done += part
@@ -90,10 +90,10 @@ class LocatedStepper(Stepper):
                 break
         else:
             self.give_up(t + done, h - done)
-        field.pull_time = None
-        bursts = len(self.impacts.bursts)
+        field.force_time = None
+        left = len(self.impacts.releases)
         self.impacts.settle(t + h, self.s, self.v)
-        if bursts != len(self.impacts.bursts) or t + h in self.times:
+        if left != len(self.impacts.releases) or t + h in self.times:
             self.located.begin(t + h, self.s, self.v)
 
     def give_up(self, t: float, h: float) -> None:

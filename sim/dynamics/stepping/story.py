@@ -9,8 +9,8 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 
-from sim.dynamics.events import ORDER, Event
-from sim.dynamics.record import Record
+from sim.dynamics.result.events import ORDER, Event
+from sim.dynamics.result.record import Record
 from sim.dynamics.stepping.field import Field, Pair, Row
 from sim.dynamics.stepping.impacts import Blow
 
@@ -74,7 +74,15 @@ class Story:
 
     def blow(self, t: float, blow: Blow) -> None:
         """An impulse without duration."""
-        self._tell(t, blow.kind, blow.pair, blow.before, blow.after, blow.impulse, None)
+        self._tell(
+            t,
+            "release" if blow.release else "contact",
+            blow.pair,
+            blow.before,
+            blow.after,
+            blow.impulse,
+            None,
+        )
 
     def finish(self, t: float, v: Row) -> None:
         """The end of the run."""

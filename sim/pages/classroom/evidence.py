@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from sim.classroom.html_parts import table
 from sim.classroom.paper import (
     Later,
     Law,
@@ -23,8 +22,9 @@ from sim.classroom.paper import (
     sizes,
     whole_total,
 )
-from sim.classroom.sentences import number, signed
-from sim.classroom.spread import Spread
+from sim.classroom.report.sentences import number, signed
+from sim.classroom.show.html_parts import table
+from sim.classroom.statistics.spread import Spread
 from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import Lesson, load_block

@@ -74,23 +74,29 @@ def _parts(q: Portable) -> list[str]:
 
 
 def _answer(text: str, percent: float, feedback: str, *, form: str) -> str:
-    said = f'<feedback format="html"><text>{escape(feedback)}</text></feedback>'
+    said = _html("feedback", feedback)
+    shown = _cdata(text) if form == "html" else escape(text)
     fraction = f"{percent:.5f}".rstrip("0").rstrip(".")
     return (
         f'<answer fraction="{fraction}" format={quoteattr(form)}>'
-        f"<text>{escape(text)}</text>{said}</answer>"
+        f"<text>{shown}</text>{said}</answer>"
     )
 
 
 def _pair(left: str, right: str) -> str:
     return (
-        f'<subquestion format="html"><text>{escape(left)}</text>'
+        f'<subquestion format="html"><text>{_cdata(left)}</text>'
         f"<answer><text>{escape(right)}</text></answer></subquestion>"
     )
 
 
 def _html(name: str, content: str) -> str:
-    return f'<{name} format="html"><text>{escape(content)}</text></{name}>'
+    return f'<{name} format="html"><text>{_cdata(content)}</text></{name}>'
+
+
+def _cdata(content: str) -> str:
+    """HTML as it is: of escaped HTML Moodle's reader drops blanks between two marks."""
+    return "<![CDATA[" + content.replace("]]>", "]]]]><![CDATA[>") + "]]>"
 
 
 def _tags(q: Portable) -> list[str]:

@@ -16,19 +16,19 @@ from sim.pages.language.catalogue import (
     words,
     words_script,
 )
-from sim.pages.language.say import heard, mark, speaking, spoken, tr, tr_html
+from sim.pages.language.say import mark, speaking, spoken, told, tr, tr_html
 
 __all__ = [
     "ENGLISH",
     "LANGUAGES",
     "UnknownLanguageError",
-    "heard",
     "language_folder",
     "language_of",
     "mark",
     "of_page",
     "speaking",
     "spoken",
+    "told",
     "tr",
     "tr_html",
     "words",

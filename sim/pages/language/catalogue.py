@@ -8,6 +8,9 @@ from functools import cache
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "catalogues"
+INNER = ("sim/scene", "sim/effects", "sim/laws", "sim/dynamics")
+"""Layers that know no languages and say their sentences as templates: see sim.scene.said."""
+
 ENGLISH = "en"
 LANGUAGES = {
     "en": "English",
@@ -87,5 +90,5 @@ def _entries(language: str) -> Mapping[str, tuple[str, bool]]:
 
 
 def _in_page(location: str) -> bool:
-    """Scripts say it themselves; what Python says in the page passes through them."""
-    return location.endswith((".js", "from_python.py"))
+    """Scripts say it themselves; what the inner layers say of a run passes through them."""
+    return location.endswith(".js") or location.startswith(INNER)

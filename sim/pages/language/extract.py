@@ -15,17 +15,21 @@ from babel.messages import Catalog
 from babel.messages.extract import extract_from_file
 from babel.messages.pofile import read_po, write_po
 
-from sim.pages.language.catalogue import ENGLISH, FOLDER, LANGUAGES
+from sim.pages.language.catalogue import ENGLISH, FOLDER, INNER, LANGUAGES
 
 ROOT = Path(__file__).parents[3]
 # Folders that are looked through, with the method for each kind of file in them and the functions
 # whose text is for readers.
+INNER_CALLS = ("said", "template", "Field", "Dimension", "_dimension")
+"""Calls of the inner layers whose first argument readers see: sentences, names of numbers."""
+
 SOURCES = (
     ("sim/pages", "*.py", "python", ("tr", "mark")),
     ("sim/pages", "*.j2", "jinja2.ext.babel_extract", ("tr",)),
     ("sim/view", "*.js", "javascript", ("tr",)),
     ("sim/effects", "*.js", "javascript", ("tr",)),
     ("sim/web/src", "*.js", "javascript", ("tr",)),
+    *((folder, "*.py", "python", INNER_CALLS) for folder in INNER),
 )
 OPTIONS: dict[str, dict[str, Any]] = {
     ".j2": {"trim_blocks": "true"},

@@ -19,6 +19,7 @@ from sim.lesson.kinds.choice import OPTION_KEYS
 from sim.lesson.kinds.number import WRONG_KEYS
 from sim.lesson.question import COMMON_KEYS
 from sim.lesson.read import KINDS
+from sim.scene.schema import scene_schema
 
 REFERENCE = "docs/reference/questions.md"
 _TEXT = Path(__file__).parent / "templates" / "reference.md"
@@ -31,6 +32,7 @@ def published() -> dict[str, str]:
         "form": schema.form_schema(),
         "answers": schema.answers_schema(),
         "key": schema.key_schema(),
+        "scene": scene_schema(),
     }
     files = {
         f"docs/reference/schemas/{name}.schema.json": json.dumps(made, ensure_ascii=False, indent=1)

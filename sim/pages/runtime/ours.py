@@ -16,13 +16,15 @@ from pathlib import Path
 from .cache import key_of, sha256
 from .stdlib import DATE
 
-LAYERS = ("scene", "dynamics", "bridge")
+LAYERS = ("scene", "effects", "laws", "dynamics", "bridge")
 """What every live page runs. Questions are marked in JavaScript there."""
 CLASSROOM_LAYERS = ("lesson", "classroom")
 CLASSROOM_ENTRY = "bridge/class_answer.py"
 """With these a page also reads the files of a class: a package of its own, loaded only there."""
 MEASURED_ENTRY = "bridge/measured_answer.py"
 """With this and the layer `measured` a page reads and fits what real carts did."""
+NOT_RUN = {"page.md", "proof.py", "scenes", "view.js"}
+"""In the folder of an effect beside what runs: a page carries no proofs, docs and scenes."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"
 CLASSROOM = "newtons-carts-class"
@@ -91,7 +93,8 @@ def read_measured(package: Path, version: str) -> Ours:
 
 
 def _layers(package: Path, layers: Iterable[str]) -> list[Path]:
-    return [p for layer in layers for p in (package / layer).rglob("*")]
+    found = (p for layer in layers for p in (package / layer).rglob("*"))
+    return [p for p in found if not set(p.relative_to(package).parts) & NOT_RUN]
 
 
 def _ours(package: Path, version: str, name: str, found: Iterable[Path]) -> Ours:

@@ -21,7 +21,10 @@ LAYERS = (
     *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach")),
 )
 MODULES = (
-    *("__init__", "bake", "fence_scan", "findings", "lesson_text", "map_block", "scene_block"),
+    *("__init__", "bake", "effect_pages", "fence_scan", "findings", "lesson_text", "map_block"),
+    "scene_block",
+    "yaml_loader",
+    "yaml_typos",
     *("templates", "yaml_errors", "yaml_source"),
 )
 """Of `sim/pages`."""
@@ -29,7 +32,7 @@ BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
     *("pages/question/published.py", "pages/question/key_page.py"),
     "pages/map/png.py",
-    *("pages/language/catalogues/", "pages/language/extract.py", "pages/language/from_python.py"),
+    *("pages/language/catalogues/", "pages/language/extract.py"),
 )
 BEGINS = (
     *("sim.pages.teach.answer", "sim.pages.widget", "sim.pages.question.render"),

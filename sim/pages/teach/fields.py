@@ -13,13 +13,13 @@ from typing import Any, Literal
 from sim.pages.fence_scan import Block
 from sim.pages.teach.spans import values
 from sim.pages.yaml_source import KeyPath, Place
-from sim.scene.read_contact import LAWS
+from sim.scene.laws import laws
 
 Kind = Literal["line", "area", "choice"]
 
 TRUTH = ("true", "false")
 CHOICES: dict[str, tuple[str, ...]] = {
-    "law": LAWS,
+    "law": tuple(laws()),
     "left": ("open", "wall"),
     "right": ("open", "wall"),
     "level": ("core", "support", "stretch"),

@@ -9,10 +9,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from sim.pages.language import heard
+from sim.pages.language import told
 from sim.pages.widget.layout import lay_out
 from sim.pages.widget.run import Run, from_wire
 from sim.pages.widget.scale_of import Scales, read_scales
+from sim.scene.said import Said
 
 # Significant digits of the baked numbers: far below what can be seen, and few enough for 60 kB
 # of HTML per scene. Long runs get fewer.
@@ -83,7 +84,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
         "packages": sorted(fence.packages),
         "controls": [_control(control) for control in fence.controls],
         "switches": [
-            {"set": s.set, "label": heard(s.label), "value": s.value} for s in fence.switches
+            {"set": s.set, "label": told(s.label), "value": s.value} for s in fence.switches
         ],
         "presets": {name: dict(changes) for name, changes in fence.presets.items()},
         "predict": None if fence.predict is None else _prediction(fence.predict),
@@ -92,11 +93,10 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
 
 def _control(control: Any) -> dict[str, Any]:
     """A slider, in its own unit; `short`: its label on the card of its cart, which names it."""
-    label, cart = str(control.label), control.set.partition(".")[0]
     return {
         "set": control.set,
-        "label": heard(label),
-        "short": heard(label.removesuffix(f" of {cart}")),
+        "label": told(control.label),
+        "short": told(_on_its_card(control.label)),
         "unit": control.unit,
         "per": control.per,
         "low": control.shown(control.low),
@@ -106,10 +106,15 @@ def _control(control: Any) -> dict[str, Any]:
     }
 
 
+def _on_its_card(label: str) -> str:
+    """The name of the quantity alone: the card is that of the cart."""
+    return label.values.get("quantity", label) if isinstance(label, Said) else label
+
+
 def _prediction(predict: Any) -> dict[str, Any]:
     return {
         "kind": predict.kind,
-        "ask": heard(predict.ask),
+        "ask": told(predict.ask),
         "talk": predict.talk,
         "pairs": [list(pair) for pair in predict.pairs],
         "cart": predict.cart,

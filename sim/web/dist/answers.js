@@ -42,8 +42,10 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
   }
 
   // src/shared/dom.js
@@ -611,6 +613,23 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/answers/codes.js
+  var MOST = 80;
+  function readCode(typed) {
+    const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
+    const codes = [...new Set(parts)].sort();
+    const code = codes.join("+");
+    if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
+    if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
+    if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
+      return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
+    }
+    if (codes.some((part2) => part2.length < 4)) {
+      return { problem: tr("A code word has at least four letters or digits.") };
+    }
+    return { code };
+  }
+
   // src/answers/csv.js
   var COLUMNS = [
     "lesson",
@@ -714,7 +733,7 @@
         tries
       }
     );
-    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked"]) {
+    for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why"]) {
       const more = entry[name];
       if (more !== void 0 && more !== null && more !== "") made2[name] = more;
     }
@@ -786,7 +805,7 @@
         tries
       }
     );
-    for (const name of ["unit", "said", "asked", "sure", "locked"]) {
+    for (const name of ["unit", "said", "asked", "sure", "locked", "why"]) {
       if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
     }
     if (Number.isFinite(row.own)) entry.own = row.own;
@@ -836,10 +855,10 @@
     made2.addEventListener("click", act);
     return made2;
   }
-  function askingButton(text, question2, yes, act, name) {
+  function askingButton(text, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
-    const asked = html("span", "", `${question2} `);
+    const asked = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
     asked.append(button(yes, act, "carts-answers-yes"), " ", no);
     asked.hidden = true;
@@ -872,6 +891,7 @@
     }
   );
   var MOST_BYTES2 = 4e6;
+  var AFTER_SAVING = 1500;
   function filesPart(book2) {
     const root = part("files", tr("Hand in: save a file"));
     const table = html("div", "carts-answers-table");
@@ -892,23 +912,26 @@
       const name = html("span", "carts-answers-name");
       name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${counted(count)}`);
       if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
+      const asked = html("p", "carts-answers-whose");
+      const keep = (student) => {
+        const now = (/* @__PURE__ */ new Date()).toISOString();
+        const [fresh] = makeFiles(book2.entries(), { site: book2.site, student }, now).filter(
+          (one) => one.page === file.page && one.form === file.form
+        );
+        const { name: name2, content } = fresh ?? file;
+        download(name2, `${JSON.stringify(content, null, 1)}
+`, "application/json");
+        say(
+          told,
+          tr(
+            "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
+            { file: name2 }
+          )
+        );
+      };
       const save = button(
         tr("Save file"),
-        () => {
-          const [fresh] = makeFiles(book2.entries(), book2, (/* @__PURE__ */ new Date()).toISOString()).filter(
-            (one) => one.page === file.page && one.form === file.form
-          );
-          const content = (fresh ?? file).content;
-          download(file.name, `${JSON.stringify(content, null, 1)}
-`, "application/json");
-          say(
-            told,
-            tr(
-              "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
-              { file: file.name }
-            )
-          );
-        },
+        () => book2.student ? keep(book2.student) : askWhose(asked, book2, keep),
         "carts-answers-save"
       );
       const csv = button(
@@ -923,9 +946,43 @@
         },
         "carts-answers-csv"
       );
-      row.append(name, save, " ", csv);
+      row.append(name, save, " ", csv, asked);
       return row;
     });
+  }
+  function askWhose(place2, book2, keep) {
+    const label = html("label", "", `${tr("Whose file is it? Code word from your card")} `);
+    const box = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-answers-code")
+    );
+    Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
+    box.placeholder = "BLUE-FOX-27";
+    label.append(box);
+    const told = status();
+    const withCode = async () => {
+      const found2 = readCode(box.value);
+      if ("problem" in found2) return say(told, found2.problem);
+      keep(found2.code);
+      await book2.become(found2.code, true);
+      setTimeout(() => location.reload(), AFTER_SAVING);
+    };
+    box.addEventListener("keydown", ({ key }) => {
+      if (key === "Enter") void withCode();
+    });
+    const without = () => {
+      place2.replaceChildren();
+      keep("");
+    };
+    place2.replaceChildren(
+      label,
+      " ",
+      button(tr("Save with this code word"), () => void withCode(), "carts-answers-with-code"),
+      " ",
+      button(tr("Save without a code word"), without, "carts-answers-without-code"),
+      told
+    );
+    box.focus();
   }
   function counted(count) {
     return count === 1 ? tr("1 answer") : tr("{count} answers", { count });
@@ -1111,11 +1168,11 @@
   // src/question/shuffle.js
   var LETTERS = "ABCDEFGHIJKL";
   function shuffleOptions(quiz, student) {
-    for (const question2 of quiz.querySelectorAll("carts-question")) {
-      const body = question2.querySelector(".carts-q-options");
+    for (const question of quiz.querySelectorAll("carts-question")) {
+      const body = question.querySelector(".carts-q-options");
       const labels = [...body?.querySelectorAll("label") ?? []];
       const order = new Map(
-        labels.map((label) => [label, hash(`${student}/${question2.id}/${label.dataset.option}`)])
+        labels.map((label) => [label, hash(`${student}/${question.id}/${label.dataset.option}`)])
       );
       labels.sort((a, b) => (order.get(a) ?? 0) - (order.get(b) ?? 0));
       labels.forEach((label, k) => {
@@ -1203,7 +1260,7 @@
         say(need(this, ".carts-quiz-why"), again.join(" "));
         need(this, ".carts-quiz-ask").hidden = !wantsWord;
         need(this, ".carts-quiz-foot").hidden = !open2 || Boolean(handed);
-        for (const question2 of this.#questions()) question2.close(Boolean(handed));
+        for (const question of this.#questions()) question.close(Boolean(handed));
         if (open2 && !handed) this.#count();
         this.#done(handed, Boolean(review));
       }
@@ -1229,7 +1286,7 @@
         });
       }
       #count() {
-        const left = this.#questions().filter((question2) => !question2.answered).length;
+        const left = this.#questions().filter((question) => !question.answered).length;
         say(
           need(this, ".carts-quiz-left"),
           left ? tr("{count} not answered yet", { count: left }) : tr("All answered.")
@@ -1237,7 +1294,7 @@
       }
       /** @param {boolean} on */
       #ask(on) {
-        const left = this.#questions().filter((question2) => !question2.answered).length;
+        const left = this.#questions().filter((question) => !question.answered).length;
         const missing = left === 1 ? tr("1 question is not answered.") : tr("{count} questions are not answered.", { count: left });
         const words2 = [
           left ? missing : "",
@@ -1272,8 +1329,8 @@
       #code() {
         const options = this.facts.items.map((item2) => item2[1]);
         if (!fits(options)) return "";
-        const chosen2 = this.#questions().map((question2) => {
-          return isEmpty(question2.value) ? 0 : question2.facts.options.indexOf(question2.value) + 1;
+        const chosen2 = this.#questions().map((question) => {
+          return isEmpty(question.value) ? 0 : question.facts.options.indexOf(question.value) + 1;
         });
         return encode(options, chosen2, `${this.facts.form}:${this.facts.hash}`);
       }
@@ -1367,23 +1424,6 @@
     window.print();
   }
 
-  // src/answers/codes.js
-  var MOST = 80;
-  function readCode(typed) {
-    const parts = typed.normalize("NFKC").toUpperCase().split(/\s*[+&]\s*/).map((part2) => part2.trim().replace(/[\s–—−_]+/g, "-"));
-    const codes = [...new Set(parts)].sort();
-    const code = codes.join("+");
-    if (!typed.trim()) return { problem: tr("Type the code word from your card.") };
-    if (code.length > MOST) return { problem: tr("That is too long for a code word.") };
-    if (!codes.every((part2) => /^[\p{L}\p{N}]+(-[\p{L}\p{N}]+)*$/u.test(part2))) {
-      return { problem: tr("A code word has letters, digits and hyphens: BLUE-FOX-27") };
-    }
-    if (codes.some((part2) => part2.length < 4)) {
-      return { problem: tr("A code word has at least four letters or digits.") };
-    }
-    return { code };
-  }
-
   // src/answers/panel-who.js
   function whoPart(book2) {
     const root = part("who", tr("Who works here"));
@@ -1422,27 +1462,17 @@
       const { code } = found2;
       if (code === student) return say(told, tr("That is who works here now."));
       const loose = !student && book2.entries().length > 0;
-      const known2 = await book2.has(code);
-      if (known2 && !loose) return become(code, false);
-      say(told, question(code, known2, loose));
-      if (loose) {
-        choices.append(
-          button(
-            tr("They are mine: take them along"),
-            () => void become(code, true),
-            "carts-answers-mine"
-          ),
-          " "
-        );
-        choices.append(button(tr("Leave them"), () => void become(code, false)));
-      } else
-        choices.append(
-          button(
-            tr("Begin as {code}", { code }),
-            () => void become(code, false),
-            "carts-answers-begin"
-          )
-        );
+      if (!loose) return become(code, false);
+      say(told, tr("Somebody has answered here without a code word. Was that you?"));
+      choices.append(
+        button(
+          tr("They are mine: take them along"),
+          () => void become(code, true),
+          "carts-answers-mine"
+        ),
+        " ",
+        button(tr("Leave them"), () => void become(code, false))
+      );
       choices.querySelector("button")?.focus();
     }
     async function become(code, carry) {
@@ -1450,13 +1480,6 @@
       location.reload();
     }
     return root;
-  }
-  function question(code, known2, loose) {
-    const words2 = [
-      known2 ? "" : tr("On this computer there is nothing of {code} yet.", { code }),
-      loose ? tr("Somebody has answered here without a code word. Was that you?") : ""
-    ];
-    return words2.filter(Boolean).join(" ");
   }
 
   // src/answers/panel.js

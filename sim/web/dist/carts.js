@@ -111,8 +111,8 @@
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
   var ENDLESS = "beyond all numbers";
-  function percent(part2, whole) {
-    return `${plain(whole ? 100 * part2 / whole : 100, 1)} %`;
+  function percent(part, whole) {
+    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
   }
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
@@ -178,17 +178,17 @@
       const duration2 = end - start;
       const rate = rateFor(duration2);
       if (rate >= 1) continue;
-      const part2 = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
+      const part = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
       const last = parts2.at(-1);
-      if (last && part2.from <= last.to) {
-        last.to = Math.max(last.to, part2.to);
+      if (last && part.from <= last.to) {
+        last.to = Math.max(last.to, part.to);
         last.rate = Math.min(last.rate, rate);
-      } else parts2.push(part2);
+      } else parts2.push(part);
     }
     return parts2;
   }
   function slowAt(parts2, t3) {
-    return parts2.find((part2) => t3 >= part2.from && t3 < part2.to);
+    return parts2.find((part) => t3 >= part.from && t3 < part.to);
   }
   function advance(t3, seconds, speed, parts2, until) {
     let now = t3;
@@ -196,7 +196,7 @@
     while (left > 0 && now < until) {
       const inside = slowAt(parts2, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge2 = inside ? inside.to : parts2.find((part2) => part2.from > now)?.from ?? until;
+      const edge2 = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
       const next = Math.min(edge2, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
@@ -360,42 +360,15 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence2, values = {}) {
-    const said = catalogue[sentence2] ?? sentence2;
-    return said.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
+    return filled(catalogue[sentence2] ?? sentence2, values);
   }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a2, b2) => b2.own.length - a2.own.length || (a2.key < b2.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  function told2(sentence2) {
+    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
+    const values = Object.entries(sentence2.values).map(([name2, value]) => [name2, told2(value)]);
+    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
   }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key, pattern: form } of some) {
-      const found2 = form.exec(english);
-      if (!found2) continue;
-      const parts2 = Object.entries(found2.groups ?? {}).map(([name2, said]) => [name2, part(said)]);
-      return tr(key, Object.fromEntries(parts2));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key) {
-    const named2 = /* @__PURE__ */ new Set();
-    const parts2 = key.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named2.has(piece)) return `\\k<${piece}>`;
-      named2.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts2.join("")}$`, "su");
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
   }
 
   // src/shared/waiting.js
@@ -420,8 +393,8 @@
   function refusal(problems) {
     const [first] = problems;
     if (!first) return new Error(tr("This value does not work."));
-    const message = heard(first.message);
-    return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
+    const message = told2(first.message);
+    return new Error(first.hint ? `${message}: ${told2(first.hint)}` : message);
   }
 
   // ../view/markup.js
@@ -456,8 +429,8 @@
   var [LOW_X, HIGH_X] = [0.5, 1e6];
   var HIGH_Y = 10;
   function xAt(ratio) {
-    const part2 = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
-    return LEFT + Math.min(1, part2) * (RIGHT - LEFT);
+    const part = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
+    return LEFT + Math.min(1, part) * (RIGHT - LEFT);
   }
   function yAt(error) {
     const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
@@ -625,7 +598,7 @@
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
       const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
       const scale = axis(0, 100 * high, 4);
-      const y2 = (part2) => bottom - 100 * Math.min(part2, high) / scale.high * (bottom - top);
+      const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x2 = (t3) => left + t3 / until * (right - left);
       const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
       const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
@@ -659,10 +632,10 @@
       let k = times2.findLastIndex((t3) => t3 <= time);
       k = Math.min(Math.max(k, 0), Math.max(0, times2.length - 2));
       const [a2, b2] = [Number(times2[k]), Number(times2[k + 1])];
-      const part2 = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
+      const part = b2 > a2 ? Math.min(1, (time - a2) / (b2 - a2)) : 0;
       const between2 = (xs) => {
         const here = Number(xs?.[k]);
-        const x3 = this.#place(here + part2 * (Number(xs?.[k + 1] ?? here) - here));
+        const x3 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
         return Number.isFinite(x3) ? Math.min(5e3, Math.max(-5e3, x3)) : 5e3;
       };
       for (const [cart, shape] of this.carts.entries()) {
@@ -717,15 +690,15 @@
         this.#stage = new CostStage(this);
         this.#figure = new CostFigure(this);
         this.#player = new Player(() => this.#frame());
-        for (const part2 of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
-          need(this, `.carts-cost-${part2}`).disabled = false;
+        for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
+          need(this, `.carts-cost-${part}`).disabled = false;
         }
         this.rows = facts.rows;
         this.#show(facts.run);
         this.#mark();
         this.#select("scene").addEventListener("change", () => this.#newScene());
-        for (const part2 of ["method", "step", "rtol"]) {
-          this.#select(part2).addEventListener("change", () => void this.compute());
+        for (const part of ["method", "step", "rtol"]) {
+          this.#select(part).addEventListener("change", () => void this.compute());
         }
         need(this, ".carts-cost-play").addEventListener("click", () => this.#player?.toggle());
         const scrub = (
@@ -744,10 +717,10 @@
         this.stop();
       }
       /** @param {string} part @returns {HTMLSelectElement} */
-      #select(part2) {
+      #select(part) {
         return (
           /** @type {HTMLSelectElement} */
-          need(this, `.carts-cost-${part2}`)
+          need(this, `.carts-cost-${part}`)
         );
       }
       get #scene() {
@@ -1584,7 +1557,7 @@
   }
   function agent(effect) {
     const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+    return view.agent?.(effect) ?? (effect.by ? told2(effect.by) : view.name);
   }
   function actsAt(effect, t3) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
@@ -1995,9 +1968,9 @@
     const place3 = Math.floor((value - low) / step + STEP_SLACK);
     return Math.min(count2 - 1, Math.max(0, place3));
   }
-  function mixed(a2, b2, part2) {
-    if (Number.isNaN(a2) || Number.isNaN(b2)) return part2 < 0.5 ? a2 : b2;
-    return a2 * (1 - part2) + b2 * part2;
+  function mixed(a2, b2, part) {
+    if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
+    return a2 * (1 - part) + b2 * part;
   }
   function between(values, lines2, count2, factor, next, line) {
     const fine = (count2 - 1) * factor + 1;
@@ -2006,8 +1979,8 @@
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
         const at2 = i2 * line + left * next;
-        const part2 = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at2]), Number(values[at2 + next]), part2);
+        const part = (k - left * factor) / factor;
+        found2[i2 * fine + k] = mixed(Number(values[at2]), Number(values[at2 + next]), part);
       }
     }
     return found2;
@@ -2258,7 +2231,7 @@
           });
         });
         this.#figure.mark(facts.here, facts.at ?? Number.NaN);
-        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = false;
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
         need(this, ".carts-map-open").addEventListener("click", () => void this.open());
         this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
         need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
@@ -2313,7 +2286,7 @@
           this.dataset.state = "live";
           need(this, ".carts-mark").setAttribute("aria-label", "live: Python computes in this page");
           const focused = button === document.activeElement;
-          for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
+          for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
           for (const control of this.#axes) control.enable(true);
           this.#controls?.enable(true);
           const run = this.querySelector(".carts-map-run");
@@ -2331,7 +2304,7 @@
         this.dataset.state = "failed";
         this.dataset.reason = error.reason ?? "failed";
         this.#tell(`${error.message} The picture and the table stay as they were prepared.`);
-        for (const part2 of [".carts-map-open", ".carts-map-wait"]) need(this, part2).hidden = true;
+        for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = true;
       }
       /** @param {string} message */
       #tell(message) {
@@ -2773,16 +2746,16 @@
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name2, number, part2) {
+  async function loadPart(base, name2, number, part) {
     const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(new URL(part2.src, base).href, name2);
+    if (!inside) await runScript(new URL(part.src, base).href, name2);
     const key = `${name2}.${number}`;
     const text = page.__cartsParts?.[key];
-    if (text === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name2);
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name2);
     if (!inside) delete page.__cartsParts[key];
-    const bytes = decode(text, part2.src, name2);
-    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part2.src, name2);
+    const bytes = decode(text, part.src, name2);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name2);
     }
     return bytes;
   }
@@ -2802,7 +2775,7 @@
   async function gunzip(parts2) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts2.map((part2) => writer.write(part2)), writer.close()]);
+    const written = Promise.all([...parts2.map((part) => writer.write(part)), writer.close()]);
     const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
     return bytes;
   }
@@ -2830,7 +2803,7 @@
     return module;
   }
   async function write(writer, parts2) {
-    for (const part2 of parts2) await writer.write(await part2);
+    for (const part of parts2) await writer.write(await part);
     await writer.close();
   }
 
@@ -2860,7 +2833,7 @@
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part2) => sum + part2.size, 0);
+      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part) => sum + part.size, 0);
     }
     /** The files to load, the most urgent first. */
     files() {
@@ -2905,10 +2878,10 @@
      * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
      */
     load(name2, reject) {
-      return this.index.files[name2].parts.map(async (part2, number) => {
+      return this.index.files[name2].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name2, number, part2);
-          this.done += part2.size;
+          const bytes = await loadPart(this.folder, name2, number, part);
+          this.done += part.size;
           this.progress(name2);
           return bytes;
         } catch (error) {
@@ -2981,8 +2954,8 @@
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
     async send(name2, parts2) {
-      for (const [number, part2] of parts2.entries()) {
-        const bytes = await part2;
+      for (const [number, part] of parts2.entries()) {
+        const bytes = await part;
         if (this.over) return;
         const last = number === parts2.length - 1;
         this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);
@@ -4421,13 +4394,13 @@
         locked: null
       };
       const changed = () => void this.#changed();
-      const forms2 = {
+      const forms = {
         arrows: () => new ArrowsForm(root, baked, draw, changed),
         curve: () => new CurveForm(root, spec, changed),
         choice: () => new ChoiceForm(root, changed),
         text: () => new WordsForm(root, changed)
       };
-      this.form = forms2[spec.kind]();
+      this.form = forms[spec.kind]();
       this.button.addEventListener("click", () => void this.#lock());
       this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
       this.why = new Why(root, (text) => {
@@ -4492,7 +4465,7 @@
       const parts2 = this.root.querySelectorAll(
         ".carts-compared > [aria-label], .carts-compared p, .carts-compared li"
       );
-      const texts = [...parts2].map((part2) => part2.getAttribute("aria-label") ?? part2.textContent);
+      const texts = [...parts2].map((part) => part.getAttribute("aria-label") ?? part.textContent);
       return `${tr("Your prediction.")} ${texts.join(" ")}`;
     }
     /** @param {string} message for the reader; empty: none */
@@ -4572,139 +4545,6 @@
       }
     }
   };
-
-  // ../view/words.js
-  var QUANTITIES = {
-    x: [tr("Position"), "x", "m"],
-    v: [tr("Velocity"), "v", "m/s"],
-    a: [tr("Acceleration"), "a", "m/s²"],
-    F: [tr("Contact force"), "F", "N"],
-    p: [tr("Momentum"), "p", "kg m/s"],
-    energy: [tr("Kinetic energy"), "E", "J"]
-  };
-  var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
-  );
-  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
-  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
-  function motion(velocity2, decimals, scale) {
-    if (isRest(velocity2, scale)) return tr("at rest");
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
-  }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
-  }
-  function isRest(velocity2, scale) {
-    return Math.abs(velocity2) < NOISE * scale;
-  }
-  function eventSentence(event, telling, laws) {
-    const { decimals, scale, camera, forces: forces2 } = telling;
-    const names = event.bodies;
-    const pair = capital(listed(names.map(body)));
-    const impulse = event.impulse ?? 0;
-    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
-    const after = speeds.length ? `${speeds.join(". ")}.` : "";
-    const size = `${short(impulse)} N s`;
-    const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
-    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
-    switch (event.kind) {
-      case "contact": {
-        if (impulse && laws[names.join("-")] === "velcro") {
-          return told3(tr("{pair} hit and stay together.", { pair }), shown3, after);
-        }
-        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown3);
-        if (impulse) {
-          return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
-        }
-        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
-        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
-      }
-      case "peak":
-        if (forces2 && event.force) {
-          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
-        }
-        return tr("{pair}: bumpers squeezed the most.", { pair });
-      case "separate": {
-        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
-        const ended2 = { pair: listed(names.map(body)) };
-        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
-        if (rest) {
-          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
-          return told3(stay2, shown3, after);
-        }
-        return told3(pushEnded(event, telling, ended2.pair), shown3);
-      }
-      case "stick":
-        return told3(tr("{pair} stay together.", { pair }), after);
-      case "stop":
-        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
-      case "start":
-        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
-      case "release":
-        return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
-      case "end":
-        return tr("End of the run.");
-      default:
-        return `${event.kind}: ${pair}.`;
-    }
-  }
-  function joined({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
-    return isRest(Number(left) - Number(right), scale);
-  }
-  function hitAndGoOn(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
-  }
-  function pushEnded(event, telling, pair) {
-    const how = together(event, telling);
-    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
-      pair,
-      velocity: how
-    });
-  }
-  function together({ bodies, after }, { decimals, scale, camera }) {
-    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
-    const seen = Number(after[cart]) - camera;
-    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
-  }
-  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
-    const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
-  }
-  function graphNote(quantity, events, curves) {
-    const struck = events.some((event) => event.kind === "contact" && event.impulse);
-    if (struck && quantity === "F") return IMPULSE_ONLY;
-    if (struck && quantity === "a") return JUMP_ONLY;
-    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
-  }
-  function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
-    const open2 = header.plan.length > 0;
-    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
-    if (leftOut.length) {
-      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
-    }
-    return sentences;
-  }
-  function told2(why) {
-    return why.split("; ").map(heard).join("; ");
-  }
-  function lower(name2) {
-    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
-  }
-  function capital(text) {
-    return text.slice(0, 1).toUpperCase() + text.slice(1);
-  }
-  function sentence(text) {
-    const capitalised = capital(text);
-    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
-  }
 
   // src/scene/how/words.js
   var LOCKED = tr(
@@ -4812,13 +4652,13 @@
   function made({ made: joules, initial }) {
     if (joules === null) return BEYOND;
     if (!initial) return `${short(joules, 2)} J`;
-    const part2 = joules / initial;
+    const part = joules / initial;
     const size = {
       energy: `${short(joules, 2)} J`,
-      part: short(part2, 2),
-      percent: short(100 * part2, 2)
+      part: short(part, 2),
+      percent: short(100 * part, 2)
     };
-    return Math.abs(part2) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
+    return Math.abs(part) < MANY3 ? tr("{energy}, {percent} % of the energy at the start", size) : tr("{energy}, {part} times the energy at the start", size);
   }
   function ratioWords({ stepped, exact }) {
     const ratio = stepped / exact;
@@ -5172,8 +5012,8 @@
     );
     const bar2 = document.createElement("meter");
     bar2.setAttribute("aria-hidden", "true");
-    const part2 = html("span");
-    line.append(box2, bar2, part2);
+    const part = html("span");
+    line.append(box2, bar2, part);
     option2.after(line);
     box2.addEventListener("input", () => {
       const boxes = (
@@ -5302,7 +5142,7 @@
       });
       y2 += tallest + GAP;
     }
-    for (const part2 of [whole, sheet]) part2.setAttribute("height", String(Math.ceil(y2)));
+    for (const part of [whole, sheet]) part.setAttribute("height", String(Math.ceil(y2)));
     whole.setAttribute("viewBox", `0 0 ${WIDTH3} ${Math.ceil(y2)}`);
     return new XMLSerializer().serializeToString(whole);
   }
@@ -5315,18 +5155,18 @@
       [original, ...original.querySelectorAll("*")],
       [copy, ...copy.querySelectorAll("*")]
     ];
-    from.forEach((part2, i2) => {
-      const style = getComputedStyle(part2);
+    from.forEach((part, i2) => {
+      const style = getComputedStyle(part);
       const made3 = (
         /** @type {Element} */
         to[i2]
       );
-      if (style.display === "none" && part2.closest("defs") === null)
+      if (style.display === "none" && part.closest("defs") === null)
         made3.setAttribute("display", "none");
       for (const property of PROPERTIES) {
         const value = style.getPropertyValue(property);
         const geometry = ["x", "y", "height"].includes(property);
-        if (geometry && (part2.tagName !== "rect" || made3.hasAttribute(property))) continue;
+        if (geometry && (part.tagName !== "rect" || made3.hasAttribute(property))) continue;
         if (value && value !== "auto") made3.setAttribute(property, value.replaceAll('"', "'"));
       }
       made3.removeAttribute("class");
@@ -5355,6 +5195,136 @@
         "image/png"
       );
     });
+  }
+
+  // ../view/words.js
+  var QUANTITIES = {
+    x: [tr("Position"), "x", "m"],
+    v: [tr("Velocity"), "v", "m/s"],
+    a: [tr("Acceleration"), "a", "m/s²"],
+    F: [tr("Contact force"), "F", "N"],
+    p: [tr("Momentum"), "p", "kg m/s"],
+    energy: [tr("Kinetic energy"), "E", "J"]
+  };
+  var BOTH_FORCES = tr(
+    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+  );
+  var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
+  var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
+  function motion(velocity2, decimals, scale) {
+    if (isRest(velocity2, scale)) return tr("at rest");
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
+  }
+  function lawsOf(contacts) {
+    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  }
+  function isRest(velocity2, scale) {
+    return Math.abs(velocity2) < NOISE * scale;
+  }
+  function eventSentence(event, telling, laws) {
+    const { decimals, scale, camera, forces: forces2 } = telling;
+    const names = event.bodies;
+    const pair = capital(listed(names.map(body)));
+    const impulse = event.impulse ?? 0;
+    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const after = speeds.length ? `${speeds.join(". ")}.` : "";
+    const size = `${short(impulse)} N s`;
+    const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
+    const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
+    switch (event.kind) {
+      case "contact": {
+        if (impulse && laws[names.join("-")] === "velcro") {
+          return told3(tr("{pair} hit and stay together.", { pair }), shown3, after);
+        }
+        if (impulse && joined(event, scale)) return told3(...hitAndGoOn(event, telling, pair), shown3);
+        if (impulse) {
+          return told3(tr("{pair} hit each other and part at once.", { pair }), shown3, after);
+        }
+        const [mover, other] = names[0] === "left" ? [names[1], names[0]] : [names[0], names[1]];
+        return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
+      }
+      case "peak":
+        if (forces2 && event.force) {
+          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
+          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+        }
+        return tr("{pair}: bumpers squeezed the most.", { pair });
+      case "separate": {
+        if (!joined(event, scale)) return told3(tr("{pair} separate.", { pair }), shown3, after);
+        const ended2 = { pair: listed(names.map(body)) };
+        const rest = isWall(String(names[0])) || isWall(String(names.at(-1)));
+        if (rest) {
+          const stay2 = tr("The push between {pair} has ended; they stay together.", ended2);
+          return told3(stay2, shown3, after);
+        }
+        return told3(pushEnded(event, telling, ended2.pair), shown3);
+      }
+      case "stick":
+        return told3(tr("{pair} stay together.", { pair }), after);
+      case "stop":
+        return names[1] ? tr("{pair} stop: the track holds them.", { pair }) : tr("{cart} stops: the track holds it.", { cart: pair });
+      case "start":
+        return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
+      case "release":
+        return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+      case "end":
+        return tr("End of the run.");
+      default:
+        return `${event.kind}: ${pair}.`;
+    }
+  }
+  function joined({ bodies, after }, scale) {
+    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
+    return isRest(Number(left) - Number(right), scale);
+  }
+  function hitAndGoOn(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? [tr("{pair} hit and stay together, at rest.", { pair })] : [tr("{pair} hit and go on together at {velocity}.", { pair, velocity: how })];
+  }
+  function pushEnded(event, telling, pair) {
+    const how = together(event, telling);
+    return how === null ? tr("The push between {pair} has ended; they stay together, at rest.", { pair }) : tr("The push between {pair} has ended; they go on together at {velocity}.", {
+      pair,
+      velocity: how
+    });
+  }
+  function together({ bodies, after }, { decimals, scale, camera }) {
+    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
+    const seen = Number(after[cart]) - camera;
+    return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
+  }
+  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
+    const [per, unit] = speedUnit(scale);
+    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
+  }
+  function graphNote(quantity, events, curves) {
+    const struck = events.some((event) => event.kind === "contact" && event.impulse);
+    if (struck && quantity === "F") return IMPULSE_ONLY;
+    if (struck && quantity === "a") return JUMP_ONLY;
+    return quantity === "F" && !curves ? tr("no contact force in this run") : "";
+  }
+  function modelSentences(header) {
+    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
+    const open2 = header.plan.length > 0;
+    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
+    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
+    if (leftOut.length) {
+      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
+    }
+    return sentences;
+  }
+  function lower(name2) {
+    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
+  }
+  function capital(text) {
+    return text.slice(0, 1).toUpperCase() + text.slice(1);
+  }
+  function sentence(text) {
+    const capitalised = capital(text);
+    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
   // src/scene/csv.js
@@ -5667,8 +5637,8 @@
     const settings = {};
     let t3 = 0;
     const parts2 = text.slice(MARK.length + id.length + 1).split("&");
-    for (const part2 of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
-      const [key = "", value = ""] = [part2.split("=")[0], decoded(part2.slice(part2.indexOf("=") + 1))];
+    for (const part of parts2.filter(Boolean).slice(0, MOST_KEYS)) {
+      const [key = "", value = ""] = [part.split("=")[0], decoded(part.slice(part.indexOf("=") + 1))];
       if (!TARGET.test(key) || !value || value.length > LONGEST_VALUE) {
         return { problem: tr("This link is damaged: it was not used.") };
       }
@@ -5724,8 +5694,8 @@
     const switches = fence.switches ?? [];
     if (fence.controls.length || switches.length) lines2.push("controls:");
     for (const { set, low, high, step, unit } of fence.controls) {
-      const part2 = (value) => `${value} ${unit}`.trim();
-      lines2.push(`  - {set: ${set}, from: ${part2(low)}, to: ${part2(high)}, step: ${part2(step)}}`);
+      const part = (value) => `${value} ${unit}`.trim();
+      lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
     }
     for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
     return `\`\`\`scene
@@ -6117,7 +6087,7 @@ ${lines2.join("\n")}
       const { controls } = baked.fence;
       for (const { name: name2 } of baked.run.header.bodies) {
         for (
-          const [key, part2, metres] of
+          const [key, part, metres] of
           /** @type {const} */
           [
             ["position", "carts-cart", 1 / layout.scale],
@@ -6125,7 +6095,7 @@ ${lines2.join("\n")}
           ]
         ) {
           const control = controls.find(({ set }) => set === `${name2}.${key}`);
-          const group2 = stage.querySelector(`.${part2}[data-body="${name2}"]`);
+          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
           if (!control || !group2) continue;
           group2.classList.add("carts-draggable");
           group2.addEventListener("pointerdown", (event) => {
@@ -6226,9 +6196,9 @@ ${lines2.join("\n")}
       });
     }
   };
-  function bar(rect, part2) {
-    const length = HALF2 * Math.min(1, Math.abs(part2));
-    put(rect, "x", px(part2 < 0 ? HALF2 + 4 - length : HALF2 + 4));
+  function bar(rect, part) {
+    const length = HALF2 * Math.min(1, Math.abs(part));
+    put(rect, "x", px(part < 0 ? HALF2 + 4 - length : HALF2 + 4));
     put(rect, "width", px(length));
   }
 
@@ -7151,9 +7121,9 @@ ${lines2.join("\n")}
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame2 = this.plot.getBoundingClientRect();
         const x2 = (event.clientX - frame2.left) / frame2.width * WIDTH6;
-        const part2 = Math.min(1, Math.max(0, (x2 - LEFT4) / (RIGHT3 - LEFT4)));
+        const part = Math.min(1, Math.max(0, (x2 - LEFT4) / (RIGHT3 - LEFT4)));
         const { low, high } = this.#plane.time;
-        seek(low + part2 * (high - low));
+        seek(low + part * (high - low));
       };
       this.plot.addEventListener("pointerdown", point);
       this.plot.addEventListener("pointermove", point);
@@ -8033,7 +8003,7 @@ ${lines2.join("\n")}
       if (this.acting) say(this.acting, actingSentences(header, numbers));
       this.warnings.hidden = header.warnings.length === 0;
       this.warnings.replaceChildren(
-        ...header.warnings.map(({ message }) => html("p", "", heard(message)))
+        ...header.warnings.map(({ message }) => html("p", "", told2(message)))
       );
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */
@@ -8284,8 +8254,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     /** Lets the reader move the time. @param {boolean} on */
     enable(on) {
       const parts2 = ".carts-reset, .carts-preset, .carts-transport button, .carts-transport select, .carts-transport input, .carts-scrub, .carts-window";
-      for (const part2 of this.root.querySelectorAll(parts2)) {
-        part2.disabled = !on;
+      for (const part of this.root.querySelectorAll(parts2)) {
+        part.disabled = !on;
       }
       if (on) for (const graph2 of this.drawing.graphs) graph2.enable();
     }
@@ -8454,7 +8424,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         return this.#told ? this.#view?.run.trajectory ?? null : null;
       }
       get plan() {
-        return this.#told ? this.#view?.run.header.plan ?? [] : [];
+        const phases = this.#told ? this.#view?.run.header.plan ?? [] : [];
+        return phases.map((phase) => ({ ...phase, why: told2(phase.why) }));
       }
       get time() {
         return this.#view?.player.time ?? 0;

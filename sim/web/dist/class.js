@@ -93,8 +93,10 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // src/answers/parts.js
@@ -152,6 +154,7 @@
           label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
           label.append(html("span", "carts-class-quiet", name));
           line.append(label);
+          if (!student) line.append(" ", codeFor(file, changed));
           return line;
         })
       );
@@ -166,6 +169,21 @@
     };
     return { root, draw };
   }
+  function codeFor(file, changed) {
+    const box = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-class-whose")
+    );
+    Object.assign(box, { type: "text", maxLength: 90, spellcheck: false });
+    box.placeholder = "code word";
+    box.setAttribute("aria-label", `code word for ${file.row[0]}`);
+    box.addEventListener("change", () => {
+      file.row[STUDENT] = box.value.trim().toUpperCase();
+      changed();
+    });
+    return box;
+  }
+  var STUDENT = 4;
   var PAUSE = 500;
   function typedIn(box, act) {
     let timer = 0;

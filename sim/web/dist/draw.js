@@ -10369,8 +10369,8 @@
   var ERRORS = [-17, -15, -13, -11, -9, -7, -5, -3, -1, 1];
   var LEGEND = 18;
   function xAt(ratio) {
-    const part2 = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
-    return LEFT + Math.min(1, part2) * (RIGHT - LEFT);
+    const part = Math.log(Math.max(ratio, LOW_X) / LOW_X) / Math.log(HIGH_X / LOW_X);
+    return LEFT + Math.min(1, part) * (RIGHT - LEFT);
   }
   function yAt(error) {
     const seen = Math.min(HIGH_Y, Math.max(error, FLOOR));
@@ -10416,8 +10416,8 @@
   var [MANY, HUGE] = [1e3, 1e4];
   var FIRST = { method: "euler", parts: 103 };
   var ENDLESS = "beyond all numbers";
-  function percent(part2, whole) {
-    return `${plain(whole ? 100 * part2 / whole : 100, 1)} %`;
+  function percent(part, whole) {
+    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
   }
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
@@ -10735,9 +10735,9 @@ ${rows.map(row)}</tbody>
     const place = Math.floor((value - low) / step + STEP_SLACK);
     return Math.min(count - 1, Math.max(0, place));
   }
-  function mixed(a, b, part2) {
-    if (Number.isNaN(a) || Number.isNaN(b)) return part2 < 0.5 ? a : b;
-    return a * (1 - part2) + b * part2;
+  function mixed(a, b, part) {
+    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
+    return a * (1 - part) + b * part;
   }
   function between(values, lines2, count, factor, next, line) {
     const fine = (count - 1) * factor + 1;
@@ -10746,8 +10746,8 @@ ${rows.map(row)}</tbody>
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count - 2);
         const at = i * line + left * next;
-        const part2 = (k - left * factor) / factor;
-        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part2);
+        const part = (k - left * factor) / factor;
+        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
     }
     return found;
@@ -10885,7 +10885,7 @@ ${second && bar(facts)}
     return html`${parts2}
 <text class="carts-unit" x=${RIGHT2} y=${BAR_TOP + BAR_HEIGHT + 26} text-anchor="end">${named(facts)}</text>`;
   }
-  var hex = (colour) => `#${colour.map((part2) => part2.toString(16).padStart(2, "0")).join("")}`;
+  var hex = (colour) => `#${colour.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
 
   // ../view/map/table.js
   var COLUMNS2 = 6;
@@ -11111,42 +11111,15 @@ ${table3(facts)}
     globalThis.cartsWords ?? {}
   );
   function tr(sentence2, values = {}) {
-    const said = catalogue[sentence2] ?? sentence2;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    return filled(catalogue[sentence2] ?? sentence2, values);
   }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key2) => PLACE.test(key2)).map((key2) => ({ key: key2, pattern: pattern(key2), own: key2.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  function told2(sentence2) {
+    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
+    const values = Object.entries(sentence2.values).map(([name, value]) => [name, told2(value)]);
+    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
   }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key: key2, pattern: form } of some) {
-      const found = form.exec(english);
-      if (!found) continue;
-      const parts2 = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
-      return tr(key2, Object.fromEntries(parts2));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key2) {
-    const named2 = /* @__PURE__ */ new Set();
-    const parts2 = key2.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named2.has(piece)) return `\\k<${piece}>`;
-      named2.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts2.join("")}$`, "su");
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // ../view/bodies.js
@@ -11545,7 +11518,7 @@ ${table3(facts)}
   }
   function agent(effect) {
     const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+    return view.agent?.(effect) ?? (effect.by ? told2(effect.by) : view.name);
   }
   function actsAt(effect, t) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
@@ -11691,9 +11664,6 @@ ${table3(facts)}
       sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
     }
     return sentences;
-  }
-  function told2(why) {
-    return why.split("; ").map(heard).join("; ");
   }
   function lower(name) {
     return name.slice(0, 1).toLowerCase() + name.slice(1);
@@ -12535,7 +12505,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
       const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
       const scale = axis(0, 100 * high, 4);
-      const y = (part2) => bottom - 100 * Math.min(part2, high) / scale.high * (bottom - top);
+      const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x = (t) => left + t / until * (right - left);
       const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
       const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
@@ -12569,10 +12539,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       let k = times2.findLastIndex((t) => t <= time);
       k = Math.min(Math.max(k, 0), Math.max(0, times2.length - 2));
       const [a, b] = [Number(times2[k]), Number(times2[k + 1])];
-      const part2 = b > a ? Math.min(1, (time - a) / (b - a)) : 0;
+      const part = b > a ? Math.min(1, (time - a) / (b - a)) : 0;
       const between2 = (xs) => {
         const here = Number(xs?.[k]);
-        const x2 = this.#place(here + part2 * (Number(xs?.[k + 1] ?? here) - here));
+        const x2 = this.#place(here + part * (Number(xs?.[k + 1] ?? here) - here));
         return Number.isFinite(x2) ? Math.min(5e3, Math.max(-5e3, x2)) : 5e3;
       };
       for (const [cart2, shape] of this.carts.entries()) {
@@ -12916,9 +12886,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       });
     }
   };
-  function bar2(rect, part2) {
-    const length = HALF2 * Math.min(1, Math.abs(part2));
-    put(rect, "x", px(part2 < 0 ? HALF2 + 4 - length : HALF2 + 4));
+  function bar2(rect, part) {
+    const length = HALF2 * Math.min(1, Math.abs(part));
+    put(rect, "x", px(part < 0 ? HALF2 + 4 - length : HALF2 + 4));
     put(rect, "width", px(length));
   }
 
@@ -13763,9 +13733,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         if (event.type === "pointermove" && !(event.buttons & 1)) return;
         const frame2 = this.plot.getBoundingClientRect();
         const x = (event.clientX - frame2.left) / frame2.width * WIDTH3;
-        const part2 = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT3 - LEFT3)));
+        const part = Math.min(1, Math.max(0, (x - LEFT3) / (RIGHT3 - LEFT3)));
         const { low, high } = this.#plane.time;
-        seek(low + part2 * (high - low));
+        seek(low + part * (high - low));
       };
       this.plot.addEventListener("pointerdown", point);
       this.plot.addEventListener("pointermove", point);
@@ -14645,7 +14615,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (this.acting) say(this.acting, actingSentences(header, numbers));
       this.warnings.hidden = header.warnings.length === 0;
       this.warnings.replaceChildren(
-        ...header.warnings.map(({ message }) => html2("p", "", heard(message)))
+        ...header.warnings.map(({ message }) => html2("p", "", told2(message)))
       );
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */

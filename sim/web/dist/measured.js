@@ -1742,8 +1742,10 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // src/runtime/failure.js

@@ -168,42 +168,15 @@
     globalThis.cartsWords ?? {}
   );
   function tr(sentence, values = {}) {
-    const said = catalogue[sentence] ?? sentence;
-    return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+    return filled(catalogue[sentence] ?? sentence, values);
   }
-  var forms = null;
-  var ENOUGH = 2;
-  function heard(english) {
-    forms ??= Object.keys(catalogue).filter((key) => PLACE.test(key)).map((key) => ({ key, pattern: pattern(key), own: key.replace(/\{\w+\}/g, "") })).sort((a, b) => b.own.length - a.own.length || (a.key < b.key ? -1 : 1));
-    return catalogue[english] ?? (filled(english, large(forms)) || english);
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
   }
-  function part(english) {
-    const said = catalogue[english] ?? filled(english, large(forms ?? []));
-    if (said) return said;
-    const listed2 = english.split(", ");
-    if (listed2.length > 1) return listed2.map(part).join(", ");
-    return filled(english, forms ?? []) || english;
-  }
-  var large = (some) => some.filter(({ own }) => own.split(/\s+/).filter(Boolean).length >= ENOUGH);
-  function filled(english, some) {
-    for (const { key, pattern: form } of some) {
-      const found = form.exec(english);
-      if (!found) continue;
-      const parts = Object.entries(found.groups ?? {}).map(([name, said]) => [name, part(said)]);
-      return tr(key, Object.fromEntries(parts));
-    }
-    return "";
-  }
-  var PLACE = /\{\w+\}/;
-  function pattern(key) {
-    const named2 = /* @__PURE__ */ new Set();
-    const parts = key.split(/\{(\w+)\}/).map((piece, k) => {
-      if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-      if (named2.has(piece)) return `\\k<${piece}>`;
-      named2.add(piece);
-      return `(?<${piece}>${piece.length === 1 ? "[^\\s,]+" : ".+?"})`;
-    });
-    return new RegExp(`^${parts.join("")}$`, "su");
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // src/runtime/failure.js
@@ -342,16 +315,16 @@
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name, number, part2) {
+  async function loadPart(base, name, number, part) {
     const inside4 = Boolean(page.__cartsInside);
-    if (!inside4) await runScript(new URL(part2.src, base).href, name);
+    if (!inside4) await runScript(new URL(part.src, base).href, name);
     const key = `${name}.${number}`;
     const text2 = page.__cartsParts?.[key];
-    if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part2.src, name);
+    if (text2 === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
     if (!inside4) delete page.__cartsParts[key];
-    const bytes = decode(text2, part2.src, name);
-    if (bytes.length !== part2.size || !await matches(bytes, part2.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part2.src, name);
+    const bytes = decode(text2, part.src, name);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name);
     }
     return bytes;
   }
@@ -371,7 +344,7 @@
   async function gunzip(parts) {
     const zip = new DecompressionStream("gzip");
     const writer = zip.writable.getWriter();
-    const written = Promise.all([...parts.map((part2) => writer.write(part2)), writer.close()]);
+    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
     const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
     return bytes;
   }
@@ -399,7 +372,7 @@
     return module;
   }
   async function write(writer, parts) {
-    for (const part2 of parts) await writer.write(await part2);
+    for (const part of parts) await writer.write(await part);
     await writer.close();
   }
 
@@ -429,7 +402,7 @@
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part2) => sum + part2.size, 0);
+      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
     }
     /** The files to load, the most urgent first. */
     files() {
@@ -474,10 +447,10 @@
      * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
      */
     load(name, reject) {
-      return this.index.files[name].parts.map(async (part2, number) => {
+      return this.index.files[name].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name, number, part2);
-          this.done += part2.size;
+          const bytes = await loadPart(this.folder, name, number, part);
+          this.done += part.size;
           this.progress(name);
           return bytes;
         } catch (error) {
@@ -550,8 +523,8 @@
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
     async send(name, parts) {
-      for (const [number, part2] of parts.entries()) {
-        const bytes = await part2;
+      for (const [number, part] of parts.entries()) {
+        const bytes = await part;
         if (this.over) return;
         const last = number === parts.length - 1;
         this.worker?.postMessage({ do: "part", name, bytes, last }, [bytes.buffer]);
@@ -904,9 +877,9 @@
   // src/teach/drafts.js
   var Drafts = class {
     /** @param {import("./source.js").Told} told */
-    constructor(told) {
+    constructor(told2) {
       const { site, page: page2 } = place();
-      this.hash = told.hash;
+      this.hash = told2.hash;
       this.before = `${page2}#`;
       this.store = openAll(`${site}~teacher`);
     }
@@ -1265,7 +1238,7 @@ ${second && bar(facts)}
     return html2`${parts}
 <text class="carts-unit" x=${RIGHT} y=${BAR_TOP + BAR_HEIGHT + 26} text-anchor="end">${named(facts)}</text>`;
   }
-  var hex = (colour) => `#${colour.map((part2) => part2.toString(16).padStart(2, "0")).join("")}`;
+  var hex = (colour) => `#${colour.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
 
   // ../view/map/table.js
   var COLUMNS = 6;
@@ -1572,7 +1545,7 @@ ${table2(facts)}
     stored: tr("as height, above the lowest point"),
     slope: ({ numbers }) => numbers.angle ?? 0,
     forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
-    label: (told) => tr("on {on} by {by} (slope): {size} N", told),
+    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
     phrase: ({ numbers }, { everyone, on }) => [
       everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
       slopeText(numbers.angle ?? 0)
@@ -1701,9 +1674,9 @@ ${table2(facts)}
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told) {
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end !== void 0 && from < end && end <= until) {
         marks.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -1798,7 +1771,7 @@ ${table2(facts)}
   }
   function agent(effect) {
     const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? heard(effect.by) : view.name);
+    return view.agent?.(effect) ?? (effect.by ? told(effect.by) : view.name);
   }
   function kindsOnOne({ effects }) {
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
@@ -2354,11 +2327,11 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {
-      const told = { cart: name, mass: short(mass), place: fixed(position, 2) };
-      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told);
+      const told2 = { cart: name, mass: short(mass), place: fixed(position, 2) };
+      if (velocity2 === camera) return tr("{cart}, {mass} kg, is at {place} m and is at rest.", told2);
       const seen = motion(velocity2 - camera, view.decimals.v ?? 2, view.velocity);
       return tr("{cart}, {mass} kg, is at {place} m and moves at {velocity}.", {
-        ...told,
+        ...told2,
         velocity: seen
       });
     });
@@ -2378,9 +2351,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     const place3 = Math.floor((value - low) / step + STEP_SLACK);
     return Math.min(count - 1, Math.max(0, place3));
   }
-  function mixed(a, b, part2) {
-    if (Number.isNaN(a) || Number.isNaN(b)) return part2 < 0.5 ? a : b;
-    return a * (1 - part2) + b * part2;
+  function mixed(a, b, part) {
+    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
+    return a * (1 - part) + b * part;
   }
   function between(values, lines2, count, factor, next, line) {
     const fine = (count - 1) * factor + 1;
@@ -2389,8 +2362,8 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count - 2);
         const at = i * line + left * next;
-        const part2 = (k - left * factor) / factor;
-        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part2);
+        const part = (k - left * factor) / factor;
+        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
       }
     }
     return found;
@@ -3309,14 +3282,14 @@ ${found && html2`<p class="carts-found" hidden></p>`}
      * @param {{told: import("./source.js").Told, client: import("../runtime/client.js").Client, assets: string,
      *   drafts: import("./drafts.js").Drafts, link: HTMLElement}} given
      */
-    constructor({ told, client, assets, drafts, link }) {
-      this.told = told;
+    constructor({ told: told2, client, assets, drafts, link }) {
+      this.told = told2;
       this.client = client;
       this.drafts = drafts;
       this.link = link;
-      this.base = told.text ?? "";
+      this.base = told2.text ?? "";
       this.history = new History(this.base);
-      this.withheld = told.withheld;
+      this.withheld = told2.withheld;
       const article = (
         /** @type {HTMLElement} */
         link.closest("article") ?? document.body
@@ -3553,10 +3526,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     );
     const address = new URL(link.dataset.lesson ?? "", document.baseURI).href;
     const assets = new URL("../", address).href;
-    const told = await loadLesson(address);
+    const told2 = await loadLesson(address);
     const base = new URL(`runtime/${new URL(address).search}`, assets).href;
     const client = new Client((more) => startRuntime({ base, packages: [PACKAGE, ...more] }));
-    const made2 = new Session({ told, client, assets, drafts: new Drafts(told), link });
+    const made2 = new Session({ told: told2, client, assets, drafts: new Drafts(told2), link });
     await made2.open();
     return made2;
   }

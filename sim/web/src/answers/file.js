@@ -85,7 +85,7 @@ function item(entry) {
     last,
     tries,
   });
-  for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked"]) {
+  for (const name of ["unit", "sure", "said", "asked", "own", "set", "locked", "why"]) {
     const more = entry[name];
     if (more !== undefined && more !== null && more !== "") made[name] = more;
   }
@@ -177,7 +177,7 @@ function clean(row) {
     last,
     tries,
   });
-  for (const name of ["unit", "said", "asked", "sure", "locked"]) {
+  for (const name of ["unit", "said", "asked", "sure", "locked", "why"]) {
     if (typeof row[name] === "string" && row[name].length <= LONGEST) entry[name] = row[name];
   }
   if (Number.isFinite(row.own)) entry.own = row.own;

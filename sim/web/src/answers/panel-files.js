@@ -3,6 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 import { download } from "../shared/download.js";
+import { readCode } from "./codes.js";
 import { csvText } from "./csv.js";
 import { fileName, makeFiles, readFile } from "./file.js";
 import { button, clock, part, status } from "./parts.js";
@@ -14,6 +15,7 @@ const NAMES = /** @type {Record<string, string>} */ ({
   delayed: tr("last test"),
 });
 const MOST_BYTES = 4_000_000;
+const AFTER_SAVING = 1500; // ms: the browser has the file, and the message can be read
 
 /** @param {import("./book.js").Book} book @returns {{root: HTMLElement, draw: () => void}} */
 export function filesPart(book) {
@@ -41,22 +43,25 @@ function rows(book, told) {
     const name = html("span", "carts-answers-name");
     name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${counted(count)}`);
     if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
+    const asked = html("p", "carts-answers-whose");
+    const keep = (/** @type {string} */ student) => {
+      const now = new Date().toISOString();
+      const [fresh] = makeFiles(book.entries(), { site: book.site, student }, now).filter(
+        (one) => one.page === file.page && one.form === file.form,
+      );
+      const { name, content } = fresh ?? file;
+      download(name, `${JSON.stringify(content, null, 1)}\n`, "application/json");
+      say(
+        told,
+        tr(
+          "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
+          { file: name },
+        ),
+      );
+    };
     const save = button(
       tr("Save file"),
-      () => {
-        const [fresh] = makeFiles(book.entries(), book, new Date().toISOString()).filter(
-          (one) => one.page === file.page && one.form === file.form,
-        );
-        const content = (fresh ?? file).content;
-        download(file.name, `${JSON.stringify(content, null, 1)}\n`, "application/json");
-        say(
-          told,
-          tr(
-            "Saved as {file}. Look in your folder “Downloads” and give this file to your teacher. Keep it until it has arrived.",
-            { file: file.name },
-          ),
-        );
-      },
+      () => (book.student ? keep(book.student) : askWhose(asked, book, keep)),
       "carts-answers-save",
     );
     const csv = button(
@@ -71,9 +76,43 @@ function rows(book, told) {
       },
       "carts-answers-csv",
     );
-    row.append(name, save, " ", csv);
+    row.append(name, save, " ", csv, asked);
     return row;
   });
+}
+
+/** A file without a code word tells the teacher nothing of whose it is: asked for once more. */
+/** @param {HTMLElement} place @param {import("./book.js").Book} book @param {(student: string) => void} keep */
+function askWhose(place, book, keep) {
+  const label = html("label", "", `${tr("Whose file is it? Code word from your card")} `);
+  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-code"));
+  Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
+  box.placeholder = "BLUE-FOX-27";
+  label.append(box);
+  const told = status();
+  const withCode = async () => {
+    const found = readCode(box.value);
+    if ("problem" in found) return say(told, found.problem);
+    keep(found.code);
+    await book.become(found.code, true); // what was answered here belongs to this student from now on
+    setTimeout(() => location.reload(), AFTER_SAVING);
+  };
+  box.addEventListener("keydown", ({ key }) => {
+    if (key === "Enter") void withCode();
+  });
+  const without = () => {
+    place.replaceChildren();
+    keep("");
+  };
+  place.replaceChildren(
+    label,
+    " ",
+    button(tr("Save with this code word"), () => void withCode(), "carts-answers-with-code"),
+    " ",
+    button(tr("Save without a code word"), without, "carts-answers-without-code"),
+    told,
+  );
+  box.focus();
 }
 
 /** @param {number} count @returns {string} */

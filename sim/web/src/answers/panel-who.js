@@ -43,27 +43,17 @@ export function whoPart(book) {
     const { code } = found;
     if (code === student) return say(told, tr("That is who works here now."));
     const loose = !student && book.entries().length > 0;
-    const known = await book.has(code);
-    if (known && !loose) return become(code, false);
-    say(told, question(code, known, loose));
-    if (loose) {
-      choices.append(
-        button(
-          tr("They are mine: take them along"),
-          () => void become(code, true),
-          "carts-answers-mine",
-        ),
-        " ",
-      );
-      choices.append(button(tr("Leave them"), () => void become(code, false)));
-    } else
-      choices.append(
-        button(
-          tr("Begin as {code}", { code }),
-          () => void become(code, false),
-          "carts-answers-begin",
-        ),
-      );
+    if (!loose) return become(code, false);
+    say(told, tr("Somebody has answered here without a code word. Was that you?"));
+    choices.append(
+      button(
+        tr("They are mine: take them along"),
+        () => void become(code, true),
+        "carts-answers-mine",
+      ),
+      " ",
+      button(tr("Leave them"), () => void become(code, false)),
+    );
     choices.querySelector("button")?.focus();
   }
 
@@ -73,13 +63,4 @@ export function whoPart(book) {
     location.reload();
   }
   return root;
-}
-
-/** @param {string} code @param {boolean} known @param {boolean} loose */
-function question(code, known, loose) {
-  const words = [
-    known ? "" : tr("On this computer there is nothing of {code} yet.", { code }),
-    loose ? tr("Somebody has answered here without a code word. Was that you?") : "",
-  ];
-  return words.filter(Boolean).join(" ");
 }

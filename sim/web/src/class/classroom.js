@@ -1,6 +1,6 @@
 /** What the teacher has dropped on the page so far. Nothing of it is kept when the page is closed. */
 
-/** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/records.py */
+/** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
 /** @typedef {{row: Row, group: number, out: boolean}} Held `out`: left out by the teacher */
 /** @typedef {{lesson: string, form: string, student: string, item: string, marks: number}} GivenMark */
 /** @typedef {{records: Row[], keys: string[], marks: GivenMark[], refused: [string, string][], next: number | null}} Found */
@@ -79,5 +79,5 @@ export class Classroom {
   }
 }
 
-/** A code word as it is compared, as in sim/classroom/marks_file.py. @param {string} student */
+/** A code word as it is compared, as in sim/classroom/files/marks_file.py. @param {string} student */
 export const plain = (student) => student.trim().split(/\s+/).join(" ").toUpperCase();

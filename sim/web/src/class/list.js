@@ -25,6 +25,7 @@ export function fileList(classroom, changed) {
         label.append(box, " ", html("bdi", "", student), ` · ${form} · ${lesson}${group} `);
         label.append(html("span", "carts-class-quiet", name));
         line.append(label);
+        if (!student) line.append(" ", codeFor(file, changed));
         return line;
       }),
     );
@@ -42,6 +43,20 @@ export function fileList(classroom, changed) {
   return { root, draw };
 }
 
+/** A box for the code word of a file that has none. @param {import("./classroom.js").Held} file @param {() => void} changed */
+function codeFor(file, changed) {
+  const box = /** @type {HTMLInputElement} */ (html("input", "carts-class-whose"));
+  Object.assign(box, { type: "text", maxLength: 90, spellcheck: false });
+  box.placeholder = "code word";
+  box.setAttribute("aria-label", `code word for ${file.row[0]}`);
+  box.addEventListener("change", () => {
+    file.row[STUDENT] = box.value.trim().toUpperCase();
+    changed();
+  });
+  return box;
+}
+
+const STUDENT = 4; // place of the code word in a row, see sim/classroom/files/records.py
 const PAUSE = 500; // ms without a key: then something was typed
 
 /** @param {HTMLInputElement | HTMLTextAreaElement} box @param {() => void} act */

@@ -5,7 +5,7 @@
 
 import { brief } from "../../../view/bodies.js";
 import { actingSentences } from "../../../view/effects-words.js";
-import { heard, tr } from "../../../view/language.js";
+import { told, tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
 import { isTold } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
@@ -89,7 +89,7 @@ export class Drawing {
     if (this.acting) say(this.acting, actingSentences(header, numbers));
     this.warnings.hidden = header.warnings.length === 0;
     this.warnings.replaceChildren(
-      ...header.warnings.map(({ message }) => html("p", "", heard(message))),
+      ...header.warnings.map(({ message }) => html("p", "", told(message))),
     );
   }
 

@@ -1,5 +1,6 @@
 /** `<carts-scene>`: adopts the baked page, then lets Python compute what the reader asks for. */
 
+import { told } from "../../../view/language.js";
 import { showForces } from "../predict/find-forces.js";
 import { need, say } from "../shared/dom.js";
 import { drawn } from "../shared/waiting.js";
@@ -128,7 +129,8 @@ export function sceneElement(client) {
     }
 
     get plan() {
-      return this.#told ? (this.#view?.run.header.plan ?? []) : [];
+      const phases = this.#told ? (this.#view?.run.header.plan ?? []) : [];
+      return phases.map((phase) => ({ ...phase, why: told(phase.why) }));
     }
 
     get time() {

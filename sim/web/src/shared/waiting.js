@@ -1,6 +1,6 @@
 /** Small promises: the next frame, one that is settled from outside; how long a reader waited. */
 
-import { heard, tr } from "../../../view/language.js";
+import { told, tr } from "../../../view/language.js";
 
 /** Resolves in the next animation frame, when what was drawn is on the screen. @returns {Promise<unknown>} */
 export function frame() {
@@ -38,6 +38,6 @@ export function deferred() {
 export function refusal(problems) {
   const [first] = problems;
   if (!first) return new Error(tr("This value does not work."));
-  const message = heard(first.message);
-  return new Error(first.hint ? `${message}: ${heard(first.hint)}` : message);
+  const message = told(first.message);
+  return new Error(first.hint ? `${message}: ${told(first.hint)}` : message);
 }

@@ -1,8 +1,7 @@
 /** Every sentence of “How is this computed?”. */
 
-import { tr } from "../../../../view/language.js";
+import { told, tr } from "../../../../view/language.js";
 import { fixed, short } from "../../../../view/numbers.js";
-import { told } from "../../../../view/words.js";
 
 /** @typedef {{cost: {solution: number, points: number}}} Cost seconds */
 /**

@@ -1,0 +1,1 @@
+"""What a teacher has: answer files, zips, keys, marks and typed codes, read with bounds."""

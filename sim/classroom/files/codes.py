@@ -1,0 +1,82 @@
+"""Hand-in codes that a teacher typed from paper: answers like those of a file, without times.
+
+One line each: the code word, the form, the code. The form may be left out where only one fits.
+
+    BLUE-FOX-27 pre 7K2M-Q9ZD-03HX
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from sim.classroom.files.archive import shown
+from sim.classroom.files.keyed import KeyedForm
+from sim.classroom.files.reading import Read, Refused
+from sim.lesson.answer_file import AnswerFile, Item
+from sim.lesson.handin import HandInError, decode
+from sim.lesson.opening import FORMS
+
+_CODE = re.compile(r"[0-9A-Za-z]{4}([- ]?[0-9A-Za-z]{4}){2}\s*$")
+MOST_LINES = 2000
+
+
+def read_codes(text: str, forms: Sequence[KeyedForm]) -> tuple[list[Read], list[Refused]]:
+    """The answers behind each line, and the lines that hold none, with the reason."""
+    read: list[Read] = []
+    refused: list[Refused] = []
+    for line in [line.strip() for line in text.splitlines()][:MOST_LINES]:
+        if not line:
+            continue
+        found = _line(line, forms)
+        if isinstance(found, str):
+            refused.append(Refused(f"typed: {shown(line)[:60]}", found))
+        else:
+            read.append(found)
+    return read, refused
+
+
+def _line(line: str, forms: Sequence[KeyedForm]) -> Read | str:
+    match = _CODE.search(line)
+    if not match:
+        return (
+            "a line is: code word, form, hand-in code; for example BLUE-FOX-27 pre 7K2M-Q9ZD-03HX"
+        )
+    words = line[: match.start()].replace(",", " ").replace(";", " ").split()
+    wanted = words.pop().lower() if words and words[-1].lower() in FORMS else ""
+    if not words:
+        return "the student's code word is missing in front of the code"
+    fitting = []
+    problem = "there is no key for it: choose the key file as well"
+    for form in forms:
+        if wanted and form.form != wanted:
+            continue
+        try:
+            chosen = decode([count for _, count in form.options], match.group(), form.hash)
+        except HandInError as error:
+            problem = str(error)
+        else:
+            fitting.append((form, chosen))
+    if not fitting:
+        return problem
+    if len(fitting) > 1:
+        names = " or ".join(form.form for form, _ in fitting)
+        return f"this code fits several forms: write {names} in front of it"
+    return _read(" ".join(words), match.group().strip(), *fitting[0])
+
+
+def _read(student: str, code: str, form: KeyedForm, chosen: Sequence[int]) -> Read:
+    items = []
+    for (name, _), choice in zip(form.options, chosen, strict=True):
+        keyed = form.items[name]
+        if choice:
+            value = keyed.question.asked()["options"][choice - 1]
+            items.append(
+                Item(id=name, hash=keyed.hash, type=keyed.question.KIND, value=value, first=None,
+                     last=None, tries=0, more={})
+            )  # fmt: skip
+    answers = AnswerFile(
+        site=form.site, lesson=form.lesson, lesson_hash="", student=shown(student)[:60],
+        form=form.form, created="", saved="", handed=None, code=code, items=tuple(items),
+    )  # fmt: skip
+    return Read(f"typed: {shown(student)[:60]} {form.form}", answers)

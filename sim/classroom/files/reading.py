@@ -1,0 +1,184 @@
+"""Many answer files read at once: single files, folders' worth of them, and zips.
+
+Everything is bounded before it is read: bytes, entries, depth (zips: archive.py). A bad file is
+named with the reason and the others are read on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from sys import intern
+from typing import TypeGuard
+
+from sim.classroom.files.archive import entries, is_zip, shown
+from sim.classroom.files.keyed import KeyedForm, KeyFileError, read_key_file
+from sim.classroom.files.marks_file import KIND as MARKS
+from sim.classroom.files.marks_file import Given, MarksFileError, read_marks
+from sim.lesson.answer_file import (
+    MOST_BYTES,
+    PREDICTIONS,
+    AnswerFile,
+    AnswerFileError,
+    Item,
+    read_answer_file,
+)
+
+MOST_FILES = 20_000
+"""Files of one reading: a year of a large school."""
+
+MOST_NAMED = 200
+"""Refused files that are named one by one; beyond, they are counted."""
+
+_NOTHING: dict[str, str] = {}  # one for all
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A file as it came: its name, for people only, and its bytes."""
+
+    name: str
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """A file that is not counted, and why."""
+
+    name: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A file of answers under the name it came with, with the words of predictions."""
+
+    name: str
+    answers: AnswerFile
+
+
+Outcome = Read | Refused | tuple[KeyedForm, ...] | Given
+
+
+@dataclass(slots=True)
+class Reading:
+    """Everything that was read: answers, keys, a teacher's own marks, and what was refused."""
+
+    files: list[Read]
+    keys: list[KeyedForm]
+    refused: list[Refused]
+    given: dict[tuple[str, str, str, str], int]
+
+    @staticmethod
+    def of(sources: Iterable[Source]) -> Reading:
+        """Reads all sources, in their order."""
+        reading = Reading([], [], [], {})
+        for outcome in outcomes(sources):
+            reading.add(outcome)
+        return reading
+
+    def add(self, outcome: Outcome) -> None:
+        """Files the outcome of one file."""
+        if isinstance(outcome, Read):
+            self.files.append(outcome)
+        elif isinstance(outcome, Refused):
+            self.refused.append(outcome)
+        elif isinstance(outcome, tuple):
+            self.keys += outcome
+        else:
+            self.given |= outcome
+
+    def name(self, students: Mapping[str, str]) -> None:
+        """Gives files that have no code word one, by the name of the file or the end of it."""
+        for k, read in enumerate(self.files):
+            code = next(
+                (code for name, code in students.items() if f"/{read.name}".endswith(f"/{name}")),
+                "",
+            )
+            if code and not read.answers.student.strip():
+                self.files[k] = replace(read, answers=replace(read.answers, student=code))
+
+
+def outcomes(sources: Iterable[Source]) -> Iterator[Outcome]:
+    """One outcome for each file, zips entry by entry."""
+    count = 0
+    for source in sources:
+        for outcome in _of_source(source):
+            count += 1
+            if count > MOST_FILES:
+                reason = f"more than {MOST_FILES:,} files: the rest was not read"
+                yield Refused(shown(source.name), reason)
+                return
+            yield outcome
+
+
+def _of_source(source: Source) -> Iterator[Outcome]:
+    if not is_zip(source.content):
+        yield of_file(source.name, source.content)
+        return
+    for entry in entries(source.name, source.content):
+        if entry.content is None:
+            yield Refused(entry.name, entry.reason)
+        else:
+            yield of_file(entry.name, entry.content)
+
+
+def of_file(name: str, content: bytes) -> Outcome:
+    """What one file that is no zip holds."""
+    name = shown(name)
+    if len(content) > MOST_BYTES:
+        return Refused(name, "this file is too large to be a file of answers")
+    if is_zip(content):
+        return Refused(name, "too many zips inside each other: unpack them first")
+    try:
+        text = content.decode("utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8")
+    except UnicodeDecodeError:
+        return Refused(name, "this is no text file, so it holds no answers")
+    try:
+        return Read(name, _slim(read_answer_file(text)))
+    except AnswerFileError as error:
+        return _of_teacher(name, text, str(error))
+    except Exception as error:  # whatever one file does, the others of the class are read
+        return Refused(name, f"this file cannot be read ({type(error).__name__})")
+
+
+def _of_teacher(name: str, text: str, otherwise: str) -> Outcome:
+    """A key or marks, or the reason why the file is no file of answers either."""
+    try:
+        return read_marks(text) if f'"{MARKS}"' in text else read_key_file(text)
+    except MarksFileError as error:
+        return Refused(name, str(error))
+    except KeyFileError as error:
+        return Refused(name, str(error) if '"newtons-carts-key"' in text else otherwise)
+
+
+def _slim(answers: AnswerFile) -> AnswerFile:
+    """Without what no statistic looks at, such as the text of every question: of 5,000 files.
+
+    What is the same in all files of a class is kept once.
+    """
+    return replace(
+        answers,
+        items=tuple(
+            replace(
+                item,
+                id=intern(item.id),
+                hash=intern(item.hash),
+                type=intern(item.type),
+                value=intern(item.value) if _is_short(item.value) else item.value,
+                more=_kept(item),
+            )
+            for item in answers.items
+        ),
+    )
+
+
+def _kept(item: Item) -> Mapping[str, str]:
+    """How sure; and of a prediction, which has no key that tells the rest, its words."""
+    if item.type in PREDICTIONS:
+        return item.more
+    return {"sure": intern(item.more["sure"])} if "sure" in item.more else _NOTHING
+
+
+def _is_short(value: object) -> TypeGuard[str]:
+    return isinstance(value, str) and len(value) < 20

@@ -1,0 +1,202 @@
+"""What a class answered: item by item, belief by belief, and the texts that a person reads."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from sim.classroom.files.keyed import KeyedForm, KeyedItem
+from sim.classroom.refusal import FEW, FEWEST, RefusalError
+from sim.classroom.report.marked import Answer, Marked
+from sim.classroom.report.sentences import many
+from sim.classroom.statistics.item_numbers import (
+    corrected_point_biserial,
+    difficulty,
+    discrimination,
+)
+from sim.lesson.answer_file import PREDICTIONS
+from sim.lesson.kinds.number import NEAR, Number
+from sim.lesson.mark import is_empty
+
+
+def item_rows(
+    files: Sequence[Marked], form: KeyedForm | None, counted: Sequence[str]
+) -> list[dict[str, Any]]:
+    """One row for each item of the form; without a key for each that somebody answered."""
+    names = (
+        list(form.items)
+        if form
+        else sorted({a.id for f in files for a in f.answers.values() if a.type not in PREDICTIONS})
+    )
+    totals = [float(f.total(counted)) for f in files]
+    return [
+        _row(
+            k, name, files, form.items[name] if form else None, totals if name in counted else None
+        )
+        for k, name in enumerate(names, 1)
+    ]
+
+
+def _row(
+    number: int,
+    name: str,
+    files: Sequence[Marked],
+    keyed: KeyedItem | None,
+    totals: list[float] | None,
+) -> dict[str, Any]:
+    answers = [f.answers[name] for f in files if name in f.answers and not f.answers[name].foreign]
+    verdicts = Counter(a.mark.verdict for a in answers if a.mark)
+    row: dict[str, Any] = {
+        "id": name,
+        "label": f"Question {number}" if keyed else name,
+        "ask": keyed.ask if keyed else "",
+        "type": keyed.question.KIND if keyed else (answers[0].type if answers else ""),
+        "worth": keyed.worth if keyed else 0,
+        "n": len(answers),
+        "answered": sum(not is_empty(a.value) for a in answers),
+        "sure": _sure(answers, keyed),
+        "right": verdicts["right"],
+        "partly": verdicts["partly"],
+        "wrong": verdicts["wrong"] + verdicts["unclear"],
+        "unread": verdicts["open"] if keyed and keyed.worth else 0,
+        "empty": verdicts["empty"] if keyed else len(files) - len(answers),
+        "choices": _choices(answers, keyed),
+        "difficulty": None,
+        "discrimination": None,
+        "point_biserial": None,
+        "notes": [],
+    }
+    if keyed and totals is not None and row["worth"]:
+        marks = [float(a.marks) for a in answers]
+        _add(row, "difficulty", lambda: _difficulty(marks, row["worth"]))
+        _add(row, "discrimination", lambda: discrimination(marks, totals, row["worth"]))
+        _add(row, "point_biserial", lambda: corrected_point_biserial(marks, totals))
+    row["sentence"] = _sentence(row)
+    return row
+
+
+def _sure(answers: Sequence[Answer], keyed: KeyedItem | None) -> dict[str, int] | None:
+    """How many said that they were sure, of those who were right and of those who were wrong."""
+    if not keyed or not keyed.question.common.sure:
+        return None
+    said = Counter(
+        a.mark.verdict for a in answers if a.sure == "sure" and a.mark and not is_empty(a.value)
+    )
+    return {"right": said["right"], "wrong": said["wrong"] + said["partly"] + said["unclear"]}
+
+
+def _difficulty(marks: list[float], of: int) -> float:
+    if len(marks) < FEWEST:
+        raise RefusalError(f"{len(marks)} students: at least {FEWEST} are needed")
+    return difficulty(marks, of)
+
+
+def _add(row: dict[str, Any], name: str, statistic: Callable[[], float]) -> None:
+    try:
+        row[name] = statistic()
+    except RefusalError as refused:
+        note = f"{name.replace('_', '-')}: {refused}"
+        row["notes"].append(note)
+
+
+def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[str, Any]]:
+    """Each option with how many chose it, and what students who choose it often think."""
+    kind = keyed.question.KIND if keyed else ""
+    if keyed and isinstance(keyed.question, Number):
+        return _numbers(answers, keyed, keyed.question)
+    if not keyed or kind not in ("single", "multiple"):
+        if keyed:
+            return []
+        counts = Counter(
+            a.value for a in answers if a.type == "single" and isinstance(a.value, str)
+        )
+        return [
+            {"option": o, "label": _letter(o), "text": "", "count": counts[o]}
+            for o in sorted(counts)
+        ]
+    key = keyed.question.key()
+    rows = []
+    for option in keyed.question.asked()["options"]:
+        chose = [
+            a
+            for a in answers
+            if a.value == option or (isinstance(a.value, (list, tuple)) and option in a.value)
+        ]
+        belief = key["beliefs"].get(option, "")
+        rows.append(
+            {
+                "option": option,
+                "label": _letter(option),
+                "text": keyed.texts.get(f"option-{option}", ""),
+                "correct": option in key["correct"],
+                "count": len(chose),
+                "sure": sum(a.sure == "sure" for a in chose),
+                "belief": belief,
+                "says": keyed.beliefs.get(belief, ""),
+            }
+        )
+    return rows
+
+
+def _letter(option: str) -> str:
+    """An option as students see it: a letter."""
+    return option.upper() if len(option) == 1 else option
+
+
+def _numbers(answers: Sequence[Answer], keyed: KeyedItem, question: Number) -> list[dict[str, Any]]:
+    """The wrong numbers that the author knows, with how many typed them and what they may think."""
+    rows = []
+    for wrong in question.wrong:
+        chose = [
+            a
+            for a in answers
+            if isinstance(a.value, (int, float))
+            and not isinstance(a.value, bool)
+            and a.mark
+            and a.mark.verdict == "wrong"
+            and abs(a.value - wrong.value) <= wrong.tolerance * NEAR
+        ]
+        shown = f"{wrong.value:g} {question.unit}".strip()
+        rows.append(
+            {
+                "option": shown,
+                "label": shown,
+                "text": "",
+                "correct": False,
+                "count": len(chose),
+                "sure": sum(a.sure == "sure" for a in chose),
+                "belief": wrong.belief,
+                "says": keyed.beliefs.get(wrong.belief, ""),
+            }
+        )
+    return rows
+
+
+def _sentence(row: dict[str, Any]) -> str:
+    if not row["worth"] or not row["n"]:
+        return ""
+    if row["unread"]:
+        return f"{many(row['unread'], 'answer')} to be read by you, {row['empty']} left it open."
+    text = f"{row['right']} of {row['n']} answered it right"
+    if row["n"] >= FEW:
+        text += f" ({100 * row['right'] / row['n']:.0f} %)"
+    text += f", {row['empty']} left it open." if row["empty"] else "."
+    if row["sure"] and any(row["sure"].values()):
+        text += f" Sure and right: {row['sure']['right']}; sure and wrong: {row['sure']['wrong']}."
+    wrong = [c for c in row["choices"] if not c.get("correct") and c["count"] > 1]
+    if wrong:
+        most = max(wrong, key=lambda c: c["count"])
+        chose = f"{most['count']} chose {most['label']}"
+        if most.get("says"):
+            text += f" {chose}; students who choose it often think: “{most['says']}”"
+        else:
+            text += f" {chose}."
+    if row["discrimination"] is not None:
+        text += (
+            f" Rough: upper minus lower part of the class {row['discrimination']:+.2f}".replace(
+                "-", "−"
+            )
+            + "."
+        )
+    return text

@@ -1,0 +1,144 @@
+"""A student's file with its marks, as far as a key is there to mark it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sim.classroom.files.keyed import KeyedForm, KeyedItem
+from sim.classroom.files.marks_file import Given, pseudonym
+from sim.classroom.files.reading import Read
+from sim.lesson.answer_file import AnswerFile, Item
+from sim.lesson.mark import Mark, Verdict, is_empty
+
+NO_CODE = "no code word"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Answer:
+    """The answer that counts for one item. `foreign`: it answers another wording of it."""
+
+    id: str
+    type: str
+    value: Any
+    sure: str
+    mark: Mark | None
+    foreign: bool = False
+
+    @property
+    def marks(self) -> int:
+        """Marks so far: what nobody has marked yet gives none."""
+        return (self.mark.marks or 0) if self.mark else 0
+
+    @property
+    def worth(self) -> int:
+        """The most marks that it could have; 0 without a key."""
+        return self.mark.of if self.mark else 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Marked:
+    """One student, one form."""
+
+    name: str
+    group: str
+    file: AnswerFile
+    answers: Mapping[str, Answer]
+
+    @property
+    def student(self) -> str:
+        """Who it is, as it is compared; a file without a code word is a person of its own."""
+        return pseudonym(self.file.student) or f"{NO_CODE} {self.name}"
+
+    @property
+    def who(self) -> str:
+        """Who it is, for people: the code word, or the name of the file that has none."""
+        return self.file.student.strip() or f"{NO_CODE} ({self.name})"
+
+    @property
+    def key(self) -> tuple[str, str, str, str]:
+        """What may occur once: site, lesson, form, student."""
+        return self.file.site, self.file.lesson, self.file.form, self.student
+
+    @property
+    def foreign(self) -> tuple[str, ...]:
+        """Items answered in another wording only: this file cannot be compared with the others."""
+        return tuple(a.id for a in self.answers.values() if a.foreign)
+
+    @property
+    def open(self) -> tuple[str, ...]:
+        """Items left open, of those that are worth marks."""
+        return tuple(
+            a.id
+            for a in self.answers.values()
+            if a.mark and a.worth and a.mark.verdict == "empty" and not a.foreign
+        )
+
+    @property
+    def waiting(self) -> tuple[str, ...]:
+        """Answers that a person has to read."""
+        return tuple(
+            a.id for a in self.answers.values() if a.mark and a.worth and a.mark.marks is None
+        )
+
+    def total(self, items: Sequence[str]) -> int:
+        """Marks in these items."""
+        return sum(self.answers[name].marks for name in items)
+
+
+def mark_file(read: Read, group: str, form: KeyedForm | None, given: Given) -> Marked:
+    """The file with marks. Without a key there are answers and no marks."""
+    file = read.answers
+    if form is None:
+        plain = {item.id: _unmarked(item) for item in file.items}
+        return Marked(name=read.name, group=group, file=file, answers=plain)
+    by_id: dict[str, list[Item]] = {}
+    for item in file.items:
+        by_id.setdefault(item.id, []).append(item)
+    person = pseudonym(file.student) or f"{NO_CODE} ({read.name})".upper()
+    who = (file.lesson, file.form, person)
+    answers = {
+        name: _marked(keyed, by_id.get(name, []), given.get((*who, name)))
+        for name, keyed in form.items.items()
+    }
+    return Marked(name=read.name, group=group, file=file, answers=answers)
+
+
+def counted_items(files: Sequence[Marked]) -> tuple[str, ...]:
+    """Items that are worth marks and wait for nobody, in any of these files: what totals are of."""
+    if not files:
+        return ()
+    waiting = {name for file in files for name in file.waiting}
+    first = files[0].answers
+    return tuple(name for name, a in first.items() if a.worth and name not in waiting)
+
+
+def worth(files: Sequence[Marked], items: Sequence[str]) -> int:
+    """What these items are worth together."""
+    return sum(files[0].answers[name].worth for name in items) if files else 0
+
+
+def _unmarked(item: Item) -> Answer:
+    return Answer(
+        id=item.id, type=item.type, value=item.value, sure=item.more.get("sure", ""), mark=None
+    )
+
+
+def _marked(keyed: KeyedItem, items: list[Item], given: int | None) -> Answer:
+    """The last answer to this wording of the question, or none."""
+    fitting = [item for item in items if item.hash in ("", keyed.hash)]
+    item = fitting[-1] if fitting else None
+    mark = keyed.mark(item.value if item else None, item.own if item else None)
+    if given is not None and mark.verdict == "open" and mark.of:
+        marks = max(0, min(given, mark.of))
+        verdict: Verdict = "right" if marks == mark.of else "partly" if marks else "wrong"
+        mark = Mark(verdict, marks, mark.of)
+    return Answer(
+        id=keyed.question.id,
+        type=keyed.question.KIND,
+        value=item.value if item else None,
+        sure=item.more.get("sure", "") if item else "",
+        mark=mark,
+        foreign=not fitting and any(not is_empty(item.value) for item in items),
+    )

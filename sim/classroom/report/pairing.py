@@ -1,0 +1,59 @@
+"""The same students before and after, and who is missing where."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from sim.classroom.report.marked import Marked, counted_items, worth
+
+
+@dataclass(frozen=True, slots=True)
+class Pairs:
+    """Totals of students who took both forms, in one order; and who took only one of them."""
+
+    group: str
+    students: tuple[str, ...]
+    before: tuple[float, ...]
+    after: tuple[float, ...]
+    of: float
+    without_before: tuple[str, ...]
+    without_after: tuple[str, ...]
+    same_items: bool
+
+
+def pair_up(
+    earlier: Sequence[Marked],
+    later: Sequence[Marked],
+    group: str,
+    only: Collection[str] | None = None,
+) -> Pairs | None:
+    """Pairs of one group by pseudonym; None where the two forms have no marks to compare.
+
+    A file that answers another version of the lesson is not paired. `only`: items to count.
+    """
+    first = {f.student: f for f in earlier if f.group == group and not f.foreign}
+    second = {f.student: f for f in later if f.group == group and not f.foreign}
+    # What counts must not depend on the group: all files of the form decide.
+    items = _counted(earlier, only)
+    others = _counted(later, only)
+    same = set(items) == set(others)
+    of, of_later = worth(earlier, items), worth(later, others)
+    if not items or of != of_later:
+        return None
+    both = sorted(first.keys() & second.keys())
+    return Pairs(
+        group=group,
+        students=tuple(first[name].who for name in both),
+        before=tuple(float(first[name].total(items)) for name in both),
+        after=tuple(float(second[name].total(others)) for name in both),
+        of=float(of),
+        without_before=tuple(second[n].who for n in sorted(second.keys() - first.keys())),
+        without_after=tuple(first[n].who for n in sorted(first.keys() - second.keys())),
+        same_items=same,
+    )
+
+
+def _counted(files: Sequence[Marked], only: Collection[str] | None) -> tuple[str, ...]:
+    items = counted_items([file for file in files if not file.foreign])
+    return items if only is None else tuple(name for name in items if name in only)

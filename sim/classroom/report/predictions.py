@@ -1,0 +1,79 @@
+"""What a class predicted before it saw a run: choices, arrows, curves and words, with the reasons.
+
+A prediction has no key: nothing here is right or wrong. Equal ones are counted together, so that a
+teacher sees what the class expected; curves are handed on as they were drawn, to lie over each
+other.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
+from sim.classroom.report.marked import Marked
+from sim.lesson.answer_file import PREDICTIONS, Item
+from sim.lesson.mark import is_empty
+
+SEPARATOR = " · "
+"""What stands in an answer's words between the prediction and what was said besides."""
+
+MOST = 12
+"""Different predictions of one scene that are counted one by one."""
+
+
+def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
+    """One row for each scene that asked first, in the order in which they were met."""
+    found: dict[str, list[tuple[Marked, Item]]] = {}
+    for file in files:
+        for name, item in file.file.latest().items():
+            if item.type in PREDICTIONS and not is_empty(item.value):
+                found.setdefault(name, []).append((file, item))
+    rows = [_row(name, made) for name, made in found.items()]
+    return sorted(rows, key=lambda row: row.pop("first"))
+
+
+def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
+    items = [item for _, item in made]
+    words = Counter(_words(item) for item in items)
+    curves = [[float(h) for h in item.value] for item in items if _is_curve(item)]
+    return {
+        "id": name,
+        "type": items[0].type,
+        "ask": next((item.more["asked"] for item in items if item.more.get("asked")), ""),
+        "n": len(items),
+        "locked": sum("locked" in item.more for item in items),
+        "answers": [
+            {"said": said, "count": count, "sure": _sure(items, said)}
+            for said, count in words.most_common(MOST)
+            if items[0].type != "curve"
+        ],
+        "more": max(0, len(words) - MOST) if items[0].type != "curve" else 0,
+        "curves": curves,
+        "reasons": [
+            {"student": file.who, "said": _words(item), "why": item.more["why"]}
+            for file, item in made
+            if item.more.get("why")
+        ],
+        "first": min((item.first or "" for item in items), default=""),
+    }
+
+
+def _words(item: Item) -> str:
+    """The prediction in words; without them its value."""
+    said = item.more.get("said", "").split(SEPARATOR)[0].strip()
+    return said or str(item.value)
+
+
+def _sure(items: Sequence[Item], said: str) -> int:
+    return sum(item.more.get("sure") == "sure" for item in items if _words(item) == said)
+
+
+def _is_curve(item: Item) -> bool:
+    value = item.value
+    return (
+        item.type == "curve"
+        and isinstance(value, list)
+        and len(value) > 1
+        and all(isinstance(h, (int, float)) and not isinstance(h, bool) for h in value)
+    )

@@ -1,0 +1,138 @@
+"""Plots of a report as SVG: no script, no style of their own, so that page and print can set it.
+
+Every plot stands beside the table it shows, so a screen reader gets a name and skips the drawing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sim.classroom.show.escaped import escape
+
+WIDTH = 620
+_LEFT, _RIGHT = 150, 24
+_ROW = 46
+_DOT = 3.2
+
+
+def dots(rows: Sequence[tuple[str, Sequence[float], float, float | None]], of: float) -> str:
+    """One line for each list of totals: a dot per student, the mean, and its interval's half.
+
+    `rows`: name, totals, mean, half width of the interval (None: not computed).
+    """
+
+    def x(mark: float) -> float:
+        return _LEFT + (WIDTH - _LEFT - _RIGHT) * mark / of
+
+    parts, y = [], 14.0
+    for name, totals, mean, half in rows:
+        stacked: dict[float, int] = {}
+        most = max((sum(t == other for other in totals) for t in set(totals)), default=1)
+        step = min(2.2 * _DOT, 30 / most)
+        height = max(_ROW, 20 + step * most)
+        base = y + height - 16
+        parts.append(_text(8, base + 4, _cut(name), "name"))
+        for total in totals:
+            level = stacked.get(total, 0)
+            stacked[total] = level + 1
+            parts.append(
+                f'<circle cx="{x(total):.1f}" cy="{base - 8 - step * level:.1f}" r="{_DOT}"/>'
+            )
+        if half is not None:
+            low, high = max(0.0, mean - half), min(of, mean + half)
+            parts.append(f'<path class="interval" d="M{x(low):.1f} {base:.1f}H{x(high):.1f}"/>')
+        parts.append(f'<path class="mean" d="M{x(mean):.1f} {base - 5:.1f}v10"/>')
+        y += height
+    parts += _axis(x, y, of)
+    label = f"Marks of each student, with means: {', '.join(name for name, *_ in rows)}"
+    return _figure("".join(parts), y + 34, label)
+
+
+def bars(rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequence[str]) -> str:
+    """Share of right answers for each item, one bar for each form in `shown`."""
+
+    def x(share: float) -> float:
+        return _LEFT + (WIDTH - _LEFT - _RIGHT) * share
+
+    parts, y, thick = [], 10.0, 9
+    for name, shares in rows:
+        height = thick * max(1, len(shares)) + 9
+        parts.append(_text(8, y + height / 2, _cut(name), "name"))
+        for k, (form, share) in enumerate(shares):
+            series = shown.index(form)
+            parts.append(
+                f'<rect class="series-{series}" x="{x(0):.1f}" y="{y + thick * k:.1f}" '
+                f'width="{max(0.8, x(share) - x(0)):.1f}" height="{thick - 1}"/>'
+            )
+        y += height
+    for k, form in enumerate(shown if len(shown) > 1 else []):
+        at = _LEFT + 110 * k
+        parts.append(f'<rect class="series-{k}" x="{at}" y="{y + 36:.1f}" width="10" height="10"/>')
+        parts.append(_text(at + 16, y + 45, form, "key"))
+    axis = [
+        f'<path class="axis" d="M{x(0):.1f} {y:.1f}H{x(1):.1f}"/>',
+        *(
+            f'<path class="axis" d="M{x(k / 4):.1f} {y:.1f}v5"/>'
+            + _text(x(k / 4), y + 19, f"{25 * k} %", "tick")
+            for k in range(5)
+        ),
+    ]
+    label = f"Share of right answers for each question: {', '.join(shown)}"
+    return _figure("".join([*parts, *axis]), y + (54 if len(shown) > 1 else 28), label)
+
+
+def curves(drawn: Sequence[Sequence[float]], highest: float = 10.0) -> str:
+    """Curves of a class over each other: many equal ones make a dark line."""
+    width, height, left, top = 360, 150, 40, 10
+    paths = []
+    for heights in drawn:
+        step = (width - left - 10) / (len(heights) - 1)
+        shares = [1 - min(max(h, 0), highest) / highest for h in heights]
+        points = " ".join(
+            f"{left + k * step:.1f} {top + (height - 40) * share:.1f}"
+            for k, share in enumerate(shares)
+        )
+        paths.append(f'<path class="drawn" d="M{points}"/>')
+    base = top + height - 40
+    axis = f'<path class="axis" d="M{left} {top}V{base}H{width - 10}"/>'
+    words = [
+        _text(left, base + 18, "begin", "key"),
+        _text(width - 40, base + 18, "end", "key"),
+        _text(8, top + 8, "large", "key"),
+        _text(8, base + 4, "0", "key"),
+    ]
+    label = f"{len(drawn)} drawn curves over each other"
+    content = "".join([axis, *paths, *words])
+    return (
+        f'<svg class="carts-class-plot carts-class-curves" role="img" aria-label="{label}" '
+        f'viewBox="0 0 {width} {height}" xmlns="http://www.w3.org/2000/svg">{content}</svg>'
+    )
+
+
+def _axis(x: object, y: float, of: float) -> list[str]:
+    assert callable(x)
+    step = next((s for s in (1, 2, 5, 10, 20, 50, 100) if of / s <= 12), 1000)
+    marks = [step * k for k in range(int(of // step) + 1)]
+    return [
+        f'<path class="axis" d="M{x(0):.1f} {y:.1f}H{x(of):.1f}"/>',
+        *(
+            f'<path class="axis" d="M{x(m):.1f} {y:.1f}v5"/>' + _text(x(m), y + 19, str(m), "tick")
+            for m in marks
+        ),
+        _text(8, y + 19, f"marks, of {of:g}", "key"),
+    ]
+
+
+def _text(x: float, y: float, text: str, role: str) -> str:
+    return f'<text class="{role}" x="{x:.1f}" y="{y:.1f}">{escape(text)}</text>'
+
+
+def _cut(name: str) -> str:
+    return name if len(name) <= 20 else f"{name[:19]}…"
+
+
+def _figure(content: str, height: float, label: str) -> str:
+    return (
+        f'<svg class="carts-class-plot" role="img" aria-label="{escape(label)}" '
+        f'viewBox="0 0 {WIDTH} {height:.0f}" xmlns="http://www.w3.org/2000/svg">{content}</svg>'
+    )

@@ -1,0 +1,35 @@
+"""A report as one HTML file: to keep, to send, to print. No script, no request."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from sim.classroom.show.escaped import escape
+from sim.classroom.show.report_page import report_html
+
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
+_PAGE = (
+    "body { font: 16px/1.5 Roboto, 'Segoe UI', 'Noto Sans', sans-serif; margin: 2rem auto; "
+    "max-width: 56rem; padding: 0 1rem; color: #1b1f27; background: #fff; }\n"
+    "@media print { body { margin: 0; font-size: 11pt; } }\n"
+)
+
+
+def style() -> str:
+    """The style of a report, as the page has it too."""
+    return Path(__file__).with_name("report.css").read_text(encoding="utf-8")
+
+
+def standalone(report: Mapping[str, Any], title: str = "Class results") -> str:
+    """The whole file."""
+    opened = report_html(report).replace("<details>", "<details open>")  # texts are escaped
+    return (
+        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>{escape(title)}</title>\n<style>\n{_PAGE}{style()}</style></head>\n"
+        f'<body class="carts-class-report"><h1>{escape(title)}</h1>\n{opened}\n'
+        "</body></html>\n"
+    )

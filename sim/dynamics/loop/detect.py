@@ -1,0 +1,215 @@
+"""When do two neighbours touch next? Detection moves nothing.
+
+Two free neighbours: room / closing speed, one division. Two on parabolas: a quadratic, solved so
+that nothing cancels. Otherwise their motions are formulas with bounded acceleration, and the first
+zero of the room is found by steps that cannot jump over it (`safe_step`).
+"""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.loop import recontact
+from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
+from sim.dynamics.motion.series import is_rounding
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import velocity
+from sim.dynamics.state.clock import Time, elapsed, later
+from sim.laws.contact_law import ContactLaw
+
+TOUCH_ROUNDING = 1e-15
+"""Relative to the search's span. A room that would close within this time has closed."""
+
+PROBE = 1e-2
+"""Of the horizon. Neighbours that touch without closing: the sign of their room a moment later
+tells whether the one is being pushed into the other. A force grows at least like t from touch."""
+
+EARLIER = (0.3, 0.1, 0.03, 0.01)
+"""Of that moment: a constant force may open the room before a growing one closes it."""
+
+SAME_SPEED = 1e-13
+"""Relative to the velocities. Two that touch and move alike open or close by what acts on them."""
+
+OPEN = 1e-14
+"""m. More room than rounding leaves."""
+
+
+def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
+    """Seconds from `now` to the touch of two free neighbours; inf if there is none in sight."""
+    law = gap.law
+    if gap.rate < 0.0:
+        return max(0.0, (gap.room + resting(gap)) / -gap.rate)
+    if gap.room < 0.0 and law is not None and law.recontacts and not own_separation:
+        return 0.0 if recontact.pushes(law, gap.mu, gap.room, gap.rate) else math.inf
+    return math.inf
+
+
+def resting(gap: Gap) -> float:
+    """m. The overlap at which the pair would touch: a bumper that has not cleared remembers."""
+    return 0.0 if gap.law is None or gap.room >= 0.0 else gap.law.resting_overlap(gap.memory)
+
+
+def touch_in_motion(gap: Gap, now: Time, end: Time, own_separation: bool = False) -> float:
+    """Seconds from `now` to a touch while a body of `gap` is not in free flight; inf if none.
+
+    Looks no further than the end of the first of those motions, or of the run: then the gap is
+    asked again. Notes in the gap when an overlap clears on the way.
+    """
+    left, right = gap.left.motion, gap.right.motion
+    horizon = min(motion.time_left(now) for motion in (left, right) if motion is not None)
+    horizon = min(horizon, elapsed(now, end))
+    gap.clear_at = None
+    if gap.room < 0.0 and gap.law is not None and gap.law.recontacts:
+        return _pushed_again(gap, gap.law, now, horizon, own_separation)
+    rest = resting(gap)
+    if rest == 0.0 and _is_parabola(gap.left) and _is_parabola(gap.right):
+        own = _steady(gap.right)
+        relative = own - _steady(gap.left)
+        if is_rounding(relative, own):
+            relative = 0.0
+        found = first_fall_of_parabola(max(gap.room, 0.0), gap.rate, relative)
+        return found if found <= horizon else math.inf
+    fastest = _speeds(gap.left, now, horizon)[1]
+    slowest = _speeds(gap.right, now, horizon)[0]
+    if gap.room + rest > max(0.0, fastest - slowest) * horizon and rest == 0.0:
+        return math.inf
+    if rest > 0.0:
+        return _touch_with_memory(gap, now, rest, horizon)
+    return _touch_from(gap, now, gap.room, rest, horizon)
+
+
+def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -> float:
+    """The first touch from now on, at room = −rest; it may be at once."""
+    begin = 0.0
+    if room + rest <= 0.0:
+        alike = no_approach(gap, now)
+        if gap.rate < 0.0 and not alike:
+            return 0.0
+        if alike:
+            soon = PROBE * min(horizon, 1.0)
+            if rest + room_at(gap, now, soon) >= 0.0:
+                return math.inf
+            begin = _opens_first(gap, now, soon, rest)
+            if begin == 0.0:
+                return 0.0
+    found = _first_fall(gap, now, begin, horizon, rest, +1.0)
+    return math.inf if found is None else found
+
+
+def no_approach(gap: Gap, now: Time) -> bool:
+    """Do the two move alike, but for rounding?"""
+    largest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
+    return abs(gap.rate) <= SAME_SPEED * largest
+
+
+def _opens_first(gap: Gap, now: Time, soon: float, rest: float) -> float:
+    """A time before `soon`, when the room has closed, at which it is open; 0 if there is none."""
+    for part in EARLIER:
+        if rest + room_at(gap, now, part * soon) > OPEN:
+            return part * soon
+    return 0.0
+
+
+def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:
+    """A bumper that has not cleared: pressed again at its resting overlap, unless it clears first.
+
+    Once it has cleared it touches at no overlap, as a new one does.
+    """
+    again = _touch_from(gap, now, gap.room, rest, horizon)
+    if again == 0.0:
+        return 0.0
+    clear = _first_fall(gap, now, 0.0, min(again, horizon), 0.0, -1.0)
+    if clear is None:
+        return again
+    gap.clear_at = later(now, clear)
+    found = _first_fall(gap, now, clear, horizon, 0.0, +1.0)
+    return math.inf if found is None else found
+
+
+def first_fall_of_parabola(room: float, rate: float, a: float) -> float:
+    """First t > 0 (or 0) at which room + rate t + a t²/2, room >= 0, falls to zero; inf if never.
+
+    The form of the root is chosen so that nothing cancels: 4e-17 relative at a = 1e-12.
+    """
+    if room == 0.0 and (rate < 0.0 or (rate == 0.0 and a < 0.0)):
+        return 0.0
+    square = rate * rate - 2.0 * a * room
+    if square < 0.0:
+        return math.inf
+    root = math.sqrt(square)
+    if rate < 0.0:
+        return 2.0 * room / (root - rate)
+    return (rate + root) / -a if a < 0.0 else math.inf
+
+
+def _is_parabola(body: Body) -> bool:
+    motion = body.motion
+    return motion is None or motion.parabolic
+
+
+def _steady(body: Body) -> float:
+    return 0.0 if body.motion is None else body.motion.state(0.0, 0.0)[2]
+
+
+def _speeds(body: Body, now: Time, horizon: float) -> tuple[float, float]:
+    if body.motion is None:
+        return body.v, body.v
+    return body.motion.speeds(body, now, horizon)
+
+
+def room_at(gap: Gap, now: Time, t: float) -> float:
+    """m. The room of a gap t s after `now`: its present rate, and what the motions add to it."""
+    left, right = gap.left.motion, gap.right.motion
+    pulled = 0.0 if left is None else left.excess(gap.left, now, t)
+    pushed = 0.0 if right is None else right.excess(gap.right, now, t)
+    return gap.room + gap.rate * t + (pushed - pulled)
+
+
+def rate_at(gap: Gap, now: Time, t: float) -> float:
+    """m/s. How fast the room grows t s after `now`."""
+    if t == 0.0:
+        return gap.rate
+    moment = later(now, t)
+    return velocity(gap.right, moment) - velocity(gap.left, moment)
+
+
+def _first_fall(
+    gap: Gap, now: Time, t: float, horizon: float, rest: float, sign: float
+) -> float | None:
+    """The first t at which sign × (room + rest) falls to zero, from a t at which it is positive."""
+    begin = t
+    for _ in range(SAFE_STEPS):
+        here = sign * (room_at(gap, now, t) + rest)
+        if here <= 0.0 and t > begin:
+            return t
+        rate = sign * rate_at(gap, now, t)
+        moment = later(now, t)
+        bound = sum(
+            body.motion.acceleration(body, moment)
+            for body in (gap.left, gap.right)
+            if body.motion is not None
+        )
+        step = safe_step(max(here, 0.0), rate, bound)
+        if step <= TOUCH_ROUNDING * t:
+            return t if rate < 0.0 else None
+        t += step
+        if t > horizon:
+            return None
+    return t
+
+
+def _pushed_again(
+    gap: Gap, law: ContactLaw, now: Time, horizon: float, own_separation: bool
+) -> float:
+    """A push-only pair that still overlaps, until it clears."""
+    if own_separation is False and recontact.pushes(law, gap.mu, gap.room, gap.rate):
+        return 0.0
+
+    def place(t: float) -> tuple[float, float]:
+        return room_at(gap, now, t), rate_at(gap, now, t)
+
+    t, cleared = recontact.scan(law, gap.mu, place, horizon)
+    if not cleared:
+        return t
+    found = _first_fall(gap, now, t, horizon, 0.0, +1.0)
+    return math.inf if found is None else found

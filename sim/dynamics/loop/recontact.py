@@ -1,0 +1,69 @@
+"""When a push-only pair that still overlaps pushes again.
+
+Its neighbours' forces change the rate d' in N = k d + c d', so N may rise through zero while d
+falls. N is smooth: it is scanned while the overlap lasts, and the first rise is bisected.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from sim.dynamics.motion.guards import PUSH_ROUNDING
+from sim.laws.contact_law import ContactLaw
+
+SCAN = 64
+"""Points in one swing of the pair."""
+
+CLOSELY = 50
+"""Swings scanned at full density; a pair that drifts along with its overlap is looked at less."""
+
+BISECTED = 1e-15
+"""Relative to the span: the last bit of the time."""
+
+
+def pushes(law: ContactLaw, mu: float, room: float, rate: float) -> bool:
+    """Is the force of an overlap positive, by more than rounding?"""
+    return law.force(mu, -room, -rate) > PUSH_ROUNDING * law.stiffness * -room
+
+
+def scan(
+    law: ContactLaw, mu: float, place: Callable[[float], tuple[float, float]], horizon: float
+) -> tuple[float, bool]:
+    """First t at which the pair pushes, and False; or the t at which it has cleared, and True.
+
+    inf where neither happens up to the horizon. `place` gives room and rate at t.
+    """
+
+    def pushing(t: float) -> bool:
+        return pushes(law, mu, *place(t))
+
+    swing = math.sqrt(mu / law.stiffness)
+    room, rate = place(0.0)
+    span = max(swing, 2.0 * -room / rate) if rate > 0.0 else swing
+    before, scanned = 0.0, 0
+    while before < horizon:
+        scanned += 1
+        if scanned > CLOSELY:  # nothing happens here quickly any more
+            span *= 2.0
+        span = min(span, horizon - before)
+        begin = before
+        for k in range(1, SCAN + 1):
+            t = begin + span * k / SCAN
+            if place(t)[0] >= 0.0:
+                return t, True
+            if pushing(t):
+                return _bisected(pushing, before, t), False
+            before = t
+    return math.inf, False
+
+
+def _bisected(pushing: Callable[[float], bool], low: float, high: float) -> float:
+    """The t between low and high at which the pair begins to push, to rounding."""
+    span = high - low
+    while high - low > BISECTED * span:
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        low, high = (low, middle) if pushing(middle) else (middle, high)
+    return high

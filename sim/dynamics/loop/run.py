@@ -1,0 +1,195 @@
+"""The run: detect the next event, advance to it, resolve it, record it.
+
+Tier 0, flight, and tier 1, one contact at a time, are closed forms; tier 2, bodies that push each
+other together, is a power series; tier 3 an adaptive method for what has neither.
+"""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Callable
+
+from sim.dynamics.loop import contacts, release, synchronise
+from sim.dynamics.loop.simulation import Simulation
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.record import Record
+from sim.dynamics.state.clock import ZERO, Time, elapsed
+from sim.dynamics.state.loads import Forces
+from sim.scene.model import Scene
+
+MOST_EVENTS = 1_000_000
+"""A run stops after this many events unless told otherwise: some scenes have infinitely many."""
+
+STEPS_PER_EVENT = 10
+"""A contact of several carts takes a handful of steps; a run that needs ten times as many as it may
+have events is one that never ends."""
+
+MOST_STEPS = 100_000
+"""Power series steps of one run, half a minute. Very stiff beside very soft takes more."""
+
+Progress = Callable[[float, int], None]
+"""Told now and then how far the run is: t [s] and the number of events so far."""
+
+TELL_EVERY = 2048
+"""Entries of the calendar between two words of progress."""
+
+
+def run(
+    scene: Scene,
+    *,
+    max_events: int = MOST_EVENTS,
+    keep_events: bool = True,
+    keep_motion: bool = True,
+    max_steps: int = MOST_STEPS,
+    progress: Progress | None = None,
+) -> Run:
+    """Run a scene exactly. Raises UnsolvedError where no exact solver is at hand."""
+    try:
+        sim = Simulation(scene, Record(scene, keep_events, keep_motion))
+        _start(sim)
+        finished = _events(sim, max_events, max_steps, progress)
+    except (ArithmeticError, ValueError) as error:
+        if not is_of_the_numbers(error):
+            raise
+        raise out_of_range() from error
+    if not all(map(math.isfinite, (*finished.x, *finished.v, *finished.ledger.totals()))):
+        raise out_of_range()
+    if (finished.forces is not None or "power-series" in finished.solvers) and (
+        finished.ledger.imbalance() > CLOSES
+    ):
+        raise out_of_range()
+    return finished
+
+
+CLOSES = 1e-6
+"""Of all energies in play. Every run closes its accounts to 1e-12 or so; one that does not has lost
+its digits to numbers of very different size, and has no result."""
+
+
+def is_of_the_numbers(error: ArithmeticError | ValueError) -> bool:
+    """Did an operation fail for the size of its numbers? Lists that do not match are our fault."""
+    ours = isinstance(error, UnsolvedError) or str(error).startswith("zip()")
+    return not ours
+
+
+def out_of_range() -> UnsolvedError:
+    """Numbers overflowed: the run has no result, rather than a wrong one."""
+    return UnsolvedError(
+        "the numbers of this scene are too large or too small to compute with",
+        "use values that an air track could have",
+        0.0,
+        (),
+    )
+
+
+def _start(sim: Simulation) -> None:
+    """Everything at rest in time: what acts from the start, and what comes first."""
+    sim.record.pieces = [[] for _ in sim.scene.carts]
+    if sim.forces is not None:
+        _start_with_effects(sim, sim.forces)
+        return
+    for body in sim.chain.bodies:
+        sim.solvers["free-flight"] += 1
+        sim.record.piece(body)
+    for gap in sim.chain.gaps:
+        if gap is None:
+            continue
+        if gap.room < 0.0 and gap.law is not None:
+            sim.begin(gap, ZERO)
+        elif gap.touching is None:
+            sim.predictions.gap(gap, ZERO)
+
+
+def _start_with_effects(sim: Simulation, forces: Forces) -> None:
+    """Latches, overlaps at the start, springs and magnets; then all solvers at once."""
+    _store(sim, first=True)
+    for number, one in enumerate(forces.releases):
+        release.latch(sim.chain, one, sim.record)
+        sim.calendar.from_outside(number, one.time)
+    for t in forces.switches:
+        sim.calendar.from_outside(len(forces.releases), t)
+    gaps = [gap for gap in sim.chain.gaps if gap is not None]
+    for gap in gaps:
+        if gap.room < 0.0 and gap.law is not None and not gap.joined:
+            contacts.touch(gap, ZERO, sim.record, sim.ledger)
+    sim.form_again(list(dict.fromkeys(sim.chain.bodies)), gaps, ZERO)
+    free = sum(body.motion is None for body in sim.chain.bodies)
+    if free:
+        sim.solvers["free-flight"] += free
+
+
+def _store(sim: Simulation, *, first: bool) -> None:
+    """Energy in springs and magnets, at the start or at the end."""
+    for gap in sim.chain.gaps:
+        for link in gap.links if gap is not None else ():
+            assert gap is not None
+            sim.ledger.store(link.kind, link.energy(gap.room), first=first)
+
+
+def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress | None) -> Run:
+    """Event after event until the end, or until there were too many."""
+    entries, gaps, bodies = sim.calendar.entries, sim.chain.gaps, sim.chain.bodies
+    last, count, told = sim.end[0], len(gaps), 0
+    most_steps = min(STEPS_PER_EVENT * max_events, max_steps)
+    while entries and entries[0][0] <= last:
+        hi, lo, key, turn = heapq.heappop(entries)
+        now = (hi, lo)
+        void = 0 <= key < count and ((gap := gaps[key]) is None or gap.turn != turn)
+        if void or (key < 0 and bodies[-1 - key].turn != turn):
+            continue
+        if sim.happened >= max_events:
+            return _result(sim, now, stopped=f"{max_events} events")
+        if sim.steps >= most_steps:
+            stopped = f"{sim.steps} short steps of contacts that push each other"
+            return _result(sim, now, stopped=stopped)
+        told += 1
+        if progress is not None and told % TELL_EVERY == 0:
+            progress(hi, sim.happened)
+        if key < 0:
+            sim.motion_ends(bodies[-1 - key], now)
+        elif key >= count:
+            sim.from_outside(key - count, now)
+        elif gap is not None:
+            sim.at_gap(gap, now)
+    return _result(sim, sim.end, stopped=None)
+
+
+def _result(sim: Simulation, end: Time, *, stopped: str | None) -> Run:
+    """Bring everything to the end."""
+    scene, record, ledger = sim.scene, sim.record, sim.ledger
+    bodies = list(dict.fromkeys(sim.chain.bodies))
+    touching = [gap for gap in sim.chain.gaps if gap is not None and gap.solver is not None]
+    if touching or sim.forces is not None:
+        synchronise.settle(bodies, touching, end, record, ledger)
+    else:
+        for body in bodies:
+            body.x += body.v * elapsed(body.time, end)
+    for gap in touching:
+        if gap.touching is not None and gap.law is not None:
+            contacts.tell_peak(gap, record)
+            ledger.stored_final += gap.law.stored(-gap.room, -gap.rate, gap.memory)
+    if sim.forces is not None:
+        _store(sim, first=False)
+    x, v = [0.0] * len(scene.carts), [0.0] * len(scene.carts)
+    for body in bodies:
+        if len(body.carts) == 1:
+            x[body.carts[0]], v[body.carts[0]] = body.x, body.v
+            continue
+        for cart, offset in zip(body.carts, record.offsets(body), strict=True):
+            x[cart], v[cart] = body.x + offset, body.v
+    ledger.v_final = v
+    record.end(end[0], v)
+    return Run(
+        scene=scene,
+        t=end[0],
+        x=tuple(x),
+        v=tuple(v),
+        record=record,
+        ledger=ledger,
+        solvers=sim.solvers,
+        effects=sim.forces.used if sim.forces is not None else {},
+        forces=sim.forces,
+        stopped=stopped,
+    )

@@ -1,0 +1,61 @@
+"""What touches belongs together: bringing all of it to one instant.
+
+A component is a row of bodies whose neighbours touch or are linked. One free body is a flight
+(tier 0), one contact between bodies free otherwise a closed form (tier 1), all else a group (tier
+2). Whenever something happens to one of them, all motions involved are settled: bodies and gaps are
+brought to that instant, and what the motions did is booked.
+"""
+
+from __future__ import annotations
+
+from sim.dynamics.loop.contacts import outside
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.result.record import Record
+from sim.dynamics.state.body import Body, Gap, Motion, Part
+from sim.dynamics.state.clock import Time, elapsed, later
+from sim.dynamics.state.touching import Peak
+
+
+def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledger: Ledger) -> None:
+    """Bring these bodies and the gaps between them to `now`; afterwards nothing moves them.
+
+    The gaps go on touching. `bodies` are whole components, walls left out.
+    """
+    motions = {id(m): m for m in (*(b.motion for b in bodies), *(g.solver for g in gaps)) if m}
+    moved = [
+        (body, body.motion.shift(body, body.time, now), body.motion.velocity(body, now))
+        if body.motion is not None
+        else (body, body.v * elapsed(body.time, now), body.v)
+        for body in bodies
+    ]
+    for motion in motions.values():
+        t = elapsed(motion.begun, now)
+        motion.book(ledger, t)
+        for gap, part in zip(
+            motion.members, motion.parts(t, peaks=record.keep_events), strict=True
+        ):
+            _settle_gap(motion, gap, part, now, record, ledger)
+        record.finished(motion, now[0])
+    for body, shift, v in moved:
+        body.x, body.v, body.time, body.motion = body.x + shift, v, now, None
+    for gap in gaps:
+        gap.solver = None
+
+
+def _settle_gap(
+    motion: Motion, gap: Gap, part: Part, now: Time, record: Record, ledger: Ledger
+) -> None:
+    touching = gap.touching
+    if touching is not None:
+        for when, force, impulse, after in part.peaks:
+            moment = later(motion.begun, when)
+            touching.see(Peak(moment, force, touching.impulse + impulse, after))
+        touching.impulse += part.impulse
+        outside(gap.left, gap.right, part.impulse, ledger)
+        ledger.dissipate(part.dissipated)
+        if gap.law is not None:
+            record.depth(gap, part.deepest)
+            gap.memory = gap.law.remember(part.deepest, gap.memory)
+    gap.room, gap.rate, gap.time = -part.over, -part.rate, now
+    if touching is None and gap.room >= 0.0:
+        gap.memory = 0.0

@@ -1,0 +1,97 @@
+"""What follows when a motion ends: each end has its own consequence.
+
+apart   the contact is over                      touch   a linked pair's contact begins
+turn    the bumper springs back                  clear   its bumper forgets
+climb   the bumper is pressed further            halt    the body stands still for a moment
+                                                 slip    it begins to slide
+"""
+
+from __future__ import annotations
+
+from sim.dynamics.loop import contacts
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.result.record import Record
+from sim.dynamics.state.body import Gap, Motion
+from sim.dynamics.state.clock import Time
+from sim.laws.branch import Cause
+
+
+def leave(motion: Motion, now: Time, record: Record, ledger: Ledger) -> int:
+    """Carry out all that ended a settled motion, but for touches without a duration (`struck`).
+
+    Returns the number of events that it told.
+    """
+    happened = 0
+    for end in motion.ends:
+        if end.cause == "halt":
+            _halt(motion, end.k)
+        elif end.cause == "slip":
+            motion.bodies[end.k].slips = end.way
+        else:
+            happened += _in_gap(end.cause, motion.members[end.k], now, record, ledger)
+    return happened
+
+
+def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
+    if cause == "touch":
+        return _touch(gap, now, record, ledger)
+    if cause == "clear":
+        gap.room = gap.memory = 0.0
+    elif gap.touching is None:
+        pass  # it came apart at the same instant
+    elif cause == "climb":
+        gap.touching.pressing, gap.room = True, -gap.memory
+    elif cause == "turn":
+        gap.touching.pressing = False
+        gap.rate, gap.memory = 0.0, -gap.room
+    else:
+        return _apart(gap, now, record, ledger)
+    return 0
+
+
+def _apart(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
+    law = gap.law
+    if law is None:  # an instant contact that rested: nothing to tell
+        gap.touching = None
+        return 0
+    ledger.dissipate(law.stored(-gap.room, -gap.rate, gap.memory))
+    gap.room = -law.left_over(-gap.room, gap.memory)
+    last = law.last_force(gap.mu, -gap.rate)
+    if gap.room >= 0.0:
+        gap.room = gap.memory = 0.0
+    contacts.tell_separation(gap, now, last, record)
+    return 1
+
+
+def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
+    """Of a pair that a spring holds: the contact begins at its resting overlap."""
+    if gap.law is None:
+        gap.room = 0.0
+        return 0
+    if not is_push(gap):
+        gap.room = -gap.law.resting_overlap(gap.memory) if gap.memory else 0.0
+    contacts.touch(gap, now, record, ledger)
+    return 2
+
+
+def struck(motion: Motion) -> list[Gap]:
+    """Linked pairs that touch at the end of the motion by a law without a duration."""
+    touched = [motion.members[end.k] for end in motion.ends if end.cause == "touch"]
+    return [gap for gap in touched if gap.law is None]
+
+
+def _halt(motion: Motion, k: int) -> None:
+    """Body k, and all whose contacts are locked to it, have v = 0: they differ by rounding only."""
+    gaps = motion.members
+    first, last = k, k
+    while first > 0 and motion.locked(first - 1) and gaps[first - 1].rate == 0.0:
+        first -= 1
+    while last < len(gaps) and motion.locked(last) and gaps[last].rate == 0.0:
+        last += 1
+    for body in motion.bodies[first : last + 1]:
+        body.v = 0.0
+
+
+def is_push(gap: Gap) -> bool:
+    """Does the gap touch because an overlap that is left begins to push again?"""
+    return gap.room < 0.0 and gap.law is not None and gap.law.recontacts

@@ -1,0 +1,1 @@
+"""Motions until something ends them: flights, pairs, coupled groups, each a formula in time."""

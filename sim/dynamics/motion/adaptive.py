@@ -1,0 +1,220 @@
+"""Tier 3: what has neither a closed form nor a power series is integrated, with located events.
+
+    y = overlaps, their rates, velocities, ways, impulses and losses of the contacts
+    y' = f(y) by an embedded Runge-Kutta method of order 8 (Dormand & Prince, scipy's DOP853)
+
+One accepted step at a time; its dense output (degree 7) serves for events and drawing as a power
+series does. Where an event ends the step, the step is done again up to there, so that the state at
+the event has the method's full order and not the dense output's. Tolerances: see below. numpy and
+scipy are imported here, when first used, and only here. Source: Hairer, Nørsett & Wanner, Solving
+Ordinary Differential Equations I, II.5 and II.6.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from sim.dynamics.motion import stick_slip
+from sim.dynamics.motion.coupled_group import CoupledGroup, row_of
+from sim.dynamics.motion.guards import branch_of, refuse_too_near
+from sim.dynamics.motion.polynomial import Poly, value
+from sim.dynamics.motion.series import Row, hold_now
+from sim.dynamics.motion.step import Step, slope_of
+from sim.dynamics.motion.step_ends import first_ends
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time
+from sim.effects.forces import resistance
+from sim.laws.branch import Branch
+from sim.laws.contact_law import ContactLaw
+
+RELATIVE = 1e-12
+"""Error per step, relative: a hundred steps of a contact stay within 1e-10."""
+
+SMALL = 1e-13
+"""The same relative to the greatest speed, and to the way gone in a contact at that speed."""
+
+SLOWEST = 1e-6
+"""m/s. Stands for the greatest speed where nothing moves."""
+
+
+@dataclass(frozen=True, slots=True)
+class IntegratedStep(Step):
+    """Impulses and losses are integrated with the motion; forces follow from the law itself."""
+
+    impulses: list[Poly]  # N s
+    losses: list[Poly]  # J
+    laws: list[ContactLaw | None]  # those that are curved, of gaps that touch
+
+    def impulse(self, k: int, t: float) -> float:
+        """N s."""
+        return value(self.impulses[k], t)
+
+    def contact_force(self, k: int, t: float) -> float:
+        """N."""
+        gap, over = self.gaps[k], self.over[k]
+        d, rate = value(over, t), value(slope_of(over), t)
+        law = self.laws[k]
+        return self.branches[k].force(d, rate) if law is None else law.force(gap.mu, d, rate)
+
+    def force(self, k: int, t: float) -> tuple[float, float]:
+        """N by the law, dN/dt by the dense output."""
+        _, growth = Step.force(self, k, t)
+        room = -value(self.over[k], t)
+        linked = math.fsum(link.force(room, 0.0) for link in self.gaps[k].links)
+        return self.contact_force(k, t) + linked, growth
+
+    def dissipated(self, k: int, t: float) -> float:
+        """J. What a bumper keeps follows from its law."""
+        curved_law = self.laws[k] is not None
+        return value(self.losses[k], t) if curved_law else Step.dissipated(self, k, t)
+
+
+def curved(gap: Gap) -> ContactLaw | None:
+    """The law of a gap that touches by one without linear branches."""
+    law = gap.law
+    return law if law is not None and not law.linear and gap.touching is not None else None
+
+
+def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:
+    """One accepted step of a row in which some contact has a curved law, at most `limit` s."""
+    refuse_too_near(gaps, now)
+    branches = [branch_of(gap) for gap in gaps]
+    stick_slip.decide(bodies, gaps, branches)
+    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+    step = _integrated(bodies, gaps, row, now, limit)
+    ends, duration = first_ends(step, [math.inf] * len(gaps))  # none of these rows is long
+    if 0.0 < duration < step.length:
+        step = _integrated(bodies, gaps, row, now, duration)
+    touched = [gap.touching is not None for gap in gaps]
+    loads = [body.load for body in bodies]
+    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, "adaptive", 3)
+
+
+def _slope(bodies: list[Body], gaps: list[Gap], row: Row, y: list[float]) -> list[float]:
+    """f(y)."""
+    count, branches = len(gaps), row.branches
+    over, rate, v = y[:count], y[count : 2 * count], y[2 * count : 2 * count + len(bodies)]
+    push, loss, across = [], [], []
+    for k, gap in enumerate(gaps):
+        law, branch = curved(gap), branches[k]
+        if law is not None:
+            push.append(law.force(gap.mu, over[k], rate[k]))
+            loss.append(law.dissipated(gap.mu, over[k], rate[k]))
+        else:
+            push.append(branch.force(over[k], rate[k]))
+            loss.append(branch.gamma * rate[k] * rate[k])
+        across.append(math.fsum(link.force(-over[k], -rate[k]) for link in gap.links))
+    outside = []
+    for i, body in enumerate(bodies):
+        force = row.steady[i] + resistance(body.load.linear, body.load.quadratic, v[i])
+        force += across[i - 1] if i > 0 else 0.0
+        outside.append(force - (across[i] if i < count else 0.0))
+    hold_now(branches, push, row.inverse, outside)
+    a = [
+        ((push[i - 1] if i > 0 else 0.0) - (push[i] if i < count else 0.0) + outside[i]) * inv
+        for i, inv in enumerate(row.inverse)
+    ]
+    relative = [0.0 if branches[k].locked else a[k] - a[k + 1] for k in range(count)]
+    return [*rate, *relative, *a, *v, *push, *loss]
+
+
+def _integrated(
+    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+) -> IntegratedStep:
+    """One accepted step, at most `limit` s, with its dense output."""
+    start = [*row.overlaps, *row.rates, *row.speeds]
+    start += [0.0] * (len(bodies) + 2 * len(gaps))
+    if limit <= 0.0:
+        return _kept(bodies, gaps, row, [[y] for y in start], 0.0)
+    numpy, dop853 = _scipy()
+    solver = dop853(
+        lambda _t, y: _slope(bodies, gaps, row, y.tolist()),
+        0.0,
+        numpy.array(start),
+        limit,
+        rtol=RELATIVE,
+        atol=numpy.array(_tolerances(bodies, gaps, row)),
+    )
+    solver.step()
+    if solver.status == "failed":
+        raise UnsolvedError(
+            "the contact is too stiff to be integrated",
+            "a softer stiffness, or law: bumper, which has a closed form",
+            now[0],
+            (),
+        )
+    return _kept(bodies, gaps, row, _polynomials(solver), float(solver.t))
+
+
+def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
+    """Absolute ones, from the greatest speed and the time of a contact at that speed."""
+    count = len(gaps)
+    lightest = min(body.mass for body in bodies if body.mass < math.inf)
+    speed = max([abs(v) for v in (*row.speeds, *row.rates)], default=0.0) or SLOWEST
+    laws = [gap.law for gap in gaps if gap.law is not None and not gap.law.linear]
+    stiff = max([law.stiffness for law in laws], default=1.0)
+    way = speed * (lightest**2 / (stiff**2 * speed)) ** 0.2
+    way = max([way, *(abs(o) for o in row.overlaps if abs(o) < way)])
+    return (
+        [SMALL * way] * count
+        + [SMALL * speed] * (count + len(bodies))
+        + [SMALL * way] * len(bodies)
+        + [SMALL * lightest * speed] * count
+        + [SMALL * lightest * speed * speed] * count
+    )
+
+
+def _kept(
+    bodies: list[Body], gaps: list[Gap], row: Row, dense: list[Poly], length: float
+) -> IntegratedStep:
+    count, n = len(gaps), len(bodies)
+    over, speed = dense[:count], dense[2 * count : 2 * count + n]
+    path = dense[2 * count + n : 2 * count + 2 * n]
+    impulses, losses = dense[2 * count + 2 * n : 3 * count + 2 * n], dense[3 * count + 2 * n :]
+    force = [slope_of(p) or [0.0] for p in impulses]
+    branches: list[Branch] = row.branches
+    nothing = [0.0] * max(len(p) for p in force) if force else [0.0]
+    across = [list(nothing) for _ in over]
+    return IntegratedStep(
+        bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
+        impulses, losses, [curved(gap) for gap in gaps],
+    )  # fmt: skip
+
+
+def _scipy() -> tuple[Any, Any]:
+    try:
+        import numpy
+        from scipy.integrate import DOP853
+    except ImportError as missing:
+        raise UnsolvedError(
+            "the contact law hertz needs the packages numpy and scipy, which this page does not "
+            "carry",
+            "write packages: [scipy] into the scene block",
+            0.0,
+            (),
+        ) from missing
+    return numpy, DOP853
+
+
+def _polynomials(solver: Any) -> list[Poly]:
+    """Dense output of the last step as coefficients of 1, t, t² …, one list per component.
+
+    scipy keeps y = y0 + x (F0 + (1 − x)(F1 + x (F2 + …))), x = t/h.
+    """
+    import numpy
+
+    dense = solver.dense_output()
+    total = numpy.zeros((len(dense.y_old), 1))
+    for place, term in enumerate(reversed(dense.F)):
+        total[:, 0] += term
+        longer = numpy.zeros((len(total), total.shape[1] + 1))
+        longer[:, 1:] = total if place % 2 == 0 else -total
+        if place % 2:
+            longer[:, :-1] += total
+        total = longer
+    total[:, 0] += dense.y_old
+    scale = dense.h ** -numpy.arange(total.shape[1], dtype=float)
+    return [[float(c) for c in row] for row in total * scale]

@@ -1,0 +1,211 @@
+"""Several bodies that push or pull each other, all at once: tier 2, stepped by power series.
+
+A group is a row of bodies whose neighbours touch or are linked by a spring or magnets, or one body
+under forces that have no closed form together. It lives for one step, or until something happens
+in it: a contact's force becomes zero, a bumper turns from one line of its law to the other, a
+linked pair touches, a sliding body halts, a held one slips. Then it is taken apart and what still
+belongs together forms anew, by the cheapest solver that is exact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from sim.dynamics.motion import stick_slip
+from sim.dynamics.motion.friction_shares import share
+from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
+from sim.dynamics.motion.polynomial import integral, size, slope, value, value_and_slope
+from sim.dynamics.motion.series import Expansion, Row, converged_step, expand, step_length
+from sim.dynamics.motion.step import Step
+from sim.dynamics.motion.step_ends import first_ends
+from sim.dynamics.motion.work_accounting import book_step
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
+from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.loads import Load
+from sim.laws.branch import Branch
+from sim.laws.damped_oscillation import Rate
+
+
+@dataclass(frozen=True, slots=True)
+class CoupledGroup:
+    """One step of a row of bodies from `begun`, for `duration` s.
+
+    `bodies` include a wall at an end that is touched; gap k lies between bodies k and k + 1.
+    """
+
+    bodies: list[Body]
+    members: list[Gap]
+    begun: Time
+    duration: float
+    ends: list[End]
+    step: Step
+    touched: list[bool]  # which gaps are contacts, not links alone
+    loads: list[Load]
+    name: str = "power-series"
+    tier: int = 2
+    parabolic: ClassVar[bool] = False
+    fading: ClassVar[tuple[Rate, ...]] = ()
+
+    @property
+    def short_steps(self) -> bool:
+        """A nonlinear row converges for a short time only."""
+        return self.step.short
+
+    @property
+    def gaps(self) -> tuple[int, ...]:
+        """The gaps of the chain that it moves."""
+        return tuple(gap.index for gap in self.members)
+
+    def marks(self, end: float) -> list[float]:
+        """One formula holds for the whole step."""
+        return []
+
+    def time_left(self, now: Time) -> float:
+        """s to the end of the step."""
+        return self.duration - elapsed(self.begun, now)
+
+    def side(self, body: Body) -> float:
+        """The body's place in the row."""
+        return float(self._place(body))
+
+    def _place(self, body: Body) -> int:
+        return next(k for k, other in enumerate(self.bodies) if other is body)
+
+    def state(self, side: float, tau: float) -> tuple[float, float, float]:
+        """Displacement [m], v [m/s], a [m/s²] of the body at that place in the row."""
+        k = int(side)
+        return (value(self.step.path[k], tau), *value_and_slope(self.step.speed[k], tau))
+
+    def shift(self, body: Body, start: Time, end: Time) -> float:
+        """m. How far a body goes between two times within the step."""
+        path = self.step.path[self._place(body)]
+        a, b = elapsed(self.begun, start), elapsed(self.begun, end)
+        return value(path, b) - (value(path, a) if a != 0.0 else 0.0)
+
+    def velocity(self, body: Body, now: Time) -> float:
+        """m/s."""
+        return value(self.step.speed[self._place(body)], elapsed(self.begun, now))
+
+    def excess(self, body: Body, start: Time, dt: float) -> float:
+        """m. Displacement in dt s beyond that at the velocity of `start`."""
+        path = self.step.path[self._place(body)]
+        a = elapsed(self.begun, start)
+        if a == 0.0:
+            return value([0.0, 0.0, *path[2:]], dt)
+        return value(path, a + dt) - value(path, a) - value(slope(path), a) * dt
+
+    def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """Least and greatest velocity in the step, bounded by the coefficients."""
+        speed = self.step.speed[self._place(body)]
+        reach = size([0.0, *speed[1:]], self.duration)
+        return speed[0] - reach, speed[0] + reach
+
+    def acceleration(self, body: Body, now: Time) -> float:
+        """m/s². Bound over the step."""
+        return size(slope(self.step.speed[self._place(body)]), self.duration)
+
+    def force(self, gap: int, tau: float) -> tuple[float, float]:
+        """N and dN/dt of a gap of the chain."""
+        return self.step.force(self.gaps.index(gap), tau)
+
+    def book(self, accounts: Accounts, t: float) -> None:
+        """Impulses from outside and work, by name."""
+        book_step(accounts, self.step, t)
+
+    def locked(self, k: int) -> bool:
+        """As the branch of its law."""
+        return self.step.branches[k].locked
+
+    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+        """Gap by gap."""
+        step, found = self.step, []
+        for k, gap in enumerate(self.members):
+            over, rate = value_and_slope(step.over[k], t)
+            if gap.touching is None:
+                found.append(Part(over, rate))
+                continue
+            seen = tuple(
+                (
+                    when,
+                    step.contact_force(k, when),
+                    step.impulse(k, when),
+                    (value(step.speed[k], when), value(step.speed[k + 1], when)),
+                )
+                for when in (step.greatest(k, t) if peaks else ())
+            )
+            kept = step.dissipated(k, t)
+            found.append(Part(over, rate, step.impulse(k, t), kept, step.deepest(k, t), seen))
+        return found
+
+
+def coupled_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:
+    """The group of these bodies, settled at `now`, for at most `limit` s."""
+    refuse_too_near(gaps, now)
+    branches = [branch_of(gap) for gap in gaps]
+    stick_slip.decide(bodies, gaps, branches)
+    step = _converged(bodies, gaps, branches, limit)
+    sizes = [size(force, step.length) for force in step.contact]
+    ends, duration = first_ends(step, sizes)
+    touched = [gap.touching is not None for gap in gaps]
+    return CoupledGroup(
+        bodies, gaps, now, duration, ends, step, touched, [body.load for body in bodies]
+    )
+
+
+def _converged(bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float) -> Step:
+    """The series, and a step in which it has converged."""
+    row, series = _expanded(bodies, gaps, branches)
+    unsigned = [body for body in bodies if body.load.quadratic and not body.sliding]
+    if unsigned:  # at rest, and nothing pushes yet: the first term of its motion tells
+        for body, a in zip(bodies, series.bodies, strict=True):
+            if body in unsigned:
+                first = next((c for c in [body.v, *a] if c != 0.0), 0.0)
+                body.sliding = (first > 0.0) - (first < 0.0)
+        row, series = _expanded(bodies, gaps, branches)
+    speed = [[b.v, *integral(a)[1:]] for b, a in zip(bodies, series.bodies, strict=True)]
+    length = min(step_length(row), limit)
+    if row.nonlinear:
+        length = converged_step(row, series, speed, length)
+    path = [integral(v) for v in speed]
+    return Step(
+        bodies, gaps, branches, length, series.over, series.force, series.pull, speed, path,
+        row.steady, row.nonlinear,
+    )  # fmt: skip
+
+
+def _expanded(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tuple[Row, Expansion]:
+    row = row_of(bodies, gaps, branches, [body.sliding * body.load.quadratic for body in bodies])
+    series = expand(row)
+    share(bodies, branches, row.steady, series)
+    return row, series
+
+
+def row_of(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], quadratic: list[float]
+) -> Row:
+    """All that acts at the beginning of a step; `quadratic` is signed."""
+    return Row(
+        inverse=[0.0 if body.held else 1.0 / body.mass for body in bodies],
+        speeds=[body.v for body in bodies],
+        overlaps=[-gap.room for gap in gaps],
+        rates=[-gap.rate for gap in gaps],
+        branches=branches,
+        links=[gap.links for gap in gaps],
+        steady=[_steady(i, bodies, gaps, branches) for i in range(len(bodies))],
+        linear=[body.load.linear for body in bodies],
+        quadratic=quadratic,
+    )
+
+
+def _steady(i: int, bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> float:
+    """N on body i besides its neighbours and drag: constant in the step."""
+    body = bodies[i]
+    force = body.load.steady
+    if body.load.kinetic and body.sliding:
+        between = 0.0
+        for k, sign in ((i - 1, 1.0), (i, -1.0)):
+            if 0 <= k < len(gaps):
+                between += sign * push_now(gaps[k], branches[k])
+        force += stick_slip.friction(body, body.load.steady + between)
+    return force

@@ -1,0 +1,60 @@
+"""What presses two carts together that lie still, held by static friction and by their bumper.
+
+Statics alone does not say: each cart could hold itself, or lean on the next. Here static friction
+on a group of locked carts shares their load as it can bear it, so that all of them slip at once:
+
+    f_i = −total · static_i / Σ static        N_k = N_(k−1) + others_k + f_k
+
+Without it nothing would press a locked pair: it would come apart, and be pressed again at once.
+"""
+
+from __future__ import annotations
+
+from sim.dynamics.motion.series import Expansion
+from sim.dynamics.state.body import Body
+from sim.laws.branch import Branch
+
+
+def share(
+    bodies: list[Body], branches: list[Branch], steady: list[float], found: Expansion
+) -> None:
+    """Fill in the forces of locked gaps inside groups of held carts."""
+    first = 0
+    for last, body in enumerate(bodies):
+        if not (body.carts and body.held):
+            first = last + 1
+            continue
+        if last < len(branches) and branches[last].locked and _holds(bodies, last + 1):
+            continue
+        if last > first:
+            _group(bodies, first, last, steady, found)
+        first = last + 1
+
+
+def _holds(bodies: list[Body], i: int) -> bool:
+    return i < len(bodies) and bool(bodies[i].carts) and bodies[i].held
+
+
+def _group(
+    bodies: list[Body], first: int, last: int, steady: list[float], found: Expansion
+) -> None:
+    static = sum(bodies[i].load.static for i in range(first, last + 1))
+    for n in range(len(found.bodies[first])):
+        others = [0.0] * (last - first + 1)
+        for i in range(first, last + 1):
+            others[i - first] = steady[i] if n == 0 else 0.0
+            others[i - first] += _push(found, i - 1, n, inside=first <= i - 1 < last)
+            others[i - first] -= _push(found, i, n, inside=first <= i < last)
+        total = sum(others)
+        push = 0.0
+        for k in range(first, last):
+            push += others[k - first] - total * bodies[k].load.static / static
+            found.force[k][n] = push
+
+
+def _push(found: Expansion, k: int, n: int, *, inside: bool) -> float:
+    """The n-th coefficient of what gap k pushes; of a gap inside the group only its links."""
+    if not 0 <= k < len(found.force):
+        return 0.0
+    pull = found.pull[k][n] if found.pull[k] else 0.0
+    return pull if inside else pull + found.force[k][n]

@@ -1,0 +1,103 @@
+"""What ends a step of coupled bodies: quantities that are positive until something happens."""
+
+from __future__ import annotations
+
+from sim.dynamics.motion.polynomial import Poly, slope
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time
+from sim.laws.branch import APART, LOCKED, Branch, Guard
+
+PUSH_ROUNDING = 1e-12
+"""Of k d. Spring and damper cancel at separation; what rounding leaves of them is no push."""
+
+
+def force_now(gap: Gap, branch: Branch) -> float:
+    """N. The contact's force just now; 0 for a locked one."""
+    if gap.law is not None and not gap.law.linear and gap.touching is not None:
+        return gap.law.force(gap.mu, -gap.room, -gap.rate)
+    return branch.force(-gap.room, -gap.rate)
+
+
+def push_now(gap: Gap, branch: Branch) -> float:
+    """N. All that pushes the two apart just now: the contact, springs and magnets."""
+    linked = sum(link.force(gap.room, gap.rate) for link in gap.links)
+    return force_now(gap, branch) + linked
+
+
+def branch_of(gap: Gap) -> Branch:
+    """The linear branch of its law that holds in a gap just after now."""
+    if gap.touching is None:
+        return APART
+    if gap.law is None:  # an instant contact at rest
+        return LOCKED
+    pressing = gap.touching.pressing
+    return gap.law.branch(gap.mu, -gap.room, -gap.rate, gap.memory, pressing=pressing)
+
+
+def guards_of(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
+    """What ends the present branch of a gap.
+
+    Where the pair touches its law says. Where it is linked only it is the touch: a bumper that has
+    not cleared touches at its resting overlap, a pair that may push again when its force turns
+    positive, unless it clears first.
+    """
+    law = gap.law
+    if gap.touching is not None:
+        return (
+            (Guard("apart", "force"),) if law is None else law.guards(branch, -gap.room, gap.memory)
+        )
+    clear = Guard("clear", "overlap")
+    if gap.room < 0.0 and law is not None:
+        if law.recontacts:
+            return (Guard("touch", "push", rises=True), clear)
+        rest = law.resting_overlap(gap.memory)
+        if rest > 0.0:
+            return (Guard("touch", "overlap", rises=True, level=rest), clear)
+    return (Guard("touch", "overlap", rises=True),)
+
+
+def along(gap: Gap, guard: Guard, over: Poly, force: Poly) -> Poly:
+    """The quantity of a guard as a series: it falls to zero where the guard's event happens."""
+    if guard.of == "push":
+        return _push_to_come(gap, over)
+    quantity = {"force": force, "overlap": over, "rate": over}[guard.of]
+    if guard.of == "rate":
+        quantity = slope(over)
+    if guard.rises:
+        return [guard.level - quantity[0], *(-c for c in quantity[1:])]
+    return quantity
+
+
+def _push_to_come(gap: Gap, over: Poly) -> Poly:
+    """N, negative. What spring and damper of a separated pair would push with."""
+    assert gap.law is not None
+    k, c = gap.law.stiffness, gap.law.damper(gap.mu)
+    pull = [-(k * o + c * rate) for o, rate in zip(over, slope(over), strict=False)]
+    if abs(pull[0]) <= PUSH_ROUNDING * k * over[0]:
+        pull[0] = 0.0
+    return pull
+
+
+def refuse_too_near(gaps: list[Gap], now: Time) -> None:
+    """Raise UnsolvedError where two are closer than the force across their gap can be followed."""
+    for gap in gaps:
+        for link in gap.links:
+            if gap.room >= link.nearest or link.nearest == 0.0:
+                continue
+            raise UnsolvedError(
+                f"at t = {now[0]:.6g} s the {link.kind} are nearer than {link.nearest:g} m: they "
+                "are too weak to keep their carts apart",
+                "a larger strength or power, or a lower speed",
+                now[0],
+                (),
+            )
+
+
+def reserves(body: Body, others: Poly) -> list[tuple[int, Poly]]:
+    """How much more static friction can bear, to the right (1) and to the left (−1)."""
+    limit = body.load.static
+    return [
+        (1, [limit - others[0], *(-c for c in others[1:])]),
+        (-1, [limit + others[0], *others[1:]]),
+    ]

@@ -1,0 +1,217 @@
+"""Two neighbours between which everything is linear, under constant forces: a closed form, tier 1.
+
+    mu o'' = −N + mu (a_A − a_B)         N = sum of kappa (o − rest) + gamma o', also of springs
+    o'' + 2 beta o' + w0² (o − centre) = 0      a_A, a_B: constant forces on each, per mass
+    V = V0 + A t                                of the common centre of mass
+
+It lasts as long as one branch of the contact law does, and ends as a step of the power series does
+(`guards`). A cart that rests against a wall on an incline, or that swings on a spring, takes one
+such phase however long it lasts. A wall has infinite mass: V = 0.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from sim.dynamics.motion.guards import PUSH_ROUNDING, branch_of, guards_of
+from sim.dynamics.motion.oscillation import Oscillation, rate_of
+from sim.dynamics.motion.series import REACH, is_rounding
+from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
+from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.loads import Load
+from sim.laws.branch import Branch, Guard
+from sim.laws.damped_oscillation import Rate
+
+
+@dataclass(frozen=True, slots=True)
+class LinearPair:
+    """One branch of a pair's motion from `begun`, for `duration` s."""
+
+    bodies: list[Body]
+    members: list[Gap]  # one
+    begun: Time
+    duration: float
+    ends: list[End]
+    branch: Branch
+    between: Oscillation
+    mu: float
+    drift: tuple[float, float]  # m/s, m/s²: V0 and A
+    pull: float  # m/s², a_A − a_B
+    touched: list[bool]
+    loads: list[Load]
+    name: str = "pair-phase"
+    tier: int = 1
+    parabolic: ClassVar[bool] = False
+    short_steps: ClassVar[bool] = False
+    fading: ClassVar[tuple[Rate, ...]] = ()
+
+    @property
+    def gaps(self) -> tuple[int, ...]:
+        """The one gap."""
+        return (self.members[0].index,)
+
+    def marks(self, end: float) -> list[float]:
+        """Every quarter swing."""
+        return self.between.marks(end)
+
+    def time_left(self, now: Time) -> float:
+        """s to the end of the phase."""
+        return self.duration - elapsed(self.begun, now)
+
+    def side(self, body: Body) -> float:
+        """Signed share in the overlap: +mu/m for the left body, −mu/m for the right one."""
+        return self.mu / body.mass if body is self.bodies[0] else -self.mu / body.mass
+
+    def state(self, side: float, tau: float) -> tuple[float, float, float]:
+        """Displacement [m], v [m/s], a [m/s²] of the body with that share."""
+        o, rate, a, _ = self.between.at(tau)
+        v0, drift = self.drift
+        way = (v0 + 0.5 * drift * tau) * tau + side * (o - self.between.o0)
+        return way, v0 + drift * tau + side * rate, drift + side * a
+
+    def shift(self, body: Body, start: Time, end: Time) -> float:
+        """m. How far a body goes between two times in the phase."""
+        a, b = elapsed(self.begun, start), elapsed(self.begun, end)
+        side = self.side(body)
+        return self.state(side, b)[0] - (self.state(side, a)[0] if a != 0.0 else 0.0)
+
+    def velocity(self, body: Body, now: Time) -> float:
+        """m/s. From the body's velocity at the start: unchanged to the last bit while o' is."""
+        t = elapsed(self.begun, now)
+        change = self.between.over(t)[1] - self.between.u
+        return body.v + self.drift[1] * t + self.side(body) * change
+
+    def excess(self, body: Body, start: Time, dt: float) -> float:
+        """m. Displacement in dt s beyond that at the velocity of `start`."""
+        a, side = elapsed(self.begun, start), self.side(body)
+        o, rate = self.between.over(a)
+        change = self.between.over(a + dt)[0] - o - rate * dt
+        return 0.5 * self.drift[1] * dt * dt + side * change
+
+    def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
+        """Least and greatest velocity from now on."""
+        t = elapsed(self.begun, now)
+        v0, drift = self.drift
+        ends = (v0 + drift * t, v0 + drift * (t + horizon))
+        reach = abs(self.side(body)) * self.between.fastest()
+        return min(ends) - reach, max(ends) + reach
+
+    def acceleration(self, body: Body, now: Time) -> float:
+        """m/s². Bound over the phase."""
+        rate = self.between.rate
+        swing = (rate.w0 + 2.0 * rate.beta) * self.between.fastest()
+        return abs(self.drift[1]) + abs(self.side(body)) * swing
+
+    def force(self, gap: int, tau: float) -> tuple[float, float]:
+        """N and dN/dt, of contact and springs: what moves the two besides constant forces."""
+        _, _, a, jerk = self.between.at(tau)
+        return self.mu * (self.pull - a), -self.mu * jerk
+
+    def _impulse(self, t: float) -> float:
+        """N s. Of the contact."""
+        branch = self.branch
+        gone = self.between.over(t)[0] - self.between.o0
+        return branch.kappa * (self.between.sum(t) - branch.rest * t) + branch.gamma * gone
+
+    def locked(self, k: int) -> bool:
+        """It moves."""
+        return False
+
+    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+        """The one gap."""
+        (gap,), between, branch = self.members, self.between, self.branch
+        over, rate = between.over(t)
+        if gap.touching is None:
+            return [Part(over, rate)]
+        seen = []
+        for when in between.greatest(branch.kappa, branch.gamma, t) if peaks else ():
+            a, b = (self.state(self.side(body), when)[1] for body in self.bodies)
+            seen.append((when, branch.force(*between.over(when)), self._impulse(when), (a, b)))
+        loss = branch.gamma * between.damped(t) if branch.gamma else 0.0
+        if gap.law is not None:
+            loss += gap.law.kept(branch, between.o0, over)
+        return [Part(over, rate, self._impulse(t), loss, between.deepest(t), tuple(seen))]
+
+    def book(self, accounts: Accounts, t: float) -> None:
+        """Impulses from outside and work, by name."""
+        for body in self.bodies:
+            if body.carts and body.mass < math.inf and body.load.forces:
+                way = self.state(self.side(body), t)[0]
+                book_body_forces(accounts, body.load, t, way, (0.0, 0.0, 0.0))
+        gap = self.members[0]
+        for link in gap.links:
+            if link.damping():
+                accounts.work(link.kind, -link.damping() * self.between.damped(t))
+        if gap.links:
+            u, v = self.between.u, self.between.over(t)[1]
+            total = self.mu * (u - v) + self.mu * self.pull * t
+            book_from_wall(accounts, gap, total - self._impulse(t))
+
+
+def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> LinearPair | None:
+    """The closed form of a pair settled at `now`, for at most `limit` s.
+
+    None where that is no more than the beginning of a swing, one step of a series: its place of
+    rest is far away then, and differences from it would cancel.
+    """
+    a, b = bodies
+    branch, mu = branch_of(gap), gap.mu
+    bounds = [link.bounds(gap.room) for link in gap.links]
+    stiff = branch.kappa + math.fsum(k for k, _ in bounds)
+    damp = branch.gamma + math.fsum(c for _, c in bounds)
+    rate = rate_of(stiff, damp, mu)
+    if rate.w0 * limit <= REACH:
+        return None
+    own = a.load.steady / a.mass
+    pull = own - b.load.steady / b.mass
+    if is_rounding(pull, own):
+        pull = 0.0
+    free = math.fsum(link.force(0.0, 0.0) for link in gap.links) - branch.kappa * branch.rest
+    between = Oscillation(rate, (mu * pull - free) / stiff, -gap.room, -gap.rate)
+    total = a.mass + b.mass
+    drift = (0.0, 0.0)
+    if total < math.inf:
+        drift = (
+            (a.mass * a.v + b.mass * b.v) / total,
+            (a.load.steady + b.load.steady) / total,
+        )
+    ends, duration = _first_ends(gap, branch, between, limit)
+    touched, loads = [gap.touching is not None], [a.load, b.load]
+    return LinearPair(
+        bodies, [gap], now, duration, ends, branch, between, mu, drift, pull, touched, loads
+    )
+
+
+def _first_ends(
+    gap: Gap, branch: Branch, between: Oscillation, limit: float
+) -> tuple[list[End], float]:
+    ends: list[End] = []
+    duration = limit
+    for guard in guards_of(gap, branch):
+        t = _happens(gap, branch, between, guard)
+        if t <= duration:
+            if t < duration:
+                ends.clear()
+            ends.append(End(guard.cause, 0))
+            duration = t
+    return ends, duration
+
+
+def _happens(gap: Gap, branch: Branch, between: Oscillation, guard: Guard) -> float:
+    """First t at which the guard's event happens."""
+    c, sign = between.centre, -1.0 if guard.rises else 1.0
+    if guard.of == "force":
+        return between.falls(branch.kappa, branch.gamma, branch.kappa * (branch.rest - c))
+    if guard.of == "rate":
+        return between.falls(0.0, 1.0, 0.0)
+    if guard.of == "overlap":
+        return between.falls(sign, 0.0, sign * (guard.level - c))
+    assert gap.law is not None
+    k, damper = gap.law.stiffness, gap.law.damper(gap.mu)
+    push = k * between.o0 + damper * between.u
+    if abs(push) > PUSH_ROUNDING * k * between.o0:
+        return between.falls(-k, -damper, k * c)
+    return between.falls(-k, -damper, -k * (between.o0 - c) + -damper * between.u)

@@ -1,0 +1,97 @@
+"""The overlap of a pair as a damped oscillation about a place of rest, in closed form."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from sim.dynamics.motion.threshold import first_fall_to
+from sim.laws.damped_oscillation import Rate, first_turn, solve
+
+FADED = 1e-4
+"""Of the first swing. Fainter ones are not drawn one by one."""
+
+MOST_MARKS = 2000
+"""Quarter swings drawn one by one."""
+
+
+def rate_of(stiff: float, damp: float, mu: float) -> Rate:
+    """Rates of an oscillator with these N/m and N s/m."""
+    w0, beta = math.sqrt(stiff / mu), 0.5 * damp / mu
+    if beta == w0:
+        return Rate(w0, beta, 0.0, "critical")
+    w = math.sqrt(abs((w0 - beta) * (w0 + beta)))
+    return Rate(w0, beta, w, "under" if beta < w0 else "over")
+
+
+@dataclass(frozen=True, slots=True)
+class Oscillation:
+    """o'' + 2 beta o' + w0² (o − centre) = 0 from o0 [m] and u [m/s]."""
+
+    rate: Rate
+    centre: float  # m
+    o0: float
+    u: float
+
+    def at(self, t: float) -> tuple[float, float, float, float]:
+        """o, o', o'', o''' at t."""
+        y, v = solve(self.rate, self.o0 - self.centre, self.u, t)
+        twice, square = 2.0 * self.rate.beta, self.rate.w0 * self.rate.w0
+        a = -twice * v - square * y
+        return y + self.centre, v, a, -twice * a - square * v
+
+    def over(self, t: float) -> tuple[float, float]:
+        """Overlap and its rate; the bits of the start are kept at t = 0."""
+        return (self.o0, self.u) if t == 0.0 else self.at(t)[:2]
+
+    def deepest(self, t: float) -> float:
+        """m. Greatest overlap up to t."""
+        turn = first_turn(self.rate, self.o0 - self.centre, self.u)
+        best = max(self.o0, self.over(t)[0])
+        return max(best, self.at(turn)[0]) if self.u > 0.0 and turn < t else best
+
+    def falls(self, over: float, rate: float, level: float) -> float:
+        """First t at which over (o − centre) + rate o' falls to a level; it swings as o does."""
+        y0 = self.o0 - self.centre
+        bend = -2.0 * self.rate.beta * self.u - self.rate.w0 * self.rate.w0 * y0
+        return first_fall_to(
+            self.rate, over * y0 + rate * self.u, over * self.u + rate * bend, level
+        )
+
+    def greatest(self, kappa: float, gamma: float, t: float) -> list[float]:
+        """Times up to t at which kappa o + gamma o' may be greatest."""
+        y0, w0, beta = self.o0 - self.centre, self.rate.w0, self.rate.beta
+        bend = -2.0 * beta * self.u - w0 * w0 * y0
+        growth = kappa * self.u + gamma * bend
+        third = -2.0 * beta * bend - w0 * w0 * self.u
+        if growth <= 0.0:
+            return [0.0, t]
+        turn = first_fall_to(self.rate, growth, kappa * bend + gamma * third, 0.0)
+        return [0.0, turn, t] if turn < t else [0.0, t]
+
+    def fastest(self) -> float:
+        """m/s. Bound on |o'|: that energy never grows."""
+        return math.hypot(self.u, self.rate.w0 * (self.o0 - self.centre))
+
+    def sum(self, t: float) -> float:
+        """m s. Integral of the overlap up to t, from the equation of motion."""
+        o, v = self.over(t)
+        changed = v - self.u + 2.0 * self.rate.beta * (o - self.o0)
+        return self.centre * t - changed / (self.rate.w0 * self.rate.w0)
+
+    def damped(self, t: float) -> float:
+        """m²/s. Integral of o'² up to t, from what the oscillation has lost."""
+        if self.rate.beta == 0.0:
+            return 0.0
+        o, v = self.over(t)
+        y0, y, square = self.o0 - self.centre, o - self.centre, self.rate.w0 * self.rate.w0
+        kinetic = (self.u - v) * (self.u + v)
+        return (kinetic + square * (y0 - y) * (y0 + y)) / (4.0 * self.rate.beta)
+
+    def marks(self, end: float) -> list[float]:
+        """Every quarter swing up to `end` s, while it is worth drawing."""
+        rate = self.rate
+        quarter = 0.5 * math.pi / (rate.w if rate.regime == "under" else rate.w0)
+        if rate.beta > 0.0:
+            end = min(end, -math.log(FADED) / rate.beta + quarter)
+        return [quarter * (n + 1) for n in range(min(MOST_MARKS, int(end / quarter)))]

@@ -1,0 +1,114 @@
+"""Polynomials in time: values, bounds, integrals, and first zeros that cannot be jumped over."""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
+from sim.effects.forces import Poly
+
+__all__ = ["Poly"]
+
+
+def value(p: Poly, t: float) -> float:
+    """p(t) by Horner's rule."""
+    total = 0.0
+    for c in reversed(p):
+        total = total * t + c
+    return total
+
+
+def value_and_slope(p: Poly, t: float) -> tuple[float, float]:
+    """p(t) and p'(t), by Horner's rule for both."""
+    total = growth = 0.0
+    for c in reversed(p):
+        growth = growth * t + total
+        total = total * t + c
+    return total, growth
+
+
+def size(p: Poly, h: float) -> float:
+    """Bound on |p| over [0, h]."""
+    total, power = 0.0, 1.0
+    for c in p:
+        if c:
+            total += abs(c) * power
+        power *= h
+    return total
+
+
+def slope(p: Poly) -> Poly:
+    """dp/dt."""
+    return [n * c for n, c in enumerate(p)][1:] or [0.0]
+
+
+def integral(p: Poly) -> Poly:
+    """The primitive that is 0 at t = 0."""
+    return [0.0, *(c / (n + 1) for n, c in enumerate(p))]
+
+
+def _scaled(p: Poly, h: float) -> Poly:
+    """Coefficients in t/h: of moderate size where p(t) is, however short the step."""
+    found, power = [], 1.0
+    for c in p:
+        found.append(c * power)
+        power *= h
+    return found
+
+
+def square_integral(p: Poly, h: float) -> float:
+    """Integral of p² over [0, h]."""
+    q = _scaled(p, h)
+    return h * math.fsum(
+        [a * b / (i + j + 1) for i, a in enumerate(q) if a for j, b in enumerate(q) if b]
+    )
+
+
+def cube_integral(p: Poly, h: float) -> float:
+    """Integral of p³ over [0, h]; terms beyond the order of p are below rounding."""
+    q = _scaled(p, h)
+    squared = [math.fsum([q[j] * q[n - j] for j in range(n + 1)]) for n in range(len(q))]
+    cubed = [math.fsum([squared[j] * q[n - j] for j in range(n + 1)]) for n in range(len(q))]
+    return h * value(integral(cubed), 1.0)
+
+
+CLOSE = 2e-16
+"""Relative to the step: a zero nearer than this is here."""
+
+
+def first_fall(p: Poly, h: float) -> float | None:
+    """First t in [0, h] at which p, positive just after 0, falls to zero; None if it does not.
+
+    0 where p is negative just after 0. A zero of p at 0 itself is divided out, however many-fold.
+    Found by steps that cannot jump over a zero: |p''| is bounded by its coefficients.
+    """
+    low = next((n for n, c in enumerate(p) if c != 0.0), None)
+    if low is None:
+        return None
+    q = p[low:]
+    if q[0] < 0.0:
+        return 0.0
+    if h <= 0.0:
+        return None
+    bound, power, reach = 0.0, 1.0, 0.0
+    for n in range(1, len(q)):
+        if q[n]:
+            reach += abs(q[n]) * power * h
+            if n >= 2:
+                bound += n * (n - 1) * abs(q[n]) * power / h
+        power *= h
+    if q[0] > reach:
+        return None
+    rate = slope(q)
+    t = 0.0
+    for _ in range(SAFE_STEPS):
+        here, falling = value(q, t), value(rate, t)
+        if here <= 0.0:
+            return t
+        step = safe_step(here, falling, bound)
+        if step <= CLOSE * h:
+            return t
+        t += step
+        if t > h:
+            return None
+    return t

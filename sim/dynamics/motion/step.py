@@ -1,0 +1,94 @@
+"""One step of a row of bodies, as polynomials in time, whoever found them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sim.dynamics.motion.polynomial import (
+    Poly,
+    first_fall,
+    integral,
+    slope,
+    square_integral,
+    value,
+    value_and_slope,
+)
+from sim.dynamics.state.body import Body, Gap
+from sim.laws.branch import Branch
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """Polynomials in s since the step began, of `gaps` and `bodies` from left to right.
+
+    `steady` are forces that do not change in the step, sliding friction included; without it they
+    are in the bodies' loads. `short`: a nonlinear row, whose steps are short.
+    """
+
+    bodies: list[Body]
+    gaps: list[Gap]
+    branches: list[Branch]
+    length: float  # s
+    over: list[Poly]  # m, overlap of each gap
+    contact: list[Poly]  # N, of the contact in each gap
+    across: list[Poly]  # N, of springs and magnets across each gap; empty where there are none
+    speed: list[Poly]  # m/s of each body; walls stay
+    path: list[Poly]  # m, from where each was
+    steady: list[float]  # N on each body
+    short: bool
+
+    def push(self, k: int) -> Poly:
+        """N of gap k: contact and links."""
+        force, across = self.contact[k], self.across[k]
+        return [a + b for a, b in zip(force, across, strict=True)] if across else force
+
+    def others(self, i: int) -> Poly:
+        """N on body i from its neighbours and all that is steady: what static friction balances."""
+        total = [self.bodies[i].load.steady] + [0.0] * (len(self.speed[i]) - 2)
+        if i > 0:
+            total = [a + b for a, b in zip(total, self.push(i - 1), strict=True)]
+        if i < len(self.gaps):
+            total = [a - b for a, b in zip(total, self.push(i), strict=True)]
+        return total
+
+    def contact_force(self, k: int, t: float) -> float:
+        """N."""
+        return value(self.contact[k], t)
+
+    def force(self, k: int, t: float) -> tuple[float, float]:
+        """N and dN/dt, links included."""
+        return value_and_slope(self.push(k), t)
+
+    def impulse(self, k: int, t: float) -> float:
+        """N s. Of the contact."""
+        return value(integral(self.contact[k]), t)
+
+    def dissipated(self, k: int, t: float) -> float:
+        """J. What the contact does not give back of the work pressed in."""
+        branch, over, law = self.branches[k], self.over[k], self.gaps[k].law
+        loss = 0.0
+        if branch.gamma:
+            loss += branch.gamma * square_integral(slope_of(over), t)
+        return loss + (law.kept(branch, over[0], value(over, t)) if law is not None else 0.0)
+
+    def deepest(self, k: int, t: float) -> float:
+        """m. Greatest overlap."""
+        series = self.over[k]
+        over, rate = value_and_slope(series, t)
+        best = max(series[0], over)
+        # A step that the end of the run leaves no time has no series beyond its start.
+        rising = len(series) > 1 and series[1] > 0.0
+        if rising and rate < 0.0 and (turn := first_fall(slope(series), t)) is not None:
+            best = max(best, value(series, turn))
+        return best
+
+    def greatest(self, k: int, t: float) -> list[float]:
+        """Times at which a contact's force may be greatest: ends, and where it turns."""
+        growth = slope(self.contact[k])
+        turn = first_fall(growth, t) if value(growth, t) < 0.0 else None
+        return [0.0, t] if turn is None else [0.0, turn, t]
+
+
+def slope_of(p: Poly) -> Poly:
+    """dp/dt, without a term where p has none."""
+    return [n * c for n, c in enumerate(p)][1:]

@@ -1,0 +1,52 @@
+"""What ends a step first: the earliest fall of everything that is positive while the step holds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from sim.dynamics.motion.guards import along, guards_of, reserves
+from sim.dynamics.motion.polynomial import Poly, first_fall
+from sim.dynamics.motion.step import Step
+from sim.dynamics.state.body import End
+
+NEGLIGIBLE = 1e-13
+"""Of the largest force in the group. Far ahead of the push that runs through a touching chain the
+forces are a rounding error of it and less, and their sign means nothing: such a contact is kept."""
+
+
+def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
+    """All that happens at one time, and that time [s]; nothing, and the length of the step.
+
+    `sizes` [N] bound the contact forces in the step; inf: every force counts.
+    """
+    noise = NEGLIGIBLE * max((s for s in sizes if s < math.inf), default=0.0)
+    ends: list[End] = []
+    duration = step.length
+    for end, guarded in [*_in_gaps(step, sizes, noise), *_of_bodies(step)]:
+        found = first_fall(guarded, duration)
+        if found is not None:
+            if found < duration:
+                ends.clear()
+            ends.append(end)
+            duration = found
+    return ends, duration
+
+
+def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End, Poly]]:
+    for k, (gap, branch) in enumerate(zip(step.gaps, step.branches, strict=True)):
+        touches = gap.touching is not None
+        if touches and branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
+            yield End("apart", k), [-1.0]  # nobody pushes them together any more
+        elif not touches or sizes[k] >= noise:
+            for guard in guards_of(gap, branch):
+                yield End(guard.cause, k), along(gap, guard, step.over[k], step.contact[k])
+
+
+def _of_bodies(step: Step) -> Iterator[tuple[End, Poly]]:
+    for i, body in enumerate(step.bodies):
+        if body.carts and body.held:
+            for way, reserve in reserves(body, step.others(i)):
+                yield End("slip", i, way), reserve
+        elif body.sliding and (body.load.static or body.load.quadratic):
+            yield End("halt", i), [body.sliding * c for c in step.speed[i]]

@@ -1,0 +1,64 @@
+"""Who slides, in which direction, and who is held by static friction.
+
+A body that moves slides in the direction of its velocity. One at rest is held while all other
+forces together are at most μ_s N; otherwise it slides where they push it. Bodies whose contact is
+locked (a bumper with e = 0 at its greatest overlap, an `instant` contact that rests) move as one:
+they are judged together. Next to a wall a locked group cannot slide at all.
+"""
+
+from __future__ import annotations
+
+from sim.dynamics.motion.guards import push_now
+from sim.dynamics.state.body import Body, Gap
+from sim.laws.branch import Branch
+
+SAME_GRIP = 1e-12
+"""Relative. At the onset of sliding the other forces equal μ_s N; where that is μ N too, friction
+takes exactly what they are, so that rounding does not decide whether the body moves."""
+
+
+def decide(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> None:
+    """Set `sliding` and `held` of the bodies of one component, as they are just now.
+
+    `bodies` and `gaps` run from left to right; walls among the bodies are left alone.
+    """
+    pushes = [push_now(gap, branch) for gap, branch in zip(gaps, branches, strict=True)]
+    group: list[int] = []
+    for i in range(len(bodies)):
+        group.append(i)
+        if i < len(gaps) and branches[i].locked:
+            continue
+        _judge(bodies, group, pushes)
+        group = []
+
+
+def _judge(bodies: list[Body], group: list[int], pushes: list[float]) -> None:
+    first, last = group[0], group[-1]
+    members = [bodies[i] for i in group]
+    total = sum(body.load.steady for body in members if body.carts)
+    total += pushes[first - 1] if first > 0 else 0.0
+    total -= pushes[last] if last < len(pushes) else 0.0
+    fixed = any(not body.carts for body in members) and len(members) > 1
+    resting = all(body.v == 0.0 for body in members)
+    static = sum(body.load.static for body in members)
+    slips = next((body.slips for body in members if body.slips), 0)
+    held = resting and static > 0.0 and abs(total) <= static and not slips
+    for body in members:
+        body.slips = 0
+        body.held = held and body.load.static > 0.0
+        if body.held or (fixed and resting):
+            body.sliding = 0
+        elif body.v != 0.0:
+            body.sliding = 1 if body.v > 0.0 else -1
+        elif slips:
+            body.sliding = slips
+        else:
+            body.sliding = (total > 0.0) - (total < 0.0)
+
+
+def friction(body: Body, others: float) -> float:
+    """N. Kinetic friction on a body; `others`: all other forces on it just now."""
+    load = body.load
+    if body.v == 0.0 and abs(abs(others) - load.kinetic) <= SAME_GRIP * load.kinetic:
+        return -others
+    return -body.sliding * load.kinetic

@@ -1,0 +1,66 @@
+"""What a motion did to bodies under effects, booked by name: impulses from outside, and work.
+
+steady      F t            F s
+linear      −b s           −b ∫v² dt          s [m] is the way, t [s] the time
+quadratic   −c ∫v|v| dt    −c ∫|v|³ dt
+friction    −μN t          −μN |s|            held: the impulse of all others, no work
+"""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.motion.polynomial import cube_integral, integral, square_integral, value
+from sim.dynamics.motion.step import Step, slope_of
+from sim.dynamics.state.body import Accounts, Gap
+from sim.dynamics.state.loads import Load
+from sim.effects.forces import FRICTION
+
+
+def book_body_forces(
+    accounts: Accounts, load: Load, time: float, way: float, squares: tuple[float, float, float]
+) -> None:
+    """Every force on a body by name. squares: ∫v² dt, ∫v|v| dt, ∫|v|³ dt."""
+    for one in load.forces:
+        impulse = one.steady * time - one.linear * way - one.quadratic * squares[1]
+        accounts.push_from_outside(impulse, one.kind)
+        work = one.steady * way - one.linear * squares[0] - one.quadratic * squares[2]
+        accounts.work(one.kind, work)
+
+
+def book_step(accounts: Accounts, step: Step, t: float) -> None:
+    """A step of a row, up to t s."""
+    for i, body in enumerate(step.bodies):
+        load = body.load
+        if not body.carts or not (load.forces or load.grips):
+            continue
+        way, speed = value(step.path[i], t), step.speed[i]
+        squares = (0.0, 0.0, 0.0)
+        if load.linear or load.quadratic:
+            square = square_integral(speed, t)
+            cube = body.sliding * cube_integral(speed, t) if load.quadratic else 0.0
+            squares = (square, body.sliding * square, cube)
+        book_body_forces(accounts, load, t, way, squares)
+        if body.held:
+            accounts.push_from_outside(-value(integral(step.others(i)), t), FRICTION)
+        elif load.kinetic and body.sliding:
+            force = step.steady[i] - load.steady
+            accounts.push_from_outside(force * t, FRICTION)
+            accounts.work(FRICTION, force * way)
+    for k, gap in enumerate(step.gaps):
+        for link in gap.links:
+            damping = link.damping()
+            if damping:
+                taken = damping * square_integral(slope_of(step.over[k]), t)
+                accounts.work(link.kind, -taken)
+        if gap.links:
+            book_from_wall(accounts, gap, value(integral(step.across[k]), t))
+
+
+def book_from_wall(accounts: Accounts, gap: Gap, impulse: float) -> None:
+    """Springs and magnets of a gap whose one side stands fast; a cart there sticks to a wall."""
+    fixed = [body for body in (gap.left, gap.right) if body.mass == math.inf]
+    if gap.links and len(fixed) == 1:
+        toward = 1.0 if fixed[0] is gap.left else -1.0
+        by = "walls" if fixed[0].carts else gap.links[0].kind
+        accounts.push_from_outside(toward * impulse, by)

@@ -1,0 +1,157 @@
+"""Why a phase is solved as it is, in words for teachers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sim.dynamics.motion.coupled_group import CoupledGroup
+from sim.dynamics.motion.flight import Fading, Flight, Slowing
+from sim.dynamics.motion.linear_pair import LinearPair
+from sim.dynamics.motion.pair_contact import PairContact
+from sim.dynamics.result.record import Solved
+from sim.dynamics.state.body import Motion
+from sim.effects.forces import FRICTION
+from sim.scene.model import Scene
+from sim.scene.said import listed, said, template
+
+FLIGHT = said(
+    "nothing touches and no effect acts: every cart keeps its velocity, x = x₀ + v t is exact"
+)
+NOTHING_CHANGES = said(
+    "nothing touches and no force is left over: every cart keeps its velocity, exact"
+)
+AT_ONCE = said("an impact takes no time, it is one formula")
+STUCK = said("carts that stick together move as one")
+
+FORMS: dict[type, str] = {
+    Fading: said("linear drag fades exponentially, exact"),
+    Slowing: said("quadratic drag slows as 1/t, x is a logarithm, exact"),
+}
+PARABOLA = said("constant forces, x = x₀ + v t + ½ a t² is exact")
+
+
+def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
+    """One sentence per kind of solver at work; `used` are the names of all solvers of the run."""
+    sentences = [
+        *_clusters(
+            scene, [p.solver for p in parts if isinstance(p.solver, (CoupledGroup, LinearPair))]
+        ),
+        *_pairs(scene, [p.solver for p in parts if isinstance(p.solver, PairContact)]),
+        *_flights(scene, [p.solver for p in parts if isinstance(p.solver, Flight)]),
+    ]
+    if sentences:
+        return _one_after_the_other(sentences)
+    sudden = [contact for contact in scene.contacts if contact is not None and contact.law in used]
+    sentences = [NOTHING_CHANGES if scene.effects else FLIGHT]
+    sentences += [AT_ONCE] if any(not contact.joins for contact in sudden) else []
+    sentences += [STUCK] if any(contact.joins for contact in sudden) else []
+    return _one_after_the_other(sentences)
+
+
+def _one_after_the_other(sentences: Sequence[str]) -> str:
+    *first, last = sentences
+    if not first:
+        return last
+    return said("{first}; {last}", first=_one_after_the_other(first), last=last)
+
+
+def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
+    if not solvers:
+        return []
+    gaps = sorted(solver.gap for solver in solvers)
+    laws = sorted({contact.law for gap in gaps if (contact := scene.contacts[gap]) is not None})
+    return [
+        said(
+            "only {pairs} in contact, and nobody else can reach them before it ends: "
+            "the law {law} has a closed form, exact",
+            pairs=_names(scene, gaps),
+            law=listed(laws),
+        )
+    ]
+
+
+def _clusters(scene: Scene, solvers: list[CoupledGroup | LinearPair]) -> list[str]:
+    found = []
+    for solver in solvers:
+        touching = [
+            gap.index
+            for gap, touches in zip(solver.members, solver.touched, strict=True)
+            if touches
+        ]
+        linked = [gap.index for gap in solver.members if gap.links]
+        acting = sorted({force.kind for load in solver.loads for force in load.forces})
+        acting += [FRICTION] if any(load.grips for load in solver.loads) else []
+        causes: list[str] = []
+        if touching:
+            causes.append(said("{pairs} in contact", pairs=_names(scene, touching)))
+        if linked:
+            kinds = sorted({link.kind for gap in solver.members for link in gap.links})
+            pairs = _names(scene, linked)
+            causes.append(said("{links} between {pairs}", links=_effects(kinds), pairs=pairs))
+        if acting:
+            causes.append(_effects(acting))
+        together = _with_commas(causes)
+        if len(causes) > 1 or len(touching) > 1:
+            together = said("{causes} at the same time", causes=together)
+        found.append(said(METHODS[solver.tier], causes=together))
+    return list(dict.fromkeys(found))
+
+
+METHODS = {
+    1: template("{causes}: all of it is linear, an oscillation about its place of rest, exact"),
+    2: template("{causes}: a power series of order 26 in short steps, exact to rounding"),
+    3: template(
+        "{causes}: an adaptive method of order 8 with located events, "
+        "because this law has no series"
+    ),
+}
+
+
+def _with_commas(causes: Sequence[str]) -> str:
+    *first, last = causes
+    return said("{first}, {last}", first=_with_commas(first), last=last) if first else last
+
+
+def _effects(names: Sequence[str]) -> str:
+    return listed([said(name) for name in names])
+
+
+def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
+    found: list[str] = []
+    for form in (None, Fading, Slowing):
+        own = [
+            s for s in solvers if (s.course.sparse if form is None else isinstance(s.course, form))
+        ]
+        if not own:
+            continue
+        kinds = sorted({force.kind for solver in own for force in solver.load.forces})
+        kinds += [FRICTION] if any(solver.load.grips for solver in own) else []
+        names = dict.fromkeys(n for s in own for n in _carts(scene, s))
+        found.append(
+            said(
+                "{forces} on {carts}, touched by nobody: {how}",
+                forces=_effects(kinds),
+                carts=listed(list(names)),
+                how=PARABOLA if form is None else FORMS[form],
+            )
+        )
+    return found
+
+
+def _carts(scene: Scene, solver: Flight) -> list[str]:
+    return [scene.carts[k].name for k in solver.carts]
+
+
+def _names(scene: Scene, gaps: list[int]) -> str:
+    pairs = map(scene.names_at, gaps)
+    return listed([said("{a} with {b}", a=_body(a), b=_body(b)) for a, b in pairs])
+
+
+def _body(name: str) -> str:
+    """A cart is called by its name; the two ends of the track have words of their own."""
+    return {"left": said("left"), "right": said("right")}.get(name, name)
+
+
+def packages(solver: Motion) -> tuple[str, ...]:
+    """What the solver needs beside the standard library."""
+    return ("numpy", "scipy") if solver.tier == 3 else ()

@@ -1,0 +1,125 @@
+"""What a reader should know before pressing Play."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sim.dynamics.result.finished import Run
+from sim.laws.lookup import contact_law
+from sim.scene.laws import laws
+from sim.scene.said import said, template
+
+BOTH = (
+    template(
+        "The bumpers between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}."
+    ),
+    template(
+        "The bumpers between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
+        "or let them meet at {speed} or less."
+    ),
+)
+"""Of two carts: what happens, and the same with what would help."""
+
+ALONE = (
+    template(
+        "The bumper between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}."
+    ),
+    template(
+        "The bumper between {one} and {other} would be squeezed by {depth}, "
+        "but there is room for {room}. Raise the stiffness to at least {stiffness}, "
+        "or let them meet at {speed} or less."
+    ),
+)
+"""The same of a cart at a wall."""
+
+
+@dataclass(frozen=True, slots=True)
+class Warning:
+    """A remark about a run; it changes no number."""
+
+    code: str
+    message: str
+
+
+def warnings(run: Run) -> tuple[Warning, ...]:
+    """Bumpers squeezed beyond their length, deepest first.
+
+    Between two carts there are two bumpers, at a wall there is one. In every linear law the
+    greatest overlap grows with u / sqrt(k), in hertz with (u²/k)^(2/5): from that come the
+    stiffness or speed that would do.
+    """
+    found = []
+    scene = run.scene
+    for gap, (deepest, speed) in run.record.deepest.items():
+        names = scene.names_at(gap)
+        bumpers = [cart.bumper_length for cart in scene.carts if cart.name in names]
+        room = sum(bumpers)
+        if deepest <= room:
+            continue
+        one, other = (said("the wall") if name in ("left", "right") else name for name in names)
+        squeezed, advised = ALONE if len(bumpers) == 1 else BOTH
+        told = {"one": one, "other": other, "depth": f"{100 * deepest:.3g} cm"}
+        told["room"] = f"{100 * room:.3g} cm"
+        message = said(squeezed, **told)
+        contact = scene.contacts[gap]
+        law = None if contact is None else contact_law(contact)
+        field = None if contact is None else laws()[contact.law].stiffness
+        if room > 0.0 and speed > 0.0 and law is not None and field is not None:
+            harder, faster = law.grows
+            stiffness = law.stiffness * (deepest / room) ** harder
+            slower = speed * (room / deepest) ** faster
+            told["stiffness"] = f"{_up(stiffness)} {field.dimension.si}"
+            message = said(advised, **told, speed=f"{_down(slower)} m/s")
+        found.append((deepest - room, Warning("bumper-bottoms", message)))
+    found = sorted(found, key=lambda item: -item[0])
+    return (*(warning for _, warning in found), *_idle(run), *_nearly_rigid(run))
+
+
+def _nearly_rigid(run: Run) -> list[Warning]:
+    """Groups in which a bumper that hardly springs back was held instead."""
+    laws_here = [contact_law(contact) for contact in run.scene.contacts if contact is not None]
+    tiny = [law.e for law in laws_here if law is not None and 0.0 < law.e <= law.held_below]
+    if "power-series" not in run.solvers or not tiny:
+        return []
+    return [
+        Warning(
+            "nearly-rigid",
+            said(
+                "Several contacts held at once: there a bumper with a restitution of {e} "
+                "counts as one with 0, which changes velocities by less than that part of them.",
+                e=f"{min(tiny):g}",
+            ),
+        )
+    ]
+
+
+def _idle(run: Run) -> list[Warning]:
+    """Exploders whose carts had parted."""
+    found = []
+    for gap, t, room in run.record.idle_bursts:
+        one, other = run.scene.names_at(gap)
+        message = said(
+            "The release between {one} and {other} at {time} did nothing: "
+            "there were {gap} between them. Let them touch at that time.",
+            one=one,
+            other=other,
+            time=f"{t:.6g} s",
+            gap=f"{100 * room:.3g} cm",
+        )
+        found.append(Warning("release-apart", message))
+    return found
+
+
+def _up(value: float) -> str:
+    """Three figures, never less than the value."""
+    rounded = float(f"{value:.3g}")
+    return f"{rounded if rounded >= value else float(f'{rounded * 1.005:.3g}'):g}"
+
+
+def _down(value: float) -> str:
+    """Three figures, never more than the value."""
+    rounded = float(f"{value:.3g}")
+    return f"{rounded if rounded <= value else float(f'{rounded * 0.995:.3g}'):g}"

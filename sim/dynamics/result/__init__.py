@@ -1,0 +1,1 @@
+"""What a run leaves behind: events, accounts of momentum and energy, curves."""

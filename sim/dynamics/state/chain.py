@@ -1,0 +1,94 @@
+"""The row of one run: who stands beside whom, who pushes whom, and how far each moves."""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.loads import Forces
+from sim.laws.contact_law import ContactLaw
+from sim.laws.lookup import contact_law
+from sim.scene.model import Contact, Scene
+
+
+class Chain:
+    """Bodies and gaps of one run."""
+
+    def __init__(self, scene: Scene, forces: Forces | None) -> None:
+        count = len(scene.carts)
+        self.bodies = [
+            Body((k,), cart.mass, cart.position, cart.velocity, k, k + 1)
+            for k, cart in enumerate(scene.carts)
+        ]
+        row = [_wall(scene, 0), *self.bodies, _wall(scene, count)]
+        self.gaps: list[Gap | None] = []
+        known: Contact | None = None
+        law: ContactLaw | None = None
+        for k, contact in enumerate(scene.contacts):
+            if contact is None:
+                self.gaps.append(None)
+                continue
+            if contact is not known:
+                known, law = contact, contact_law(contact)
+            left, right = row[k], row[k + 1]
+            gap = Gap(k, left, right, scene.gaps[k], scene.approaches[k], contact, law)
+            if forces is not None:
+                gap.links = forces.links[k]
+            self.gaps.append(gap)
+
+    def neighbours(self, gap: Gap) -> tuple[Gap | None, Gap | None]:
+        """The gaps beyond the two bodies of `gap`; None beyond a wall or on an open side."""
+        left = self.gaps[gap.left.left] if gap.left.carts else None
+        right = self.gaps[gap.right.right] if gap.right.carts else None
+        return left, right
+
+    def advance(self, gap: Gap, now: Time) -> None:
+        """Bring the room of a gap that is not touching to `now`."""
+        if gap.left.motion is None and gap.right.motion is None:
+            gap.room += gap.rate * elapsed(gap.time, now)
+        else:
+            gap.room += moved(gap.right, gap.time, now) - moved(gap.left, gap.time, now)
+        gap.time = now
+        cleared = gap.clear_at is not None and elapsed(gap.clear_at, now) >= 0.0
+        if gap.room >= 0.0 or cleared:
+            gap.memory, gap.clear_at = 0.0, None
+
+
+def _wall(scene: Scene, gap: int) -> Body:
+    """What stands at one end; on an open side nobody asks."""
+    if gap == 0:
+        return Body((), math.inf, 0.0, 0.0, -1, 0)
+    return Body((), math.inf, scene.track.length or 0.0, 0.0, gap, -1)
+
+
+def component(chain: Chain, body: Body) -> tuple[list[Body], list[Gap]]:
+    """The bodies that push each other with `body` among them, and the gaps between; left to right.
+
+    Walls belong to no component: they do not move.
+    """
+    bodies: list[Body] = [body]
+    gaps: list[Gap] = []
+    while (gap := chain.gaps[bodies[0].left]) is not None and gap.member:
+        gaps.insert(0, gap)
+        if not gap.left.carts:
+            break
+        bodies.insert(0, gap.left)
+    while (gap := chain.gaps[bodies[-1].right]) is not None and gap.member:
+        gaps.append(gap)
+        if not gap.right.carts:
+            break
+        bodies.append(gap.right)
+    return bodies, gaps
+
+
+def moved(body: Body, start: Time, end: Time) -> float:
+    """m. How far a body goes between two times with no event of its own in between."""
+    if body.motion is None:
+        return body.v * elapsed(start, end)
+    return body.motion.shift(body, start, end)
+
+
+def velocity(body: Body, now: Time) -> float:
+    """m/s at `now`."""
+    return body.v if body.motion is None else body.motion.velocity(body, now)

@@ -1,0 +1,42 @@
+"""The story of one contact from touch to separation, whoever else takes part in it.
+
+A contact may begin as a closed form, be joined by a third body, and end as a closed form again.
+What belongs to the whole of it is kept here: when it began, with which velocities, the impulse so
+far, and its greatest force.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sim.dynamics.state.clock import Time
+
+
+@dataclass(slots=True)
+class Peak:
+    """The greatest force of a contact so far."""
+
+    time: Time
+    force: float  # N
+    impulse: float  # N s, up to then
+    after: tuple[float, float]  # m/s, of the left and the right body, then
+
+
+@dataclass(slots=True)
+class Touching:
+    """One contact in progress."""
+
+    begun: Time
+    before: tuple[float, float]  # m/s, of the left and the right body at touch
+    impulse: float = 0.0  # N s, booked so far: up to when the solver began
+    peak: Peak | None = None
+    pressing: bool = False  # a bumper at its greatest overlap that is about to be pressed further
+
+    def see(self, peak: Peak) -> None:
+        """Keep the greater force; of equal ones the first."""
+        if self.peak is None or peak.force > self.peak.force * (1.0 + SAME_FORCE):
+            self.peak = peak
+
+
+SAME_FORCE = 1e-12
+"""Relative. A force that is handed from one solver to the next is not a new peak."""

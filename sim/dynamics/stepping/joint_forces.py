@@ -1,0 +1,43 @@
+"""The forces that keep carts together in a stepped run, from what m a leaves over."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+Rub = dict[tuple[str, int], float]
+"""N of friction, by (kind, cart)."""
+
+
+class Joined(Protocol):
+    """Carts of which some move as one body."""
+
+    mass: list[float]
+    bodies: list[list[int]]
+    joined: set[int]
+    held: set[int]
+
+
+def told(row: Joined, push: list[Any], total: list[Any], rub: Rub, a: list[Any]) -> list[Any]:
+    """N in all contacts, with those that keep two carts together."""
+    between = joint_forces(row, total, rub, a)
+    return [between.get(gap, force) for gap, force in enumerate(push)]
+
+
+def joint_forces(row: Joined, total: list[Any], rub: Rub, a: list[Any]) -> dict[int, float]:
+    """N in every held gap; `total` [N] is all else that acts on each cart, `rub` the friction."""
+    others = list(total)
+    for (_, k), friction in rub.items():
+        others[k] += friction
+    found: dict[int, float] = {}
+    for body in row.bodies:
+        rest = [row.mass[k] * a[k] - others[k] for k in body]
+        push = 0.0
+        if body[0] == 0 and 0 in row.joined:  # held by the left wall: summed from the right
+            for k, left_over in zip(reversed(body), reversed(rest), strict=True):
+                push += left_over
+                found[k] = push
+        else:
+            for k, left_over in zip(body, rest, strict=True):
+                push -= left_over
+                found[k + 1] = push
+    return {gap: push for gap, push in found.items() if gap in row.held}

@@ -1,0 +1,121 @@
+"""What an effect can do to the carts of a run. An effect overrides what it needs of `Acting`.
+
+    BodyForce         on one cart          F = steady − linear v − quadratic v |v|
+    CoulombFriction   on one cart          at most `static` at rest, `kinetic` against the motion
+    PairForce         between neighbours   N(gap, its rate), pushes them apart when positive
+    EnergyRelease     energy set free between two touching carts at one instant
+
+Every solver knows these four, so an effect brings formulas and no solver. They are imported only
+where a scene lists the effect.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any, ClassVar, Protocol
+
+from sim.scene.model import Scene
+
+Poly = list[float]
+"""Coefficients of 1, t, t² …, t in s."""
+
+FRICTION = "friction"
+"""All dry friction on a cart is booked under this kind."""
+
+
+@dataclass(frozen=True, slots=True)
+class BodyForce:
+    """F = steady − linear v − quadratic v |v| on one cart, in N; + is to the right."""
+
+    kind: str
+    steady: float = 0.0  # N
+    linear: float = 0.0  # N s/m
+    quadratic: float = 0.0  # N s²/m²
+
+    def at(self, v: Any) -> Any:
+        """N at the velocity v [m/s], a number or an array of many."""
+        return self.steady + resistance(self.linear, self.quadratic, v)
+
+
+def resistance(linear: float, quadratic: float, v: Any) -> Any:
+    """N. −linear v − quadratic v |v|."""
+    return -(linear + quadratic * abs(v)) * v
+
+
+@dataclass(frozen=True, slots=True)
+class CoulombFriction:
+    """Dry friction on one cart, in N."""
+
+    kinetic: float
+    static: float
+
+
+@dataclass(frozen=True, slots=True)
+class EnergyRelease:
+    """`energy` [J] set free between the bodies of `gap` at `time` [s]."""
+
+    kind: str
+    gap: int
+    energy: float
+    time: float
+
+
+class PairForce(Protocol):
+    """A force between two neighbours that acts across the gap between them."""
+
+    kind: ClassVar[str]
+    linear: ClassVar[bool]
+    """Is the force linear in gap and rate? Else its power series has a radius of convergence."""
+    nearest: ClassVar[float]
+    """m. Nearer than this the force cannot be followed: the run is refused. 0: it always can."""
+
+    def force(self, gap: float, rate: float) -> float:
+        """N, pushing apart; gap in m, its rate in m/s."""
+
+    def energy(self, gap: float) -> float:
+        """J. Stored at that gap."""
+
+    def bounds(self, gap: float) -> tuple[float, float]:
+        """|dN/d gap| [N/m] and |dN/d rate| [N s/m], for the length of a step."""
+
+    def expansion(self) -> Callable[[int, Poly], float]:
+        """A function (n, overlap series up to order n + 1) -> n-th coefficient of N."""
+
+    def damping(self) -> float:
+        """N s/m. What of the force is −damping × rate: that part only takes energy."""
+
+
+class Acting:
+    """One listed effect at work; `kind` is its name."""
+
+    kind: str = ""
+
+    def body_force(self, cart: int, t: float) -> BodyForce | None:
+        """The force on a cart just after t."""
+        return None
+
+    def friction(self, cart: int) -> CoulombFriction | None:
+        """The friction on a cart."""
+        return None
+
+    def pair_force(self, gap: int) -> PairForce | None:
+        """The force across a gap."""
+        return None
+
+    def releases(self) -> tuple[EnergyRelease, ...]:
+        """Energies set free."""
+        return ()
+
+    def switches(self) -> tuple[float, ...]:
+        """s. Times at which a body force begins or ends."""
+        return ()
+
+
+def acting(scene: Scene) -> tuple[Acting, ...]:
+    """The listed effects at work, in the order listed."""
+    return tuple(
+        import_module(f"sim.effects.{effect.kind}.force").act(effect, scene)
+        for effect in scene.effects
+    )

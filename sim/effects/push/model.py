@@ -1,0 +1,26 @@
+"""push, in the program in plain Python."""
+
+from __future__ import annotations
+
+from sim.effects.plain_model import Piece, Row
+from sim.effects.where import carts_of
+from sim.scene.effects import Effect
+from sim.scene.model import Scene
+
+
+def _rows(effect: Effect, scene: Scene) -> list[Row]:
+    n = effect.numbers
+    (cart,) = carts_of(effect, scene)
+    return [(cart, n["force"], n["from"], n.get("until", scene.until))]
+
+
+PIECE = Piece(
+    name="pushes",
+    says="cart, force in N, from when to when",
+    rows=_rows,
+    force="""\
+    for i, size, start, stop in pushes:
+        if start <= t < stop:
+            force[i] += size
+""",
+)

@@ -1,0 +1,48 @@
+"""How well the readings tell each unknown."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+UNTOLD_CHANGE = 1.0
+"""An unknown that may change by so much (in ln w0: 2.7-fold) without a trace is not told."""
+
+
+NEARLY_ZERO = 1e-5
+"""Singular value of the Jacobian with columns of size one: below is rounding of its differences."""
+
+
+ALONG = 1e-2
+
+
+def covariance_of(jacobian: Floats, noise: float) -> tuple[tuple[float, ...], ...]:
+    """Of the unknowns; the variance of what the readings do not tell is infinite.
+
+    An unknown that hardly moves any reading is not told. Of the others, columns are scaled to one
+    size, and a direction in which no reading moves leaves all unknowns untold that lie along it.
+    """
+    import numpy as np
+
+    count = jacobian.shape[1]
+    norms = np.linalg.norm(jacobian, axis=0)
+    deaf = norms * UNTOLD_CHANGE < 1e-3 * noise
+    told = np.flatnonzero(~deaf & (norms > 0.0))
+    _, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
+    seen = singular > NEARLY_ZERO
+    inverse = axes[seen].T / singular[seen]
+    part = noise**2 * (inverse @ inverse.T) / np.outer(norms[told], norms[told])
+    blind = np.any(np.abs(axes[~seen]) > ALONG, axis=0)
+    part[np.diag_indices(len(told))] += np.where(blind, np.inf, 0.0)
+    whole = np.zeros((count, count))
+    whole[np.ix_(told, told)] = part
+    for k in set(range(count)) - set(told.tolist()):
+        whole[k, k] = math.inf
+    return tuple(tuple(map(float, row)) for row in whole)

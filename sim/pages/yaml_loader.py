@@ -1,0 +1,33 @@
+"""YAML without what surprises authors: no tags, no anchors, no key twice."""
+
+from __future__ import annotations
+
+import yaml
+
+
+class RefusedError(Exception):
+    """Something that YAML knows and scenes do not use, at a line and column from 0."""
+
+    def __init__(self, event: yaml.Event, message: str) -> None:
+        super().__init__(message)
+        self.message = message
+        mark = event.start_mark
+        self.line, self.col = (mark.line, mark.column) if mark else (0, 0)
+
+
+class Loader(yaml.SafeLoader):
+    """PyYAML's own composer, without anchors, aliases and tags (they can blow a text up)."""
+
+    def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
+        """The next node, or RefusedError."""
+        event = self.peek_event()  # type: ignore[no-untyped-call]
+        if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
+            raise RefusedError(event, "anchors and aliases (& and *) are not used here")
+        if getattr(event, "tag", None):
+            raise RefusedError(event, f"the tag {shown_tag(event.tag)} is not used here")
+        return super().compose_node(parent, index)
+
+
+def shown_tag(tag: str) -> str:
+    """A tag as its author wrote it."""
+    return "!!" + tag.removeprefix("tag:yaml.org,2002:") if tag.startswith("tag:") else tag

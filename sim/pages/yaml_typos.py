@@ -1,0 +1,55 @@
+"""What a word processor or a keyboard puts into a text and YAML silently takes for something else.
+
+Looked for before the text is read, line by line, outside of text that goes on over lines (| and >).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+INVISIBLE = "\u00a0\u00ad\u200b\u200c\u200d\u2007\u202f\u2060\ufeff"
+"""Blanks that do not count as blanks, and characters that nobody sees."""
+
+TEXTS = ("ask", "text", "title", "feedback", "explain", "start", "note", "says")
+"""Keys whose values are prose, in which a # is meant as it stands."""
+
+_LEAD = re.compile(r"\s*(?:- +)*")
+_KEY = re.compile(rf"\s*(?:- +)*[\w.-]*[{INVISIBLE}]|[^:#\"']*:[{INVISIBLE}]")
+_DASH = re.compile(r"\s*[–—][ \t]")
+_CUT = re.compile(rf"\s*(?:- +)*(?:{'|'.join(TEXTS)}):\s+[^\s\"'|>{{\[#&*!].*?\s(#)")
+_BLOCK = re.compile(r":\s*[|>][+-]?\d?\s*(?:#.*)?$|^\s*-\s+[|>][+-]?\d?\s*$")
+
+Typo = tuple[int, int, str, str]
+"""Line and column from 0, message and hint."""
+
+
+def typos(text: str) -> Iterator[Typo]:
+    """Every mistake of these kinds."""
+    inside: int | None = None  # indentation of the key whose text goes on
+    for number, line in enumerate(text.split("\n")):
+        if not line.strip():
+            continue
+        indent = len(line) - len(line.lstrip(" "))
+        if inside is not None and indent > inside:
+            continue
+        inside = indent if _BLOCK.search(line) else None
+        yield from _in_line(number, line)
+
+
+def _in_line(number: int, line: str) -> Iterator[Typo]:
+    lead = _LEAD.match(line)
+    if lead is not None and "\t" in lead[0]:
+        at = lead[0].index("\t")
+        yield number, at, "a tab character", "indent with spaces, two per step"
+    elif found := _KEY.match(line):
+        at = found.end() - 1
+        name = f"U+{ord(line[at]):04X}"
+        message = f"a character that nobody sees ({name}) stands here"
+        yield number, at, message, "delete it and type an ordinary space"
+    elif found := _DASH.match(line):
+        hint = "a list begins with a hyphen and a space: - "
+        yield number, found.end() - 2, "a long dash begins this line", hint
+    elif found := _CUT.match(line):
+        hint = 'put the text in quotes: ask: "Point # 3"'
+        yield number, found.start(1), "what comes after # is left out", hint

@@ -1,0 +1,125 @@
+"""What students answered reaches the teacher: predictions, reasons, certainty, wrong numbers."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from sim.classroom.files.reading import Reading, Source
+from sim.classroom.files.records import as_record, from_record
+from sim.classroom.report.report import Asked, class_report
+from sim.classroom.show.report_page import report_html
+from sim.cli.class_text import report_as_text
+from sim.lesson.bank import read_bank
+from tests.classroom.makers import answers, bank, keys, random_class, sources
+
+TIME = "2026-09-01T08:00:00.000Z"
+
+
+def prediction(kind: str, value: Any, said: str, **more: str) -> dict[str, Any]:
+    return {"id": f"scene-{kind}", "hash": "", "type": kind, "value": value, "first": TIME,
+            "last": TIME, "tries": 1, "said": said, "asked": f"What, {kind}?", **more}  # fmt: skip
+
+
+def worksheet(student: str, items: list[dict[str, Any]]) -> dict[str, Any]:
+    return answers(bank(1), student, "worksheet", {}) | {"items": items}
+
+
+def report_of(files: list[dict[str, Any]], key: str = "") -> dict[str, Any]:
+    extra = [Source("key.json", key.encode())] if key else []
+    reading = Reading.of([*sources(files), *extra])
+    assert not reading.refused
+    # As the page does: rows go out and come back.
+    read = [from_record(json.loads(json.dumps(as_record(one)))) for one in reading.files]
+    return class_report([(one, "class") for one in read], reading.keys, [], Asked())
+
+
+CLASS = [
+    worksheet(f"FOX-{k}", [
+        prediction("choice", "0", "the same on both", locked=TIME, why="they touch", sure="sure"),
+        prediction("arrows", [{"pair": "A-B", "on": "A", "size": 2.0}], "force on A by B: 2.0 N"),
+        prediction("curve", [0, 2, k, 2, 0], f"heights 0, 2, {k}, 2, 0", locked=TIME),
+    ])
+    for k in range(3)
+] + [
+    worksheet("OWL-1", [prediction("choice", "1", "more on B · Why: light", locked=TIME)]),
+]  # fmt: skip
+
+
+def test_predictions_are_counted_with_their_reasons_and_curves_are_kept() -> None:
+    report = report_of(CLASS)
+    (form,) = report["lessons"][0]["forms"]
+    rows = {row["type"]: row for row in form["predictions"]}
+    assert rows["choice"]["answers"] == [
+        {"said": "the same on both", "count": 3, "sure": 3},
+        {"said": "more on B", "count": 1, "sure": 0},
+    ]
+    assert [row["why"] for row in rows["choice"]["reasons"]] == ["they touch"] * 3
+    assert rows["arrows"]["n"] == 3
+    assert rows["arrows"]["locked"] == 0
+    assert rows["curve"]["curves"] == [[0, 2, k, 2, 0] for k in range(3)]
+    html, text = report_html(report), report_as_text(report)
+    assert html.count('class="drawn"') == 3
+    assert "What, choice?" in html
+    assert "3 × the same on both" in text
+
+
+def test_what_a_student_typed_as_a_reason_is_text_and_no_markup() -> None:
+    bad = prediction("choice", "<b>", "<img src=x>", why="<script>alert(1)</script>", asked="<i>")
+    html = report_html(report_of([worksheet("FOX", [bad])]))
+    assert "<script" not in html
+    assert "<img" not in html
+
+
+def test_files_without_a_code_word_are_persons_of_their_own() -> None:
+    files = [worksheet("", [prediction("choice", str(k), f"answer {k}")]) for k in range(3)]
+    found = sources(files)
+    named = [Source(f"{k}-{one.name}", one.content) for k, one in enumerate(found)]
+    reading = Reading.of(named)
+    report = class_report([(one, "class") for one in reading.files], [], [], Asked())
+    assert report["files"]["counted"] == 3
+    assert [flag["code"] for flag in report["flags"]] == ["no-code"]
+    who = [row["student"] for row in report["lessons"][0]["forms"][0]["students"]]
+    assert len(set(who)) == 3
+    assert all("no code word" in name for name in who)
+
+
+def test_a_file_without_a_code_word_can_be_given_one() -> None:
+    before = answers(bank(1), "FOX", "pre", {"item-0": "a"})
+    after = answers(bank(1), "", "post", {"item-0": "a"}, day=20)
+    reading = Reading.of(
+        [*sources([before]), Source("folder/lost.json", json.dumps(after).encode())]
+    )
+    reading.name({"lost.json": "fox"})
+    (key,) = [Reading.of([Source("k", keys(bank(1)).encode())]).keys]
+    report = class_report([(one, "class") for one in reading.files], key, [], Asked())
+    assert report["lessons"][0]["gains"][0]["n"] == 1
+
+
+NUMBERS = read_bank({"title": "Numbers", "items": [{
+    "id": "speed", "type": "number", "ask": "How fast?", "answer": "0.30 m/s", "tolerance": "1 %",
+    "wrong": [{"value": "0.60 m/s", "belief": "motion-needs-force", "feedback": "Before."}],
+    "sure": True,
+}]})  # fmt: skip
+
+
+def test_a_known_wrong_number_is_counted_with_its_belief_and_talked_about_first() -> None:
+    values = [0.3, 0.6, 0.6, 0.6, 0.9]
+    files = [answers(NUMBERS, f"FOX-{k}", "pre", {"speed": v}) for k, v in enumerate(values)]
+    report = report_of(files, keys(NUMBERS, ("pre",)))
+    (form,) = report["lessons"][0]["forms"]
+    (item,) = form["items"]
+    (wrong,) = item["choices"]
+    assert (wrong["label"], wrong["count"], wrong["sure"]) == ("0.6 m/s", 3, 3)
+    assert wrong["says"]
+    assert item["sure"] == {"right": 1, "wrong": 4}
+    (talk,) = form["talk"]
+    assert talk["sentence"].startswith("Question 1: 3 of 5 chose 0.6 m/s, 3 of them sure; students")
+
+
+def test_questions_are_called_what_students_call_them() -> None:
+    source = bank(3)
+    report = report_of(random_class(source, 6), keys(source))
+    form = report["lessons"][0]["forms"][0]
+    assert [item["label"] for item in form["items"]] == [f"Question {k}" for k in (1, 2, 3)]
+    assert len(form["talk"]) <= 3
