@@ -1551,13 +1551,16 @@
   // ../view/effects.js
   var LAST = 100;
   function viewOf(kind) {
-    const view = VIEWS[kind];
-    if (!view) throw new Error(`there is no effect of the kind “${kind}”`);
-    return { name: kind, row: LAST, ...view };
+    return { name: kind, row: LAST, ...VIEWS[kind] };
+  }
+  function nameOf({ kind, called }) {
+    const name2 = VIEWS[kind]?.name ?? (called && told2(called));
+    if (!name2) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+    return name2;
   }
   function agent(effect) {
-    const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? told2(effect.by) : view.name);
+    const named2 = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told2(named2) : nameOf(effect));
   }
   function actsAt(effect, t3) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
@@ -6042,7 +6045,7 @@ ${lines2.join("\n")}
       agent: agent(effect),
       seen: (text) => numbers ? text : ""
     };
-    const parts2 = view.phrase?.(effect, told3) ?? [view.name];
+    const parts2 = view.phrase?.(effect, told3) ?? [nameOf(effect)];
     return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {
