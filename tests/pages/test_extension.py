@@ -9,7 +9,7 @@ from pathlib import Path
 import markdown
 import pytest
 
-from sim.pages import extension
+from sim.pages import extension, makers
 from sim.pages.extension import CartsExtension, Page, set_page
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.page_head import blocked
@@ -89,7 +89,7 @@ def test_a_crash_of_ours_is_not_swallowed(
     def crash(*_: object) -> None:
         raise ZeroDivisionError("our own mistake")
 
-    monkeypatch.setattr(extension, "bake", crash)
+    monkeypatch.setattr(makers, "bake", crash)
     with pytest.raises(ZeroDivisionError):
         html(SCENE)
 
