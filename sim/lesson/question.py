@@ -33,6 +33,7 @@ COMMON_KEYS = (
         "The two forces are a pair."),
     Key("topics", "words by which a form draws items from a bank", "[first-law, table]", TEXTS),
     Key("note", "for the teacher; never in the page", "Most choose A at first."),
+    Key("idea", "id of a first idea (type: idea), shown again beside this answer", "first-idea"),
 )  # fmt: skip
 
 
@@ -50,6 +51,7 @@ class Common:
     explain: str = ""
     topics: tuple[str, ...] = ()
     note: str = ""
+    idea: str = ""
 
 
 def read_common(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> Common:
@@ -79,6 +81,7 @@ def read_common(table: Mapping[str, Any], path: Path, problems: list[Problem]) -
         explain=keys.text(table, "explain", path, problems) or "",
         topics=keys.texts(table, "topics", path, problems, "topics: [first-law]"),
         note=keys.text(table, "note", path, problems) or "",
+        idea=keys.text(table, "idea", path, problems) or "",
     )
 
 
@@ -141,6 +144,8 @@ class Question(ABC):
             "id": c.id, "hash": self.hash, "type": self.KIND, "level": c.level, "marks": c.marks,
             "sure": c.sure, **self.asked(),
         }  # fmt: skip
+        if c.idea:
+            facts["idea"] = c.idea
         if key:
             facts["key"] = self.key()
         return facts

@@ -8,6 +8,7 @@ from typing import Any
 from sim.lesson import keys
 from sim.lesson.kinds.arrange import Matching, Ordering
 from sim.lesson.kinds.choice import Multiple, Single
+from sim.lesson.kinds.idea import Idea
 from sim.lesson.kinds.number import Number
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
@@ -21,6 +22,7 @@ KINDS: dict[str, type[Question]] = {
     kind.KIND: kind
     for kind in (
         Single, Multiple, Number, Short, Long, Ordering, Matching, Confidence, Reading, Drawn,
+        Idea,
     )
 }  # fmt: skip
 

@@ -1,7 +1,7 @@
 /** What acts in a scene, in words. */
 
 import { body, listed } from "./bodies.js";
-import { agent, isLink, viewOf } from "./effects.js";
+import { agent, isLink, nameOf, viewOf } from "./effects.js";
 import { tr } from "./language.js";
 
 /** @typedef {import("./types.js").Header} Header */
@@ -34,7 +34,7 @@ function phrase(effect, header, numbers) {
     agent: agent(effect),
     seen: (/** @type {string} */ text) => (numbers ? text : ""),
   };
-  const parts = view.phrase?.(effect, told) ?? [view.name];
+  const parts = view.phrase?.(effect, told) ?? [nameOf(effect)];
   return parts.filter(Boolean).join(", ");
 }
 

@@ -1,6 +1,7 @@
 /**
  * What is known of effects here comes from their folders: `sim/effects/<kind>/view.js`. An effect
- * without one is drawn as a force with its plain name; one of unknown kind is a fault of the program.
+ * without one is drawn as a force, with the name and the agent that its run tells; one that nobody
+ * describes is a fault of the program.
  */
 
 import { VIEWS } from "../effects/views.js";
@@ -14,15 +15,20 @@ const LAST = 100; // row of the arrow of an effect that does not say where it st
 
 /** @param {string} kind @returns {Required<Pick<EffectView, "name" | "row">> & EffectView} */
 export function viewOf(kind) {
-  const view = VIEWS[kind];
-  if (!view) throw new Error(`there is no effect of the kind “${kind}”`);
-  return { name: kind, row: LAST, ...view };
+  return { name: kind, row: LAST, ...VIEWS[kind] };
+}
+
+/** @param {Effect} effect @returns {string} it as a list names it */
+export function nameOf({ kind, called }) {
+  const name = VIEWS[kind]?.name ?? (called && told(called));
+  if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+  return name;
 }
 
 /** @param {Effect} effect @returns {string} who or what its force comes from */
 export function agent(effect) {
-  const view = viewOf(effect.kind);
-  return view.agent?.(effect) ?? (effect.by ? told(effect.by) : view.name);
+  const named = effect.by || effect.agent;
+  return viewOf(effect.kind).agent?.(effect) ?? (named ? told(named) : nameOf(effect));
 }
 
 /** @param {Effect} effect @param {number} t in s @returns {boolean} whether it acts then */

@@ -8,7 +8,7 @@
  * @typedef {{from: number, until: number, tier: number, solver: string, why: import("./language.js").Said, packages: string[]}} Phase
  * @typedef {{code: string, message: import("./language.js").Said}} Warning
  * @typedef {{kind: string, index: number, active: boolean, numbers: Record<string, number>, carts: string[],
- *   between: [string, string] | null, by: string | null}} Effect
+ *   between: [string, string] | null, by: string | null, called?: string, agent?: string}} Effect
  * @typedef {{path: (string | number)[], code: string, message: import("./language.js").Said, hint: import("./language.js").Said}} Problem
  * @typedef {ArrayLike<number>} Column
  * @typedef {Record<string, Column>} Columns

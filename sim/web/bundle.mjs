@@ -94,6 +94,26 @@ function collectEffects() {
   if (before !== lines.join("\n")) writeFileSync(file, lines.join("\n"));
 }
 
+/** Beside draw.js: the licences of linkedom and of all that its one file is made of. */
+function collectLicences() {
+  const modules = path.join(here, "..", "..", "node_modules");
+  const found = new Map();
+  const visit = (name) => {
+    if (found.has(name)) return;
+    const folder = path.join(modules, name);
+    const about = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
+    const file = readdirSync(folder).find((one) => /^licen[cs]e/i.test(one));
+    const text = file ? readFileSync(path.join(folder, file), "utf8").trim() : about.license;
+    found.set(name, `${name} ${about.version} (${about.license})\n\n${text}\n`);
+    for (const next of Object.keys(about.dependencies ?? {})) visit(next);
+  };
+  visit("linkedom");
+  const parts = [...found.keys()].sort().map((name) => found.get(name));
+  const head = "Works of others in draw.js, which draws when a site is built, and their terms.\n";
+  const rule = `\n${"=".repeat(80)}\n\n`;
+  writeFileSync(path.join(here, "dist", "draw-licences.txt"), [head, ...parts].join(rule));
+}
+
 async function make(entry, output) {
   const outfile = path.resolve(here, output);
   await build({ ...shared, entryPoints: [entry], outfile, plugins: [asText, noListeners] });
@@ -102,4 +122,7 @@ async function make(entry, output) {
 collectEffects();
 const [entry, output] = process.argv.slice(2);
 if (entry) await make(entry, output);
-else for (const [file, source] of Object.entries(ENTRIES)) await make(source, file);
+else {
+  collectLicences();
+  for (const [file, source] of Object.entries(ENTRIES)) await make(source, file);
+}

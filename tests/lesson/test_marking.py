@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from sim.lesson import read_question
 from sim.lesson.mark import is_empty
+from sim.lesson.problems import LessonError
 from sim.lesson.read import KINDS
 from sim.scene.notation import same_unit
 from tests.web.widget_site import in_node
@@ -103,6 +104,14 @@ ANSWERS = st.recursive(
     lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner),
     max_leaves=6,
 )
+
+
+def test_an_idea_takes_no_right_answer_and_no_feedback() -> None:
+    with pytest.raises(LessonError, match="an idea is never marked"):
+        read_question({"id": "i", "type": "idea", "ask": "?", "options": [
+            {"text": "Ana", "correct": True}, "Ben"]})  # fmt: skip
+    typed = read_question({"id": "i", "type": "idea", "ask": "?"})
+    assert typed.mark("anything at all").verdict == "open"
 
 
 @given(ANSWERS, st.none() | st.floats(allow_nan=False, allow_infinity=False))

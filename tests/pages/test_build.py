@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.cli.build import build_site
-from sim.pages import extension, site_files
+from sim.pages import makers, site_files
 from tests.pages.small_site import CONFIG, MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture
@@ -95,7 +95,7 @@ def test_a_crash_of_ours_stops_the_build(
     def crash(*_: object) -> None:
         raise ZeroDivisionError("our own mistake")
 
-    monkeypatch.setattr(extension, "bake", crash)
+    monkeypatch.setattr(makers, "bake", crash)
     with pytest.raises(ZeroDivisionError):
         build_site(make_site(first=lesson()), hosted=False, strict=False)
 

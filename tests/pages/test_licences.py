@@ -93,3 +93,16 @@ def test_our_own_licences_are_complete() -> None:
     lessons = (ROOT / "LICENSE-content").read_text(encoding="utf-8")
     assert lessons.startswith("Attribution 4.0 International")
     assert [f"Section {n} --" in lessons for n in range(1, 9)] == [True] * 8
+
+
+def test_what_draws_when_a_site_is_built_ships_with_its_licences() -> None:
+    """linkedom is one file that holds what it stands on: draw.js is in the wheel, in no site."""
+    text = (ROOT / "sim/web/dist/draw-licences.txt").read_text(encoding="utf-8")
+    packages = json.loads((ROOT / "package-lock.json").read_text(encoding="utf-8"))["packages"]
+    wanted = ["linkedom"]
+    for name in wanted:
+        package = packages[f"node_modules/{name}"]
+        assert f"{name} {package['version']} ({package['license']})" in text
+        wanted += [one for one in package.get("dependencies", ()) if one not in wanted]
+    assert len(wanted) > 10
+    assert "linkedom" not in (ROOT / "sim/web/dist/carts.js").read_text(encoding="utf-8")

@@ -73,34 +73,32 @@ def test_every_kind_has_a_view_that_is_collected() -> None:
             assert re.search(rf'^  "?{folder.name}"?[,:]', listed, re.MULTILINE), "make bundle"
 
 
-def told(kind: str, views: str) -> Any:
-    """What is said and drawn of one effect of a kind, with the views of all kinds changed."""
+def drawn(kind: str, **words: str) -> Any:
+    """What is said and drawn of an effect that Python tells so much about."""
     _, header, numbers = baked(MEETING)
     header["effects"] = [
         {"kind": kind, "index": 0, "active": True, "numbers": {"speed": 1.0}, "carts": ["A", "B"],
-         "between": None, "by": None}
+         "between": None, "by": None, **words}
     ]  # fmt: skip
     header["columns"] = [*header["columns"], ["E", kind, "A"]]
     return in_node(
-        """const { VIEWS } = await import(view + "/../effects/views.js");
-        ${views}
-        const w = await import(view + "/effects-words.js");
+        """const w = await import(view + "/effects-words.js");
         const f = await import(view + "/effects-forces.js");
         const t = await import(view + "/trajectory.js");
         const run = { header: data.header,
           trajectory: t.fromWire(data.header, Float64Array.from(data.numbers)) };
         try { give([w.actingSentences(data.header, true),
           f.forcesAt(run, 0).map((force) => f.labels(force)[0])]); }
-        catch (error) { give(error.message); }""".replace("${views}", views),
+        catch (error) { give(error.message); }""",
         {"header": header, "numbers": [*numbers, *[0.25] * header["rows"]]},
     )
 
 
-def test_an_effect_without_a_view_is_a_force_with_its_plain_name() -> None:
-    said, forces = told("wind", "VIEWS.wind = {};")
-    assert said.startswith("In this model: wind.")
-    assert forces == ["on A by wind: 0.250 N"]
+def test_an_effect_without_a_view_is_a_force_with_the_name_that_python_tells() -> None:
+    said, forces = drawn("wind", called="a wind", agent="the air")
+    assert said.startswith("In this model: a wind.")
+    assert forces == ["on A by the air: 0.250 N"]
 
 
-def test_an_effect_of_unknown_kind_is_a_fault_and_not_another_effect() -> None:
-    assert told("wind", "") == "there is no effect of the kind “wind”"
+def test_an_effect_that_nobody_describes_is_a_fault_and_not_another_effect() -> None:
+    assert drawn("wind") == "nobody describes an effect of the kind “wind”"

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from tests.web.answering import answer_everything, saved, saved_file
 from tests.web.conftest import OpenPage
-from tests.web.question_site import question_site, ready
+from tests.web.question_site import question_site, ready, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -167,3 +167,39 @@ def test_on_paper_stands_what_was_answered_or_a_line(
     page.evaluate("document.documentElement.classList.add('carts-print-empty')")
     expect(page.locator("#why .carts-q-printed")).to_be_hidden()
     expect(page.locator("#why .carts-q-write")).to_be_visible()
+
+
+IDEA = """# Two vans
+
+```question
+id: guess-first
+type: idea
+ask: Before you try. Who is right?
+options: [Ana, Ben]
+```
+
+```question
+id: think-again
+type: long
+ask: And now?
+idea: guess-first
+```
+"""
+
+
+def test_a_first_idea_is_kept_never_marked_and_stands_beside_the_last_answer(
+    open_page: OpenPage, question_site: Path
+) -> None:
+    page = ready(open_page(write_page(question_site, "ideas", IDEA)))
+    first = page.locator("#think-again .carts-q-first")
+    page.get_by_label("Ana").check()
+    saved(page, "guess-first")
+    expect(page.locator("#guess-first .carts-q-check")).to_have_count(0)
+    expect(page.locator("#guess-first .carts-q-feedback")).to_be_empty()
+    expect(first).to_be_hidden()
+    page.locator("#think-again textarea").fill("It was Ben.")
+    expect(first).to_have_text("Your first idea was: A: Ana")
+    page.reload()
+    ready(page)
+    expect(page.get_by_label("Ana")).to_be_checked()
+    expect(first).to_have_text("Your first idea was: A: Ana")

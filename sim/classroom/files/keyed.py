@@ -15,6 +15,7 @@ from sim.classroom.refusal import RefusalError
 from sim.lesson.key_file import FORMAT, KIND
 from sim.lesson.kinds.arrange import Matching, Ordering
 from sim.lesson.kinds.choice import Multiple, Option, Single
+from sim.lesson.kinds.idea import Idea
 from sim.lesson.kinds.number import Number, Wrong
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
@@ -168,6 +169,13 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
             at=row["at"], unit=str(row["unit"]), units={}, per=float(row["per"]),
             tolerance=float(key["tolerance"]), relative=bool(key["relative"]),
         )  # fmt: skip
+    if kind == "idea":
+        beliefs = key["beliefs"]
+        options = tuple(
+            Option(id=o, text=str(texts.get(f"option-{o}", "")), belief=str(beliefs.get(o, "")))
+            for o in map(str, row["options"])
+        )
+        return Idea(common=common, options=options)
     if kind == "confidence":
         return Confidence(common=common)
     if kind == "drawn":

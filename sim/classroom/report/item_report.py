@@ -105,7 +105,7 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
     kind = keyed.question.KIND if keyed else ""
     if keyed and isinstance(keyed.question, Number):
         return _numbers(answers, keyed, keyed.question)
-    if not keyed or kind not in ("single", "multiple"):
+    if not keyed or kind not in ("single", "multiple", "idea"):
         if keyed:
             return []
         counts = Counter(

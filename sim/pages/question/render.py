@@ -45,7 +45,7 @@ def render_question(
         "lines": LINES.get(question.KIND, 0),
         "hints": [Markup(to_html(hint)) for hint in common.hints] if key else [],
         "feedback": _feedback(question) if key else {},
-        "checks": key and question.KIND not in ("confidence", "drawn"),
+        "checks": key and question.KIND not in ("confidence", "drawn", "idea"),
         "certainty": [(word, tr(SURE[word])) for word in CERTAINTY],
         "sure": common.sure and question.KIND != "confidence",
     }

@@ -23,7 +23,7 @@ CLASSROOM_ENTRY = "bridge/class_answer.py"
 """With these a page also reads the files of a class: a package of its own, loaded only there."""
 MEASURED_ENTRY = "bridge/measured_answer.py"
 """With this and the layer `measured` a page reads and fits what real carts did."""
-NOT_RUN = {"page.md", "proof.py", "scenes", "view.js"}
+NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js"}
 """In the folder of an effect beside what runs: a page carries no proofs, docs and scenes."""
 ENTRY = "sim.bridge.pyodide_entry"
 NAME = "newtons-carts"

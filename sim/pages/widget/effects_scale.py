@@ -8,6 +8,7 @@ from typing import Any
 
 from sim.pages.widget.run import Run
 
+UNKNOWN = 0.1  # of the weight: the force of an effect that nothing is known of here
 ROOM_TO_GUESS = 1.7  # before a prediction the scale must not tell the size of a force
 
 
@@ -79,6 +80,8 @@ def _estimate(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
         return float(abs(n["force"]))
     if kind == "release":
         return 0.0
+    if kind not in ("spring", "magnets"):  # told by its run; before one, a part of the weight
+        return 0.0 if effect["between"] else float(UNKNOWN * weight)
     left, right = effect["between"]
     start = bodies[left]["position"] + bodies[left]["length"] / 2 if left in bodies else 0.0
     end = header["track"]["length"]

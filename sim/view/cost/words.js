@@ -70,3 +70,14 @@ export function cells(row, until) {
     row.energy_error === null ? "–" : short(row.energy_error, 2),
   ];
 }
+
+/**
+ * The measurement of a method with a step, or with a tolerance where it has one.
+ * @param {CostRow[]} rows @param {number} until in s @param {{method: string, rtol: number, parts: number}} chosen
+ */
+export function rowOf(rows, until, { method, rtol, parts }) {
+  return rows.find((row) => {
+    if (row.method !== method) return false;
+    return row.rtol ? row.rtol === rtol : Math.round(until / Number(row.step)) === parts;
+  });
+}

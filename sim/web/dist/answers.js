@@ -1607,7 +1607,8 @@
       return whole(all, good.length > 0, marks);
     },
     confidence: ({ options }, value) => options.includes(value) ? made("open", null, 0) : made("unclear", null, 0),
-    drawn: () => made("open", null, 0)
+    drawn: () => made("open", null, 0),
+    idea: ({ options }, value) => typeof value === "string" && (!options.length || options.includes(value)) ? made("open", null, 0) : made("unclear", null, 0)
   };
   function made(verdict, marks, of, shown = [], beliefs = []) {
     return { verdict, marks, of, shown, beliefs };
@@ -2087,7 +2088,8 @@
     long: wordsForm,
     ordering: orderForm,
     matching: matchForm,
-    drawn: drawnForm
+    drawn: drawnForm,
+    idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed)
   };
   var NOT_SAVED = tr("Not saved");
   var SOON = 400;
@@ -2263,6 +2265,15 @@
         const free = ["short", "long", "number", "reading", "ordering"].includes(this.facts.type);
         say(need(this, ".carts-q-printed"), free ? said : "");
         this.toggleAttribute("data-answered", this.answered);
+        this.#showFirstIdea();
+      }
+      /** What was thought at the beginning, beside the answer of now. */
+      #showFirstIdea() {
+        const first = this.facts.idea ? book2.get("worksheet", this.facts.idea) : null;
+        const place2 = need(this, ".carts-q-first");
+        place2.hidden = !this.answered || !first || isEmpty(first.value);
+        if (place2.hidden) return;
+        say(place2, tr("Your first idea was: {said}", { said: first.said || String(first.value) }));
       }
       /** @param {string} word */
       #say(word) {

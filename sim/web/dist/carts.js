@@ -158,6 +158,12 @@
       row.energy_error === null ? "–" : short(row.energy_error, 2)
     ];
   }
+  function rowOf(rows, until, { method, rtol, parts: parts2 }) {
+    return rows.find((row) => {
+      if (row.method !== method) return false;
+      return row.rtol ? row.rtol === rtol : Math.round(until / Number(row.step)) === parts2;
+    });
+  }
 
   // src/scene/slow.js
   var WATCH = 3;
@@ -662,6 +668,21 @@
     table.querySelector("tbody")?.replaceChildren(...body2);
   }
 
+  // src/cost/working.js
+  function showWorking(root, on) {
+    const [go, stop] = [need(root, ".carts-cost-go"), need(root, ".carts-cost-stop")];
+    const focused = document.activeElement === (on ? go : stop);
+    go.hidden = on;
+    stop.hidden = !on;
+    const progress = (
+      /** @type {HTMLProgressElement} */
+      need(root, ".carts-cost-progress")
+    );
+    progress.hidden = !on;
+    progress.value = 0;
+    if (focused) (on ? stop : go).focus();
+  }
+
   // src/cost/element.js
   var PACKAGES = ["numpy", "scipy"];
   var ADAPTIVE = ["rk45", "adaptive"];
@@ -773,13 +794,13 @@
       stop() {
         if (!this.#measuring) return;
         this.#measuring = 0;
-        this.#working(false);
+        showWorking(this, false);
         say(need(this, ".carts-cost-say"), `Stopped after ${this.rows.length} rows.`);
       }
       async #measure() {
         const turn = Math.random() + 1;
         this.#measuring = turn;
-        this.#working(true);
+        showWorking(this, true);
         say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
         try {
           await client2.need(PACKAGES);
@@ -815,22 +836,8 @@
           );
           say(need(this, ".carts-cost-say"), "");
         } finally {
-          if (this.#measuring === 0 || this.#measuring === turn) this.#working(false);
+          if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, false);
         }
-      }
-      /** @param {boolean} on */
-      #working(on) {
-        const [go, stop] = [need(this, ".carts-cost-go"), need(this, ".carts-cost-stop")];
-        const focused = document.activeElement === (on ? go : stop);
-        go.hidden = on;
-        stop.hidden = !on;
-        const progress = (
-          /** @type {HTMLProgressElement} */
-          need(this, ".carts-cost-progress")
-        );
-        progress.hidden = !on;
-        progress.value = 0;
-        if (focused) (on ? stop : go).focus();
       }
       /** Another scene: the measurements were those of the one before. */
       #newScene() {
@@ -852,12 +859,13 @@
       }
       /** The ring stands where the chosen method and step were measured. */
       #mark() {
-        const method = this.#select("method").value;
-        const until = Number(this.run?.header.until);
-        const chosen = this.rows.find((row) => {
-          if (row.method !== method) return false;
-          if (row.rtol) return row.rtol === Number(this.#select("rtol").value);
-          return Math.round(until / Number(row.step)) === Number(this.#select("step").value);
+        const [method, rtol, parts2] = ["method", "rtol", "step"].map(
+          (one) => this.#select(one).value
+        );
+        const chosen = rowOf(this.rows, Number(this.run?.header.until), {
+          method: String(method),
+          rtol: Number(rtol),
+          parts: Number(parts2)
         });
         this.#figure?.mark(chosen);
       }
@@ -1551,13 +1559,16 @@
   // ../view/effects.js
   var LAST = 100;
   function viewOf(kind) {
-    const view = VIEWS[kind];
-    if (!view) throw new Error(`there is no effect of the kind “${kind}”`);
-    return { name: kind, row: LAST, ...view };
+    return { name: kind, row: LAST, ...VIEWS[kind] };
+  }
+  function nameOf({ kind, called }) {
+    const name2 = VIEWS[kind]?.name ?? (called && told2(called));
+    if (!name2) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+    return name2;
   }
   function agent(effect) {
-    const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? told2(effect.by) : view.name);
+    const named2 = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told2(named2) : nameOf(effect));
   }
   function actsAt(effect, t3) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t3) ?? true);
@@ -2119,6 +2130,27 @@
     }
   };
 
+  // src/map/run-point.js
+  async function runPoint(id, values, tell2) {
+    const scene = (
+      /** @type {any} */
+      document.getElementById(id)
+    );
+    if (typeof scene?.set !== "function") return;
+    try {
+      tell2("");
+      await scene.set(values);
+      scene.time = 0;
+      scene.scrollIntoView({ block: "start" });
+      scene.querySelector(".carts-play")?.focus({ preventScroll: true });
+    } catch (error) {
+      tell2(
+        /** @type {Error} */
+        error.message
+      );
+    }
+  }
+
   // src/map/settings.js
   function showSettings(map, controls, settings) {
     for (const { set, per, step } of controls) {
@@ -2136,6 +2168,14 @@
         box2.value = fixed(shown3, decimals).replace("−", "-");
       }
     }
+  }
+  function showProgress(map, done, runs) {
+    const bar2 = (
+      /** @type {HTMLProgressElement} */
+      need(map, ".carts-map-progress")
+    );
+    bar2.value = done / runs;
+    bar2.style.visibility = done < runs ? "visible" : "hidden";
   }
 
   // ../view/map/table.js
@@ -2162,12 +2202,12 @@
   }
 
   // src/map/table.js
-  function fillTable(table, grid, axisText, valueText2) {
+  function fillTable(table, grid, axisText, facts) {
     const { head, lines: lines2 } = tableOf(
       grid.columns,
       grid.rows,
       axisText,
-      (place3) => valueText2(Number(grid.values[place3]))
+      (place3) => valueText(Number(grid.values[place3]), facts)
     );
     const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
     for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
@@ -2223,7 +2263,11 @@
             /** @type {import("../../../view/map/types.js").Axis} */
             facts.axes[k]
           );
-          return new AxisControl(root, axis2, (place3) => this.#chooseOn(k, place3));
+          return new AxisControl(
+            root,
+            axis2,
+            (place3) => this.#choose(this.#places.map((old, other) => other === k ? place3 : old))
+          );
         });
         this.#controls = new Controls(this, facts.controls, (target, value, at2) => {
           this.set({ [target]: value }, at2).catch((error) => {
@@ -2233,7 +2277,10 @@
         this.#figure.mark(facts.here, facts.at ?? Number.NaN);
         for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
         need(this, ".carts-map-open").addEventListener("click", () => void this.open());
-        this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
+        this.querySelector(".carts-map-run")?.addEventListener("click", () => {
+          const values = { ...this.#settings, ...this.point };
+          void runPoint(facts.of ?? "", values, (message) => this.#tell(message));
+        });
         need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
       }
       disconnectedCallback() {
@@ -2337,7 +2384,7 @@
        */
       async #fill(settings, done, runs, generation) {
         while (done < runs) {
-          this.#progress(done, runs);
+          showProgress(this, done, runs);
           const { header, numbers } = await this.#ask(settings, done);
           if (generation !== this.#generation || !header.ok || !this.#grid) return;
           const half = numbers.length / 2;
@@ -2347,17 +2394,8 @@
           done = header.done;
           this.#draw(this.#grid);
         }
-        this.#progress(1, 1);
+        showProgress(this, 1, 1);
         this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
-      }
-      /** @param {number} done @param {number} runs */
-      #progress(done, runs) {
-        const bar2 = (
-          /** @type {HTMLProgressElement} */
-          need(this, ".carts-map-progress")
-        );
-        bar2.value = done / runs;
-        bar2.style.visibility = done < runs ? "visible" : "hidden";
       }
       /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
       #ask(settings, from) {
@@ -2372,7 +2410,8 @@
         if (before !== grid.axes) {
           const point = before ? this.point : null;
           this.#places = this.#axes.map((control, k) => {
-            const wanted = point?.[control.axis.set] ?? this.#baked(k);
+            const { set, values } = control.axis;
+            const wanted = point?.[set] ?? values[Number(this.#facts?.here[k])];
             control.show(grid.axes[k] ?? [], 0);
             return control.nearest(Number(wanted));
           });
@@ -2380,14 +2419,6 @@
         this.#choose(this.#places);
         if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
         say(need(this, ".carts-map-why"), grid.why);
-      }
-      /** @param {number} k @returns {number} where the point stood in the page as it was built, SI */
-      #baked(k) {
-        return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
-      }
-      /** @param {number} k @param {number} place */
-      #chooseOn(k, place3) {
-        this.#choose(this.#places.map((old, axis2) => axis2 === k ? place3 : old));
       }
       /** @param {number[]} places */
       #choose(places) {
@@ -2412,38 +2443,9 @@
         return Number(this.#grid?.values[row * (this.#grid?.columns ?? 0) + column]);
       }
       #fillTable() {
-        if (!this.#grid) return;
+        if (!this.#grid || !this.#facts) return;
         const axisText = (k, place3) => this.#axes[k]?.text(place3) ?? "";
-        const facts = (
-          /** @type {MapFacts} */
-          this.#facts
-        );
-        fillTable(
-          need(this, ".carts-map-table table"),
-          this.#grid,
-          axisText,
-          (value) => valueText(value, facts)
-        );
-      }
-      /** The scene that the map is of runs with the chosen point. */
-      async #run() {
-        const scene = (
-          /** @type {any} */
-          document.getElementById(this.#facts?.of ?? "")
-        );
-        if (typeof scene?.set !== "function") return;
-        try {
-          this.#tell("");
-          await scene.set({ ...this.#settings, ...this.point });
-          scene.time = 0;
-          scene.scrollIntoView({ block: "start" });
-          scene.querySelector(".carts-play")?.focus({ preventScroll: true });
-        } catch (error) {
-          this.#tell(
-            /** @type {Error} */
-            error.message
-          );
-        }
+        fillTable(need(this, ".carts-map-table table"), this.#grid, axisText, this.#facts);
       }
     };
   }
@@ -6042,7 +6044,7 @@ ${lines2.join("\n")}
       agent: agent(effect),
       seen: (text) => numbers ? text : ""
     };
-    const parts2 = view.phrase?.(effect, told3) ?? [view.name];
+    const parts2 = view.phrase?.(effect, told3) ?? [nameOf(effect)];
     return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {

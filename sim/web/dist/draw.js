@@ -11512,13 +11512,16 @@ ${table3(facts)}
   // ../view/effects.js
   var LAST = 100;
   function viewOf(kind) {
-    const view = VIEWS[kind];
-    if (!view) throw new Error(`there is no effect of the kind “${kind}”`);
-    return { name: kind, row: LAST, ...view };
+    return { name: kind, row: LAST, ...VIEWS[kind] };
+  }
+  function nameOf({ kind, called }) {
+    const name = VIEWS[kind]?.name ?? (called && told2(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+    return name;
   }
   function agent(effect) {
-    const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? told2(effect.by) : view.name);
+    const named2 = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told2(named2) : nameOf(effect));
   }
   function actsAt(effect, t) {
     return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
@@ -11885,7 +11888,7 @@ ${rows}</tbody></table></div>
       agent: agent(effect),
       seen: (text3) => numbers ? text3 : ""
     };
-    const parts2 = view.phrase?.(effect, told3) ?? [view.name];
+    const parts2 = view.phrase?.(effect, told3) ?? [nameOf(effect)];
     return parts2.filter(Boolean).join(", ");
   }
   function forceName({ effects }) {

@@ -44,6 +44,28 @@
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/measured/buttons.js
+  function wireButtons(bench, { own, save, fit, compare, tracker, early }) {
+    const on = (name, act) => bench.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
+    on("own", own);
+    on("save", save);
+    on("fit", fit);
+    on("compare", compare);
+    on("scene", () => download("real-carts.yml", bench.report?.scene ?? "", "text/yaml"));
+    on("tracker", async () => {
+      const { text: text2 } = await tracker();
+      if (text2) download("model-run.txt", text2, "text/plain;charset=utf-8");
+    });
+    on("print", () => {
+      bench.dataset.printing = "";
+      addEventListener("afterprint", () => delete bench.dataset.printing, { once: true });
+      print();
+    });
+    const model = need(bench, ".carts-measured-model");
+    for (const kind of ["pointerdown", "focusin"])
+      model.addEventListener(kind, early, { once: true });
+  }
+
   // src/measured/hands.js
   var FASTER = 1.5;
   var RATIO = [0.1, 10];
@@ -390,6 +412,22 @@
           return false;
         }
       }
+    };
+  }
+  function empty(facts) {
+    return {
+      name: "",
+      texts: [],
+      cells: [],
+      units: facts.units ?? { length: "", time: "", force: "" },
+      from: "",
+      until: "",
+      law: facts.law,
+      effect: "none",
+      distance: "",
+      masses: ["", ""],
+      hand: null,
+      fitted: ""
     };
   }
 
@@ -1342,28 +1380,21 @@
           () => this.#keep(),
           (text2) => this.#refuse([{ line: null, reason: text2, hint: "" }])
         );
-        this.#wire();
+        wireButtons(this, {
+          own: () => this.#take("", []),
+          save: () => this.source?.save(this.#name, this.#texts),
+          fit: () => void this.fit(),
+          compare: () => void this.fit(true),
+          tracker: () => this.#ask("tracker"),
+          early: () => void client.need(PACKAGES).catch(() => {
+          })
+        });
         if (facts.read) this.#show(facts.read, null);
         this.complete = this.#restore();
       }
       disconnectedCallback() {
         this.#leaving.abort();
         this.picture?.player.pause();
-      }
-      #wire() {
-        const on = (name, act) => this.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
-        on("own", () => this.#take("", []));
-        on("save", () => this.source?.save(this.#name, this.#texts));
-        on("fit", () => void this.fit());
-        on("compare", () => void this.fit(true));
-        on("scene", () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml"));
-        on("tracker", () => void this.#tracker());
-        on("print", () => this.#print());
-        const early = () => void client.need(PACKAGES).catch(() => {
-        });
-        const model = need(this, ".carts-measured-model");
-        model.addEventListener("pointerdown", early, { once: true });
-        model.addEventListener("focusin", early, { once: true });
       }
       /** What was done here before, or the lesson's readings. */
       async #restore() {
@@ -1534,16 +1565,6 @@
         );
         this.picture?.told(found.report);
       }
-      async #tracker() {
-        const found = await this.#ask("tracker");
-        if (found.text) download("model-run.txt", found.text, "text/plain;charset=utf-8");
-      }
-      /** This bench on paper, without the lesson around it. */
-      #print() {
-        this.dataset.printing = "";
-        addEventListener("afterprint", () => delete this.dataset.printing, { once: true });
-        print();
-      }
       /** @param {import("../../../view/measured/types.js").Fault[]} faults */
       #refuse(faults) {
         this.picture?.refuse(this.#name, faults);
@@ -1555,22 +1576,6 @@
         note.textContent = `Python cannot do this here: ${text2}`;
         if (client.state === "failed") this.dataset.state = "failed";
       }
-    };
-  }
-  function empty(facts) {
-    return {
-      name: "",
-      texts: [],
-      cells: [],
-      units: facts.units ?? { length: "", time: "", force: "" },
-      from: "",
-      until: "",
-      law: facts.law,
-      effect: "none",
-      distance: "",
-      masses: ["", ""],
-      hand: null,
-      fitted: ""
     };
   }
 

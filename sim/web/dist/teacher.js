@@ -1765,13 +1765,16 @@ ${table2(facts)}
   // ../view/effects.js
   var LAST = 100;
   function viewOf(kind) {
-    const view = VIEWS[kind];
-    if (!view) throw new Error(`there is no effect of the kind “${kind}”`);
-    return { name: kind, row: LAST, ...view };
+    return { name: kind, row: LAST, ...VIEWS[kind] };
+  }
+  function nameOf({ kind, called }) {
+    const name = VIEWS[kind]?.name ?? (called && told(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+    return name;
   }
   function agent(effect) {
-    const view = viewOf(effect.kind);
-    return view.agent?.(effect) ?? (effect.by ? told(effect.by) : view.name);
+    const named2 = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named2 ? told(named2) : nameOf(effect));
   }
   function kindsOnOne({ effects }) {
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));

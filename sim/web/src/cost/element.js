@@ -1,6 +1,6 @@
 /** `<carts-cost>`: one scene run twice, by a stepping method and exactly; every method's error against its time. */
 
-import { cells, told } from "../../../view/cost/words.js";
+import { cells, rowOf, told } from "../../../view/cost/words.js";
 import { fixed } from "../../../view/numbers.js";
 import { Player } from "../scene/player.js";
 import { need, say } from "../shared/dom.js";
@@ -8,6 +8,7 @@ import { refusal } from "../shared/waiting.js";
 import { CostFigure } from "./figure.js";
 import { CostStage } from "./stage.js";
 import { fill } from "./table.js";
+import { showWorking } from "./working.js";
 
 /** @typedef {import("../../../view/cost/figure.js").CostRow} CostRow */
 /** @typedef {import("../../../view/cost/words.js").CostHeader} CostHeader */
@@ -127,14 +128,14 @@ export function costElement(client) {
     stop() {
       if (!this.#measuring) return;
       this.#measuring = 0;
-      this.#working(false);
+      showWorking(this, false);
       say(need(this, ".carts-cost-say"), `Stopped after ${this.rows.length} rows.`);
     }
 
     async #measure() {
       const turn = Math.random() + 1;
       this.#measuring = turn;
-      this.#working(true);
+      showWorking(this, true);
       say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
       try {
         await client.need(PACKAGES);
@@ -166,20 +167,8 @@ export function costElement(client) {
         this.#fail(/** @type {Error} */ (error));
         say(need(this, ".carts-cost-say"), "");
       } finally {
-        if (this.#measuring === 0 || this.#measuring === turn) this.#working(false);
+        if (this.#measuring === 0 || this.#measuring === turn) showWorking(this, false);
       }
-    }
-
-    /** @param {boolean} on */
-    #working(on) {
-      const [go, stop] = [need(this, ".carts-cost-go"), need(this, ".carts-cost-stop")];
-      const focused = document.activeElement === (on ? go : stop);
-      go.hidden = on;
-      stop.hidden = !on;
-      const progress = /** @type {HTMLProgressElement} */ (need(this, ".carts-cost-progress"));
-      progress.hidden = !on;
-      progress.value = 0;
-      if (focused) (on ? stop : go).focus();
     }
 
     /** Another scene: the measurements were those of the one before. */
@@ -204,12 +193,13 @@ export function costElement(client) {
 
     /** The ring stands where the chosen method and step were measured. */
     #mark() {
-      const method = this.#select("method").value;
-      const until = Number(this.run?.header.until);
-      const chosen = this.rows.find((row) => {
-        if (row.method !== method) return false;
-        if (row.rtol) return row.rtol === Number(this.#select("rtol").value);
-        return Math.round(until / Number(row.step)) === Number(this.#select("step").value);
+      const [method, rtol, parts] = ["method", "rtol", "step"].map(
+        (one) => this.#select(one).value,
+      );
+      const chosen = rowOf(this.rows, Number(this.run?.header.until), {
+        method: String(method),
+        rtol: Number(rtol),
+        parts: Number(parts),
       });
       this.#figure?.mark(chosen);
     }

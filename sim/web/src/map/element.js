@@ -6,7 +6,8 @@ import { need, say } from "../shared/dom.js";
 import { frame, refusal, waited } from "../shared/waiting.js";
 import { AxisControl } from "./axis.js";
 import { MapFigure } from "./figure.js";
-import { showSettings } from "./settings.js";
+import { runPoint } from "./run-point.js";
+import { showProgress, showSettings } from "./settings.js";
 import { fillTable } from "./table.js";
 
 /** @typedef {import("../../../view/map/types.js").MapFacts} MapFacts */
@@ -53,7 +54,9 @@ export function mapElement(client) {
       );
       this.#axes = [...roots].map((root, k) => {
         const axis = /** @type {import("../../../view/map/types.js").Axis} */ (facts.axes[k]);
-        return new AxisControl(root, axis, (place) => this.#chooseOn(k, place));
+        return new AxisControl(root, axis, (place) =>
+          this.#choose(this.#places.map((old, other) => (other === k ? place : old))),
+        );
       });
       this.#controls = new Controls(this, facts.controls, (target, value, at) => {
         this.set({ [target]: value }, at).catch((error) => {
@@ -63,7 +66,10 @@ export function mapElement(client) {
       this.#figure.mark(facts.here, facts.at ?? Number.NaN);
       for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
       need(this, ".carts-map-open").addEventListener("click", () => void this.open());
-      this.querySelector(".carts-map-run")?.addEventListener("click", () => void this.#run());
+      this.querySelector(".carts-map-run")?.addEventListener("click", () => {
+        const values = { ...this.#settings, ...this.point };
+        void runPoint(facts.of ?? "", values, (message) => this.#tell(message));
+      });
       need(this, ".carts-map-table").addEventListener("toggle", () => this.#fillTable());
     }
 
@@ -173,7 +179,7 @@ export function mapElement(client) {
      */
     async #fill(settings, done, runs, generation) {
       while (done < runs) {
-        this.#progress(done, runs);
+        showProgress(this, done, runs);
         const { header, numbers } = await this.#ask(settings, done);
         if (generation !== this.#generation || !header.ok || !this.#grid) return;
         const half = numbers.length / 2;
@@ -183,15 +189,8 @@ export function mapElement(client) {
         done = header.done;
         this.#draw(this.#grid);
       }
-      this.#progress(1, 1);
+      showProgress(this, 1, 1);
       this.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail: settings }));
-    }
-
-    /** @param {number} done @param {number} runs */
-    #progress(done, runs) {
-      const bar = /** @type {HTMLProgressElement} */ (need(this, ".carts-map-progress"));
-      bar.value = done / runs;
-      bar.style.visibility = done < runs ? "visible" : "hidden";
     }
 
     /** @param {Record<string, number | string>} settings @param {number} from @returns {Promise<Reply>} */
@@ -208,7 +207,8 @@ export function mapElement(client) {
       if (before !== grid.axes) {
         const point = before ? this.point : null;
         this.#places = this.#axes.map((control, k) => {
-          const wanted = point?.[control.axis.set] ?? this.#baked(k);
+          const { set, values } = control.axis; // baked: where the point stood in the page as it was built
+          const wanted = point?.[set] ?? values[Number(this.#facts?.here[k])];
           control.show(grid.axes[k] ?? [], 0);
           return control.nearest(Number(wanted));
         });
@@ -216,16 +216,6 @@ export function mapElement(client) {
       this.#choose(this.#places);
       if (this.querySelector(".carts-map-table[open]")) this.#fillTable();
       say(need(this, ".carts-map-why"), grid.why);
-    }
-
-    /** @param {number} k @returns {number} where the point stood in the page as it was built, SI */
-    #baked(k) {
-      return Number(this.#facts?.axes[k]?.values[Number(this.#facts.here[k])]);
-    }
-
-    /** @param {number} k @param {number} place */
-    #chooseOn(k, place) {
-      this.#choose(this.#places.map((old, axis) => (axis === k ? place : old)));
     }
 
     /** @param {number[]} places */
@@ -250,28 +240,10 @@ export function mapElement(client) {
     }
 
     #fillTable() {
-      if (!this.#grid) return;
+      if (!this.#grid || !this.#facts) return;
       const axisText = (/** @type {number} */ k, /** @type {number} */ place) =>
         this.#axes[k]?.text(place) ?? "";
-      const facts = /** @type {MapFacts} */ (this.#facts);
-      fillTable(need(this, ".carts-map-table table"), this.#grid, axisText, (value) =>
-        valueText(value, facts),
-      );
-    }
-
-    /** The scene that the map is of runs with the chosen point. */
-    async #run() {
-      const scene = /** @type {any} */ (document.getElementById(this.#facts?.of ?? ""));
-      if (typeof scene?.set !== "function") return;
-      try {
-        this.#tell("");
-        await scene.set({ ...this.#settings, ...this.point });
-        scene.time = 0;
-        scene.scrollIntoView({ block: "start" });
-        scene.querySelector(".carts-play")?.focus({ preventScroll: true });
-      } catch (error) {
-        this.#tell(/** @type {Error} */ (error).message);
-      }
+      fillTable(need(this, ".carts-map-table table"), this.#grid, axisText, this.#facts);
     }
   };
 }

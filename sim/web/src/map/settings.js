@@ -21,3 +21,10 @@ export function showSettings(map, controls, settings) {
     }
   }
 }
+
+/** @param {HTMLElement} map @param {number} done @param {number} runs */
+export function showProgress(map, done, runs) {
+  const bar = /** @type {HTMLProgressElement} */ (need(map, ".carts-map-progress"));
+  bar.value = done / runs;
+  bar.style.visibility = done < runs ? "visible" : "hidden";
+}

@@ -1,9 +1,9 @@
 /** `<carts-measured>`: readings of real carts, the model laid over them by hand, and its fit by Python. */
 
 import { need } from "../shared/dom.js";
-import { download } from "../shared/download.js";
+import { wireButtons } from "./buttons.js";
 import { Hands } from "./hands.js";
-import { keeper } from "./keep.js";
+import { empty, keeper } from "./keep.js";
 import { Picture } from "./picture.js";
 import { Settings } from "./settings.js";
 import { Source } from "./source.js";
@@ -49,7 +49,14 @@ export function measuredElement(client) {
         () => this.#keep(),
         (text) => this.#refuse([{ line: null, reason: text, hint: "" }]),
       );
-      this.#wire();
+      wireButtons(this, {
+        own: () => this.#take("", []),
+        save: () => this.source?.save(this.#name, this.#texts),
+        fit: () => void this.fit(),
+        compare: () => void this.fit(true),
+        tracker: () => this.#ask("tracker"),
+        early: () => void client.need(PACKAGES).catch(() => {}),
+      });
       if (facts.read) this.#show(facts.read, null);
       this.complete = this.#restore();
     }
@@ -57,22 +64,6 @@ export function measuredElement(client) {
     disconnectedCallback() {
       this.#leaving.abort();
       this.picture?.player.pause();
-    }
-
-    #wire() {
-      const on = (/** @type {string} */ name, /** @type {() => void} */ act) =>
-        this.querySelector(`.carts-measured-${name}`)?.addEventListener("click", act);
-      on("own", () => this.#take("", []));
-      on("save", () => this.source?.save(this.#name, this.#texts));
-      on("fit", () => void this.fit());
-      on("compare", () => void this.fit(true));
-      on("scene", () => download("real-carts.yml", this.report?.scene ?? "", "text/yaml"));
-      on("tracker", () => void this.#tracker());
-      on("print", () => this.#print());
-      const early = () => void client.need(PACKAGES).catch(() => {});
-      const model = need(this, ".carts-measured-model");
-      model.addEventListener("pointerdown", early, { once: true });
-      model.addEventListener("focusin", early, { once: true });
     }
 
     /** What was done here before, or the lesson's readings. */
@@ -243,18 +234,6 @@ export function measuredElement(client) {
       this.picture?.told(found.report);
     }
 
-    async #tracker() {
-      const found = await this.#ask("tracker");
-      if (found.text) download("model-run.txt", found.text, "text/plain;charset=utf-8");
-    }
-
-    /** This bench on paper, without the lesson around it. */
-    #print() {
-      this.dataset.printing = "";
-      addEventListener("afterprint", () => delete this.dataset.printing, { once: true });
-      print();
-    }
-
     /** @param {import("../../../view/measured/types.js").Fault[]} faults */
     #refuse(faults) {
       this.picture?.refuse(this.#name, faults);
@@ -267,23 +246,5 @@ export function measuredElement(client) {
       note.textContent = `Python cannot do this here: ${text}`;
       if (client.state === "failed") this.dataset.state = "failed";
     }
-  };
-}
-
-/** @param {Facts} facts @returns {Kept} */
-function empty(facts) {
-  return {
-    name: "",
-    texts: [],
-    cells: [],
-    units: facts.units ?? { length: "", time: "", force: "" },
-    from: "",
-    until: "",
-    law: facts.law,
-    effect: "none",
-    distance: "",
-    masses: ["", ""],
-    hand: null,
-    fitted: "",
   };
 }

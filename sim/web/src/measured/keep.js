@@ -24,3 +24,21 @@ export function keeper(id) {
     },
   };
 }
+
+/** What is kept where nothing was done yet. @param {import("../../../view/measured/types.js").Facts} facts @returns {import("../../../view/measured/types.js").Kept} */
+export function empty(facts) {
+  return {
+    name: "",
+    texts: [],
+    cells: [],
+    units: facts.units ?? { length: "", time: "", force: "" },
+    from: "",
+    until: "",
+    law: facts.law,
+    effect: "none",
+    distance: "",
+    masses: ["", ""],
+    hand: null,
+    fitted: "",
+  };
+}

@@ -28,6 +28,7 @@ const FORMS = {
   ordering: orderForm,
   matching: matchForm,
   drawn: drawnForm,
+  idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed),
 };
 const NOT_SAVED = tr("Not saved");
 const SOON = 400; // ms after which a page that still opens its store says so
@@ -215,6 +216,16 @@ export function questionElement(book) {
       const free = ["short", "long", "number", "reading", "ordering"].includes(this.facts.type);
       say(need(this, ".carts-q-printed"), free ? said : "");
       this.toggleAttribute("data-answered", this.answered);
+      this.#showFirstIdea();
+    }
+
+    /** What was thought at the beginning, beside the answer of now. */
+    #showFirstIdea() {
+      const first = this.facts.idea ? book.get("worksheet", this.facts.idea) : null;
+      const place = need(this, ".carts-q-first");
+      place.hidden = !this.answered || !first || isEmpty(first.value);
+      if (place.hidden) return;
+      say(place, tr("Your first idea was: {said}", { said: first.said || String(first.value) }));
     }
 
     /** @param {string} word */

@@ -87,6 +87,11 @@ const RULES = {
     options.includes(value) ? made("open", null, 0) : made("unclear", null, 0),
 
   drawn: () => made("open", null, 0),
+
+  idea: ({ options }, value) =>
+    typeof value === "string" && (!options.length || options.includes(value))
+      ? made("open", null, 0)
+      : made("unclear", null, 0),
 };
 
 /** @param {Mark["verdict"]} verdict @param {number | null} marks @param {number} of @param {string[]} shown @param {string[]} beliefs @returns {Mark} */
