@@ -136,7 +136,7 @@ HEAVY = {"numpy", "scipy", "yaml", "mkdocs", "markdown", "jinja2", "click", "pla
         ("sim.measured.report", set()),
         ("sim.bridge.protocol", set()),
         ("sim.cli", {"click"}),
-        ("sim.pages.yaml_source", {"yaml"}),
+        ("sim.pages.text.yaml_source", {"yaml"}),
         ("sim.pages.check", {"yaml"}),
         ("sim.pages.extension", {"yaml", "markdown"}),
     ],

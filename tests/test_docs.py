@@ -13,7 +13,7 @@ from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
 from sim.measured.contact import LAWS as LAWS_FITTED
 from sim.pages.measured.block import KEYS as MEASURED_KEYS
-from sim.pages.yaml_source import load
+from sim.pages.text.yaml_source import load
 from sim.scene import fields, read_fence
 from sim.scene.effects import EffectKind, kinds
 from sim.scene.laws import laws

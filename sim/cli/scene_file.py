@@ -11,7 +11,7 @@ import click
 
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import read_scene_text
-from sim.pages.yaml_source import MAX_CHARACTERS
+from sim.pages.text.yaml_source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
 
 MOST_BYTES = 4 * MAX_CHARACTERS

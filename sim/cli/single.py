@@ -9,10 +9,10 @@ import click
 
 from sim.cli.scene_file import fail
 from sim.pages.check import bank_folders, scene_folders
-from sim.pages.fence_scan import scan
 from sim.pages.findings import AuthorError
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.site_build import SiteError
+from sim.pages.text.fence_scan import scan
 
 
 @click.command("single")

@@ -9,10 +9,8 @@ from sim.pages.bake import bake
 from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
 from sim.pages.effect_pages import SCENES
-from sim.pages.fence_scan import Block, scan
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
-from sim.pages.lesson_text import text_findings
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
@@ -21,6 +19,8 @@ from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.teach.withheld import withheld_findings
+from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.lesson_text import text_findings
 from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)

@@ -16,10 +16,10 @@ from markdown import Extension, Markdown
 from markdown.postprocessors import Postprocessor
 from markdown.preprocessors import Preprocessor
 
-from sim.pages.fence_scan import scan
 from sim.pages.findings import AuthorError, error_box
 from sim.pages.makers import MAKERS, Page, made
 from sim.pages.scene_block import Lesson
+from sim.pages.text.fence_scan import scan
 
 __all__ = [
     "MAKERS",

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 
 from sim.pages.bake import bake
 from sim.pages.drawing import DrawingError
-from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.map_block import read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
+from sim.pages.text.fence_scan import Block
 
 
 @dataclass(slots=True)

@@ -16,7 +16,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import (
     Lesson,
@@ -27,7 +26,8 @@ from sim.pages.scene_block import (
     read_scene_block,
     with_scene_file,
 )
-from sim.pages.yaml_source import Source
+from sim.pages.text.fence_scan import Block
+from sim.pages.text.yaml_source import Source
 from sim.scene import SceneError
 from sim.scene.map import Map, read_map
 

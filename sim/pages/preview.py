@@ -14,8 +14,8 @@ from jinja2 import BytecodeCache
 from jinja2.bccache import Bucket
 
 from sim.pages.findings import Finding, error_box
-from sim.pages.lesson_text import text_findings
 from sim.pages.scene_block import Lesson
+from sim.pages.text.lesson_text import text_findings
 
 if TYPE_CHECKING:
     from mkdocs.structure.nav import Navigation

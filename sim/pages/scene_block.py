@@ -18,10 +18,10 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from sim.pages.fence_scan import KINDS, Block, meant_kind
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
-from sim.pages.yaml_source import KeyPath, Place, Source, YamlError, load
+from sim.pages.text.fence_scan import KINDS, Block, meant_kind
+from sim.pages.text.yaml_source import KeyPath, Place, Source, YamlError, load
 from sim.scene import Fence, Problem, SceneError, read_fence
 
 _FAULTS = {

@@ -27,12 +27,12 @@ from sim.pages.language import (
     of_page,
     words_script,
 )
-from sim.pages.lesson_text import language_findings, lesson_order
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.teach.doors import Doors
+from sim.pages.text.lesson_text import language_findings, lesson_order
 
 _SITE_ID = re.compile(r"[a-z0-9][a-z0-9-]{2,39}")
 _SITE_ID_HELP = """\

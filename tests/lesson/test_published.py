@@ -20,9 +20,9 @@ from sim.lesson.key_file import KIND
 from sim.lesson.opening import RULES
 from sim.lesson.question import COMMON_KEYS
 from sim.lesson.read import KINDS
-from sim.pages.fence_scan import scan
 from sim.pages.question.published import REFERENCE, published
-from sim.pages.yaml_source import load
+from sim.pages.text.fence_scan import scan
+from sim.pages.text.yaml_source import load
 from tests.lesson.test_answer_files import GOOD
 from tests.lesson.test_marking import SETS
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sim.pages.fence_scan import Block, meant_kind, scan
+from sim.pages.text.fence_scan import Block, meant_kind, scan
 
 
 def blocks(text: str) -> list[Block]:

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from sim.lesson.beliefs import BELIEFS
-from sim.pages.fence_scan import scan
-from sim.pages.lesson_text import lesson_order
 from sim.pages.question.quiz import read_bank_text
-from sim.pages.yaml_source import load
+from sim.pages.text.fence_scan import scan
+from sim.pages.text.lesson_text import lesson_order
+from sim.pages.text.yaml_source import load
 
 pytestmark = pytest.mark.slow  # builds the site
 

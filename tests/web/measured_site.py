@@ -5,11 +5,11 @@ from __future__ import annotations
 import html
 from pathlib import Path
 
-from sim.pages.fence_scan import scan
 from sim.pages.measured.block import read_measured_block
 from sim.pages.measured.render import render_measured
 from sim.pages.runtime import MEASURED, default_cache, pack
 from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.text.fence_scan import scan
 from tests.web.boot_site import ROOT, STRICT, bundle
 
 PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8">

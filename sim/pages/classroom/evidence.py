@@ -25,9 +25,9 @@ from sim.classroom.paper import (
 from sim.classroom.report.sentences import number, signed
 from sim.classroom.show.html_parts import table
 from sim.classroom.statistics.spread import Spread
-from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import Lesson, load_block
+from sim.pages.text.fence_scan import Block
 
 FILES = ("table-1.csv", "table-2.csv", "table-2-printed.csv", "table-3.csv")
 OURS = '<span class="carts-ours">ours</span>'

@@ -22,10 +22,10 @@ from sim.measured.contact import LAWS, Law
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import OFFERED, Units
-from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import Lesson, SiteIds, load_block
-from sim.pages.yaml_source import KeyPath, Source
+from sim.pages.text.fence_scan import Block
+from sim.pages.text.yaml_source import KeyPath, Source
 from sim.scene.presentation import ID
 from sim.scene.problem import nearest
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.lesson import LessonError, Question, read_question
-from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
+from sim.pages.text.fence_scan import Block
 
 
 @dataclass(frozen=True, slots=True)

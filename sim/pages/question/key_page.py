@@ -9,13 +9,13 @@ from markupsafe import Markup
 
 from sim.lesson import Question
 from sim.lesson.key_file import item_key, key_file
-from sim.pages.fence_scan import scan
 from sim.pages.question.block import read_question_block
 from sim.pages.question.inside import to_html, to_inline
 from sim.pages.question.quiz import read_quiz_block
 from sim.pages.question.render import FORM_NAMES
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.templates import templates
+from sim.pages.text.fence_scan import scan
 
 
 @dataclass(frozen=True, slots=True)

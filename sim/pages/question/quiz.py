@@ -8,11 +8,11 @@ from pathlib import Path, PurePosixPath
 from sim.lesson import LessonError
 from sim.lesson.bank import Bank, read_bank
 from sim.lesson.form import Form, bank_name, read_form
-from sim.pages.fence_scan import Block
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.lesson_text import text_findings
 from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
-from sim.pages.yaml_source import Plain, YamlError, load
+from sim.pages.text.fence_scan import Block
+from sim.pages.text.lesson_text import text_findings
+from sim.pages.text.yaml_source import Plain, YamlError, load
 from sim.scene import Problem
 
 FOLDER = "banks"

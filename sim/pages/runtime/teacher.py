@@ -18,15 +18,9 @@ from .ours import TEACHER, Ours, text_bytes
 
 LAYERS = (
     *("lesson", "measured"),
-    *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach")),
+    *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach", "text")),
 )
-MODULES = (
-    *("__init__", "bake", "effect_pages", "fence_scan", "findings", "lesson_text", "map_block"),
-    "scene_block",
-    "yaml_loader",
-    "yaml_typos",
-    *("templates", "yaml_errors", "yaml_source"),
-)
+MODULES = ("__init__", "bake", "effect_pages", "findings", "map_block", "scene_block", "templates")
 """Of `sim/pages`."""
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),

@@ -6,10 +6,10 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-from sim.pages.fence_scan import Block
 from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import Value, values
-from sim.pages.yaml_source import KeyPath, YamlError, load
+from sim.pages.text.fence_scan import Block
+from sim.pages.text.yaml_source import KeyPath, YamlError, load
 
 CANNOT = "this cannot be written in this field; write it in the text of the block"
 

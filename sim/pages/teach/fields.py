@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
-from sim.pages.fence_scan import Block
 from sim.pages.teach.spans import values
-from sim.pages.yaml_source import KeyPath, Place
+from sim.pages.text.fence_scan import Block
+from sim.pages.text.yaml_source import KeyPath, Place
 from sim.scene.laws import laws
 
 Kind = Literal["line", "area", "choice"]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sim.pages.fence_scan import Block, after_front_matter, scan
+from sim.pages.text.fence_scan import Block, after_front_matter, scan
 
 
 @dataclass(frozen=True, slots=True)

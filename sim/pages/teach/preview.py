@@ -15,12 +15,12 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from sim.pages.bake import bake
-from sim.pages.fence_scan import Block, after_front_matter, scan
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import speaking
-from sim.pages.lesson_text import text_findings
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.scene_block import Lesson, SiteIds, load_block, read_scene_block
+from sim.pages.text.fence_scan import Block, after_front_matter, scan
+from sim.pages.text.lesson_text import text_findings
 from sim.scene import Problem
 
 State = Literal["shown", "wrong", "kept", "needs", "later"]

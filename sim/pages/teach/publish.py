@@ -18,7 +18,6 @@ from pathlib import Path
 from typing import Any
 
 from sim.pages.check import scene_folders
-from sim.pages.fence_scan import KINDS
 from sim.pages.findings import AuthorError
 from sim.pages.gzipped import gzipped
 from sim.pages.measured.block import read_measured_block
@@ -26,6 +25,7 @@ from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
+from sim.pages.text.fence_scan import KINDS
 
 FORMAT = 1
 FOLDER = "lessons/"  # in assets/carts/

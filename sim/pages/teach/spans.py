@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import yaml
 
-from sim.pages.fence_scan import Block
 from sim.pages.teach.pieces import Lines
-from sim.pages.yaml_source import KeyPath, Place
+from sim.pages.text.fence_scan import Block
+from sim.pages.text.yaml_source import KeyPath, Place
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from sim.pages.fence_scan import Block
 from sim.pages.findings import Finding
 from sim.pages.teach.pieces import Lines, blocks
 from sim.pages.teach.spans import Value, values
+from sim.pages.text.fence_scan import Block
 
 WORDS = "(stands in the teacher's own file)"
 PLACE = f'"{WORDS}"'

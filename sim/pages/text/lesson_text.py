@@ -15,11 +15,11 @@ from urllib.parse import unquote
 from yaml import YAMLError, safe_load
 
 from sim.pages.effect_pages import EFFECTS, PLACE
-from sim.pages.fence_scan import KINDS, after_front_matter, meant_kind
 from sim.pages.findings import Finding
 from sim.pages.language import ENGLISH, UnknownLanguageError, language_of
 from sim.pages.scene_block import Lesson
-from sim.pages.yaml_source import YamlError, load
+from sim.pages.text.fence_scan import KINDS, after_front_matter, meant_kind
+from sim.pages.text.yaml_source import YamlError, load
 
 _FENCE = re.compile(r"^[ \t>]*(`{3,}|~{3,})[ \t]*([^`\n]*)$", re.MULTILINE)
 _INLINE_CODE = re.compile(r"(`+)(?!`).+?(?<!`)\1(?!`)")

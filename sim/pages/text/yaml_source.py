@@ -16,9 +16,9 @@ from dataclasses import dataclass
 
 import yaml
 
-from sim.pages.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError
-from sim.pages.yaml_loader import Loader, RefusedError
-from sim.pages.yaml_typos import typos
+from sim.pages.text.yaml_errors import EXPLAINED, FOUND_TOO_LATE, YamlError
+from sim.pages.text.yaml_loader import Loader, RefusedError
+from sim.pages.text.yaml_typos import typos
 
 __all__ = ["MAX_CHARACTERS", "KeyPath", "Place", "Plain", "Source", "YamlError", "load"]
 
