@@ -128,10 +128,10 @@ def finish(
         f'<head>\n    <meta http-equiv="Content-Security-Policy" '
         f'content="{policy(audience, allowed)}">\n'
         f'    <meta name="carts-site" content="{escape(site_id)}">\n'
-        f'    <meta name="carts-page" content="{escape(page_id)}">\n'
-        f"    <script>{watching}</script>"
+        f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
-    last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in ("site.css", "carts.css")]
+    last = [f"<script>{watching}</script>"]
+    last += [f'<link rel="stylesheet" href="{assets}{name}">' for name in ("site.css", "carts.css")]
     if needs.formulas:
         last += [
             f'<link rel="stylesheet" href="{assets}katex/katex.min.css">',
