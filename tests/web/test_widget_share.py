@@ -38,7 +38,7 @@ def outcome(plain: dict[str, Any], changes: dict[str, Any]) -> Any:
 def test_a_copied_block_is_a_good_one_and_runs_the_same(fence: dict[str, Any]) -> None:
     changes: dict[str, Any] = {"A.mass": 2, "until": "3 s"}
     block = in_node(
-        """const { sceneBlock } = await import(source + "/scene/share.js");
+        """const { sceneBlock } = await import(source + "/scene/take-along/share.js");
         give(sceneBlock(data.fence, data.changes));""",
         {**facts(fence), "changes": changes},
     )
@@ -52,7 +52,7 @@ def test_a_copied_block_is_a_good_one_and_runs_the_same(fence: dict[str, Any]) -
 def test_a_link_brings_the_state_back_and_a_hostile_one_is_refused() -> None:
     settings = {"A.mass": 2.5, "contact.restitution": "0.5", "A.velocity": "3 km/h"}
     back, others = in_node(
-        """const { linkTo, readLink } = await import(source + "/scene/share.js");
+        """const { linkTo, readLink } = await import(source + "/scene/take-along/share.js");
         const link = linkTo("meeting", data.settings, 1.25);
         const hostile = ["carts:meeting?A.mass=%E0%A4%A", "carts:meeting?__proto__.x=1",
           "carts:meeting?A.mass=" + "9".repeat(80), "carts:meeting?" + "a=1&".repeat(3000),
@@ -70,7 +70,7 @@ def test_the_table_has_every_row_with_quantity_and_unit_in_its_head() -> None:
     given = facts(MEETING)
     text = in_node(
         """const { fromWire } = await import(view + "/trajectory.js");
-        const { csv } = await import(source + "/scene/csv.js");
+        const { csv } = await import(source + "/scene/take-along/csv.js");
         const trajectory = fromWire(data.header, Float64Array.from(data.numbers));
         give(csv({ header: data.header, trajectory }, ["x", "F", "p"], 0));""",
         given,
@@ -88,7 +88,7 @@ def test_every_test_scene_can_be_copied_as_a_block() -> None:
     names = [name for name in registry.NAMES if name != "slow-and-long"]
     scenes = {name: registry.plain(name) for name in names}
     blocks = in_node(
-        """const { sceneBlock } = await import(source + "/scene/share.js");
+        """const { sceneBlock } = await import(source + "/scene/take-along/share.js");
         give(Object.entries(data).map(([name, scene]) => [name, sceneBlock({ id: "one", scene,
           show: ["x"], slow: "auto", forces: "shown", camera: 0, controls: [] }, {})]));""",
         scenes,
@@ -104,7 +104,7 @@ def test_the_table_tells_the_forces_of_effects_with_who_exerts_them() -> None:
     given = facts({**MEETING, "effects": [rough, push]})
     text = in_node(
         """const { fromWire } = await import(view + "/trajectory.js");
-        const { csv } = await import(source + "/scene/csv.js");
+        const { csv } = await import(source + "/scene/take-along/csv.js");
         const trajectory = fromWire(data.header, Float64Array.from(data.numbers));
         const run = { header: data.header, trajectory };
         give([csv(run, ["x", "F"], 0), csv(run, ["x", "v"], 0)]);""",

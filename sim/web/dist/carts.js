@@ -5329,7 +5329,7 @@
     return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
-  // src/scene/csv.js
+  // src/scene/take-along/csv.js
   function csv(run, quantities, camera) {
     if (!isTold(run)) return "";
     const { header, trajectory } = run;
@@ -5613,7 +5613,7 @@
   };
   var s2 = (t3, i2, o3 = {}) => i2.body ? n2(t3, o3, e, i2) : n2(t3, o3, e, i2.ownerDocument, i2);
 
-  // src/scene/qr.js
+  // src/scene/take-along/qr.js
   function qrCode(link) {
     if (!/^https?:/.test(link)) return [];
     const picture2 = s2(P(link), document, { on: "#000", off: "#fff", pad: 4, scale: 4 });
@@ -5622,7 +5622,7 @@
     return [picture2, html("p", "carts-quiet", tr("A phone that reads this opens the same state."))];
   }
 
-  // src/scene/share.js
+  // src/scene/take-along/share.js
   var MARK = "carts:";
   var MOST_KEYS = 60;
   var LONGEST3 = 4e3;
@@ -5724,7 +5724,7 @@ ${lines2.join("\n")}
     return /^[A-Za-z0-9.+−-][\w .+/·²³^-]*$/.test(value) && !/^(no|yes|on|off|true|false|null)$/i.test(value) ? value : JSON.stringify(value);
   }
 
-  // src/scene/take-along.js
+  // src/scene/take-along/take-along.js
   var KINDS = [
     ["csv", tr("values (CSV)")],
     ["svg", tr("picture (SVG)")],
@@ -5735,7 +5735,7 @@ ${lines2.join("\n")}
   ];
   var TakeAlong = class {
     /**
-     * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
+     * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
      * @param {() => State} state of the scene now
      * @param {() => Promise<string>} program the scene's model as a text that Python writes
      */

@@ -10,7 +10,7 @@ import { askFirst, wireInside } from "./inside.js";
 import { Live } from "./live.js";
 import { Runs } from "./runs.js";
 import { SceneView } from "./scene-view.js";
-import { followLink } from "./share.js";
+import { followLink } from "./take-along/share.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */

@@ -8,7 +8,7 @@ import { refusal } from "../shared/waiting.js";
 import { Controls, valueIn } from "./controls.js";
 import { How } from "./how/how.js";
 import { offerProjector } from "./projector.js";
-import { TakeAlong } from "./take-along.js";
+import { TakeAlong } from "./take-along/take-along.js";
 
 /** @typedef {import("./values.js").Settings} Settings */
 /**

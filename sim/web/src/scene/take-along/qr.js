@@ -2,8 +2,8 @@
 
 import { generate } from "lean-qr";
 import { toSvg } from "lean-qr/extras/svg";
-import { tr } from "../../../view/language.js";
-import { html } from "../shared/dom.js";
+import { tr } from "../../../../view/language.js";
+import { html } from "../../shared/dom.js";
 
 /** @param {string} link @returns {Node[]} nothing where the page is a file of this computer, which no phone can open */
 export function qrCode(link) {

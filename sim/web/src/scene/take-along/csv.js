@@ -1,11 +1,11 @@
 /** A run as a table for a spreadsheet: every row of the run, in full precision. */
 
-import { agent } from "../../../view/effects.js";
-import { seriesOf } from "../../../view/series.js";
-import { isTold } from "../../../view/trajectory.js";
-import { QUANTITIES } from "../../../view/words.js";
+import { agent } from "../../../../view/effects.js";
+import { seriesOf } from "../../../../view/series.js";
+import { isTold } from "../../../../view/trajectory.js";
+import { QUANTITIES } from "../../../../view/words.js";
 
-/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {import("../../../../view/types.js").Run} Run */
 
 /**
  * Text of a CSV file. Time starts at 0; each header names the quantity and its unit. Two rows with

@@ -3,8 +3,8 @@
  * for is checked like any other input: by Python, when it is set.
  */
 
-import { tr } from "../../../view/language.js";
-import { effectPath } from "./switches.js";
+import { tr } from "../../../../view/language.js";
+import { effectPath } from "../switches.js";
 
 /** @typedef {Record<string, number | string | boolean>} Settings */
 
@@ -75,7 +75,7 @@ function decoded(text) {
 
 /**
  * A block for a lesson that starts as the scene stands now.
- * @param {import("../../../view/types.js").Fence} fence @param {Settings} settings @returns {string} YAML between fences
+ * @param {import("../../../../view/types.js").Fence} fence @param {Settings} settings @returns {string} YAML between fences
  */
 export function sceneBlock(fence, settings) {
   const scene = structuredClone(fence.scene);

@@ -1,14 +1,14 @@
 /** What a reader can take along: values, pictures, a link to this state, a block for a lesson. */
 
-import { tr } from "../../../view/language.js";
-import { html, need, say } from "../shared/dom.js";
-import { download, downloadBlob } from "../shared/download.js";
-import { asPng, picture } from "../shared/picture.js";
+import { tr } from "../../../../view/language.js";
+import { html, need, say } from "../../shared/dom.js";
+import { download, downloadBlob } from "../../shared/download.js";
+import { asPng, picture } from "../../shared/picture.js";
 import { csv } from "./csv.js";
 import { qrCode } from "./qr.js";
 import { linkTo, sceneBlock } from "./share.js";
 
-/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {import("../../../../view/types.js").Run} Run */
 /** @typedef {{run: Run, settings: import("./share.js").Settings, t: number, quantities: string[]}} State */
 
 /** @type {[string, string][]} */
@@ -23,7 +23,7 @@ const KINDS = [
 
 export class TakeAlong {
   /**
-   * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
+   * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
    * @param {() => State} state of the scene now
    * @param {() => Promise<string>} program the scene's model as a text that Python writes
    */
