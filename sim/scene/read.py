@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import re
 from collections.abc import Mapping
 from fractions import Fraction
@@ -10,11 +9,11 @@ from typing import Any
 
 from sim.scene.effects import kinds
 from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
+from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import check_effects, check_room, read_effects
-from sim.scene.said import said
 from sim.scene.tables import mapping, number, unknown_keys
 
 SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
@@ -58,14 +57,14 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     effects = read_effects(table.get("effects", []), names, track, problems)
     check_effects(effects, table.get("effects", []), problems)
     released = {frozenset(e.between) for e in effects if kinds()[e.kind].overlap and e.between}
-    gaps = _gaps(exact, names, track, length)
+    gaps = gaps_of(exact, names, track, length)
     for k, gap in enumerate(gaps):
         if gap is None or gap >= 0:
             continue
         contact = contacts[k] if k < len(contacts) else None
         at_once = contact is not None and contact.sudden
         if at_once or not overlap_allowed:  # without a duration there is nothing to be pressed in
-            _overlap(k, gap, names, released, problems, at_once=at_once)
+            refuse_overlap(k, gap, names, released, problems, at_once=at_once)
     if len(problems) == before:
         check_room(effects, gaps, names, problems)
     if len(problems) > before:
@@ -76,7 +75,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         track=track,
         contacts=contacts,
         gaps=tuple(float("inf") if gap is None else float(gap) for gap in gaps),
-        approaches=_approaches(exact, names, track),
+        approaches=approaches(exact, names, track),
         effects=effects,
         until=float(until),
         gravity=float(gravity),
@@ -191,65 +190,3 @@ def _start(value: object, problems: list[Problem]) -> bool:
             )
         )
     return overlap is True
-
-
-def _gaps(
-    exact: Mapping[str, Mapping[str, Fraction]],
-    names: list[str],
-    track: Track,
-    length: Fraction | None,
-) -> list[Fraction | None]:
-    """Edge-to-edge gaps, exact, left to right; None on an open side."""
-    left_edges = [exact[n]["position"] - exact[n]["length"] / 2 for n in names]
-    right_edges = [exact[n]["position"] + exact[n]["length"] / 2 for n in names]
-    first = left_edges[0] if track.left == "wall" else None
-    last = length - right_edges[-1] if track.right == "wall" and length is not None else None
-    inner = [b - a for a, b in zip(right_edges[:-1], left_edges[1:], strict=True)]
-    return [first, *inner, last]
-
-
-def _approaches(
-    exact: Mapping[str, Mapping[str, Fraction]], names: list[str], track: Track
-) -> tuple[float, ...]:
-    velocities = [exact[name]["velocity"] for name in names]
-    first = float(velocities[0]) if track.left == "wall" else 0.0
-    last = float(-velocities[-1]) if track.right == "wall" else 0.0
-    inner = (float(b - a) for a, b in itertools.pairwise(velocities))
-    return (first, *inner, last)
-
-
-def _overlap(
-    k: int,
-    gap: Fraction,
-    names: list[str],
-    released: set[frozenset[str]],
-    problems: list[Problem],
-    *,
-    at_once: bool,
-) -> None:
-    left = names[k - 1] if k > 0 else "left"
-    right = names[k] if k < len(names) else "right"
-    if frozenset((left, right)) in released:
-        return
-    cart = right if k < len(names) else left
-    length = f"{float(-gap):.3g} m"
-    hint = said("move it away from the wall: a position is that of the cart's centre")
-    if k == 0:
-        what = said(
-            "{cart} reaches into the left wall by {length} at the start", cart=cart, length=length
-        )
-    elif k == len(names):
-        what = said(
-            "{cart} reaches into the right wall by {length} at the start", cart=cart, length=length
-        )
-    else:
-        what = said(
-            "{one} and {other} overlap by {length} at the start",
-            one=left,
-            other=right,
-            length=length,
-        )
-        hint = said("move them apart: a position is that of the cart's centre")
-    if not at_once:
-        hint = said("{advice}; start: {overlap: true} allows it", advice=hint)
-    problems.append(Problem(("carts", cart, "position"), "overlap", what, hint))

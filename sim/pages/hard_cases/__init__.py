@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from sim.pages.hard_cases.collisions import CRADLES, IMPACTS, PI
 from sim.pages.hard_cases.row import HardCase
-from sim.pages.hard_cases.under_effects import DRY, FORCES, LONG
+from sim.pages.hard_cases.under_effects import DRY
+from sim.pages.hard_cases.under_forces import FORCES, LONG
 
 GROUPS: tuple[tuple[str, tuple[HardCase, ...]], ...] = (
     ("Digits of π", tuple(PI)),
