@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from sim.bridge.protocol import answer
 from sim.dynamics.loop.run import run
 from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import stepped
@@ -61,3 +62,37 @@ def test_a_run_ends_as_the_oracle_says(what: str) -> None:
     assert done.ledger.imbalance() < 1e-12
     near = stepped(scene, Way("rk4-events", step=1e-3)).run
     assert done.v == pytest.approx(near.v, abs=1e-6)
+
+
+def test_a_gap_that_opens_first_and_is_closed_by_a_third_is_seen_to_close() -> None:
+    """B rests at the wall, rolls away from it, and is pushed back into it by A."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.1, "velocity": 0.14},
+            "B": {"mass": 0.56, "position": 0.3},
+        },
+        "track": {"right": "wall", "length": 0.4},
+        "contact": {"stiffness": 80},
+        "effects": [{"incline": {"angle": -0.05}}],
+        "until": 1,
+    }
+    header, _ = answer({"id": 1, "kind": "run", "scene": plain})
+    touches = [
+        e["t"] for e in header["events"] if e["kind"] == "contact" and "right" in e["bodies"]
+    ]
+    assert touches[0] == pytest.approx(0.079, abs=1e-3)
+
+
+def test_a_trial_step_of_a_hertz_pair_does_not_leave_the_domain_of_magnets_beside_it() -> None:
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.1, "velocity": 3},
+            "B": {"mass": 1, "position": 0.31},
+            "C": {"mass": 1, "position": 0.6},
+        },
+        "contact": {"law": "hertz", "stiffness": 2000},
+        "effects": [{"magnets": {"between": ["B", "C"], "strength": 1e-6, "power": 2.5}}],
+        "until": 1,
+    }
+    done = run(read_scene(plain))
+    assert sum(done.v) == pytest.approx(3.0, abs=1e-9)

@@ -87,9 +87,10 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
             return 0.0
         if alike:
             soon = PROBE * min(horizon, 1.0)
-            if rest + room_at(gap, now, soon) >= 0.0:
+            then = rest + room_at(gap, now, soon)
+            if 0.0 <= then <= OPEN:
                 return math.inf
-            begin = _opens_first(gap, now, soon, rest)
+            begin = soon if then > OPEN else _opens_first(gap, now, soon, rest)
             if begin == 0.0:
                 return 0.0
     found = _first_fall(gap, now, begin, horizon, rest, +1.0)

@@ -37,8 +37,9 @@ class MagnetForce:
         self.strength, self.power = strength, power
 
     def force(self, gap: float, rate: float) -> float:
-        """C / r^n."""
-        return float(self.strength * gap**-self.power)
+        """C / r^n. A trial step of an adaptive method may look nearer than a run may come: what it
+        finds there is steep, so that the step is made anew with a smaller one."""
+        return float(self.strength * max(gap, NEAREST) ** -self.power)
 
     def energy(self, gap: float) -> float:
         """C / ((n − 1) r^(n−1)); for n = 1 −C ln r."""
