@@ -97,9 +97,9 @@ def write_zip(files: dict[str, bytes], out: Path) -> None:
             f"{len(long[0])} characters are too long for Windows ({LONGEST} at most): {long[0]}\n"
             "Give that file a shorter name."
         )
+    whole = out.with_name(f"{out.name}.part")  # a full disk must leave no zip that is cut off
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
-        whole = out.with_name(f"{out.name}.part")  # a full disk must leave no zip that is cut off
         with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
             for name, content in files.items():
                 entry = zipfile.ZipInfo(name, DATE)
@@ -108,7 +108,7 @@ def write_zip(files: dict[str, bytes], out: Path) -> None:
         whole.replace(out)
     except OSError as error:
         with suppress(OSError):
-            out.with_name(f"{out.name}.part").unlink(missing_ok=True)
+            whole.unlink(missing_ok=True)
         raise click.ClickException(
             f"{out} cannot be written: {error.strerror}. Another place: carts pack --out FILE.zip"
         ) from None

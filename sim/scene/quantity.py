@@ -122,8 +122,6 @@ DAMPING = Dimension(
 RATIO = Dimension("number", "", "0.8", {"%": Fraction(1, 100)})
 STRENGTH = Dimension("strength", "", "1e-6", {})
 
-_MINUS = str.maketrans({"−": "-", "‐": "-", "‑": "-"})
-
 
 def read_quantity(value: object, dimension: Dimension) -> Fraction:
     """The exact SI value of `value`, an int, a float or a text.
@@ -153,7 +151,7 @@ def exact(number: str) -> Fraction:
 
 def unit_of(text: str) -> str:
     """The unit at the end of a quantity's text, or nothing."""
-    match = _NUMBER.fullmatch(with_exponent(text.strip()).translate(_MINUS))
+    match = _NUMBER.fullmatch(with_exponent(text.strip()))
     return match.group(2).strip() if match else ""
 
 
@@ -161,7 +159,7 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
     if len(text) > LONGEST_TEXT:
         reason = said("this text is too long to be a number")
         raise QuantityError("not-a-number", reason, hint)
-    match = _NUMBER.fullmatch(with_exponent(text.strip()).translate(_MINUS))
+    match = _NUMBER.fullmatch(with_exponent(text.strip()))
     if match is None:
         if text.strip().lstrip("+-−").lower() in {"nan", "inf", "infinity", ".nan", ".inf"}:
             raise QuantityError("not-finite", _not_usable(text.strip()), hint)

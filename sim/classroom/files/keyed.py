@@ -25,6 +25,8 @@ from sim.lesson.question import Common, Question
 
 MOST_CHARACTERS = 5_000_000
 MOST_ITEMS = 500
+CHOSEN: dict[str, type[Single | Idea]] = {kind.KIND: kind for kind in (Single, Multiple, Idea)}
+"""Kinds in which options are chosen; in an idea none of them is right."""
 
 
 class KeyFileError(ValueError):
@@ -131,7 +133,7 @@ def keyed_item(row: Mapping[str, Any]) -> KeyedItem:
 
 def _question(row: Mapping[str, Any], common: Common) -> Question:
     kind, key, texts = str(row["type"]), row["key"], row.get("texts", {})
-    if kind in ("single", "multiple"):
+    if kind in CHOSEN:
         options = tuple(
             Option(
                 id=str(name),
@@ -141,7 +143,7 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
             )
             for name in row["options"]
         )
-        return (Single if kind == "single" else Multiple)(common=common, options=options)
+        return CHOSEN[kind](common=common, options=options)
     if kind == "number":
         wrong = tuple(
             Wrong(value=float(w["value"]), tolerance=float(w["tolerance"]), belief=w["belief"])
@@ -169,13 +171,6 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
             at=row["at"], unit=str(row["unit"]), units={}, per=float(row["per"]),
             tolerance=float(key["tolerance"]), relative=bool(key["relative"]),
         )  # fmt: skip
-    if kind == "idea":
-        beliefs = key["beliefs"]
-        options = tuple(
-            Option(id=o, text=str(texts.get(f"option-{o}", "")), belief=str(beliefs.get(o, "")))
-            for o in map(str, row["options"])
-        )
-        return Idea(common=common, options=options)
     if kind == "confidence":
         return Confidence(common=common)
     if kind == "drawn":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
@@ -99,13 +99,13 @@ class Single(Question):
         """The right ids, and the belief behind each wrong one."""
         return {
             "correct": [option.id for option in self.options if option.correct],
-            "beliefs": {option.id: option.belief for option in self.options if option.belief},
+            "beliefs": beliefs_of(self.options),
             "feedback": sorted(self.feedback()),
         }
 
     def texts(self) -> dict[str, str]:
         """The text of each option."""
-        return {f"option-{option.id}": option.text for option in self.options}
+        return texts_of(self.options)
 
     def feedback(self) -> dict[str, str]:
         """The feedback of each option that has one."""
@@ -175,6 +175,16 @@ class Multiple(Single):
         right = {option.id for option in self.options if option.correct}
         exact = {option.id for option in chosen} == right
         return self._marked(chosen, exact, some=any(option.correct for option in chosen))
+
+
+def texts_of(options: Iterable[Option]) -> dict[str, str]:
+    """The text of each option, by the name of its place in the page."""
+    return {f"option-{option.id}": option.text for option in options}
+
+
+def beliefs_of(options: Iterable[Option]) -> dict[str, str]:
+    """The belief behind each option that has one, by its id."""
+    return {option.id: option.belief for option in options if option.belief}
 
 
 def read_options(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Self
 
 from sim.lesson.keys import Key
-from sim.lesson.kinds.choice import OPTIONS, Option, read_options
+from sim.lesson.kinds.choice import OPTIONS, Option, beliefs_of, read_options, texts_of
 from sim.lesson.mark import Mark, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
@@ -47,15 +47,11 @@ class Idea(Question):
 
     def key(self) -> dict[str, Any]:
         """The belief that may be behind each option: for the teacher's table."""
-        return {
-            "correct": [],
-            "beliefs": {option.id: option.belief for option in self.options if option.belief},
-            "feedback": [],
-        }
+        return {"correct": [], "beliefs": beliefs_of(self.options), "feedback": []}
 
     def texts(self) -> dict[str, str]:
         """The text of each option."""
-        return {f"option-{option.id}": option.text for option in self.options}
+        return texts_of(self.options)
 
     def meaning(self) -> dict[str, Any]:
         """Texts by id: another order of the same answers changes nothing."""

@@ -870,6 +870,17 @@
     }
     return row;
   }
+  function codeBox(text) {
+    const label = html("label", "", `${text} `);
+    const box = (
+      /** @type {HTMLInputElement} */
+      html("input", "carts-answers-code")
+    );
+    Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
+    box.placeholder = "BLUE-FOX-27";
+    label.append(box);
+    return { label, box };
+  }
   function status() {
     const made2 = html("p", "carts-answers-status");
     made2.setAttribute("role", "status");
@@ -951,14 +962,7 @@
     });
   }
   function askWhose(place2, book2, keep) {
-    const label = html("label", "", `${tr("Whose file is it? Code word from your card")} `);
-    const box = (
-      /** @type {HTMLInputElement} */
-      html("input", "carts-answers-code")
-    );
-    Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
-    box.placeholder = "BLUE-FOX-27";
-    label.append(box);
+    const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
     const told = status();
     const withCode = async () => {
       const found2 = readCode(box.value);
@@ -1429,18 +1433,9 @@
     const root = part("who", tr("Who works here"));
     const { student } = book2;
     const now = student ? tr("These are the answers of {student}.", { student }) : tr("No code word yet: the next person at this computer sees these answers.");
-    const label = html(
-      "label",
-      "",
-      `${student ? tr("Somebody else? Code word") : tr("Code word from your card")} `
+    const { label, box } = codeBox(
+      student ? tr("Somebody else? Code word") : tr("Code word from your card")
     );
-    const box = (
-      /** @type {HTMLInputElement} */
-      html("input", "carts-answers-code")
-    );
-    Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
-    box.placeholder = "BLUE-FOX-27";
-    label.append(box);
     const told = status();
     const choices = html("p", "carts-answers-choices");
     const go = button(tr("Continue"), () => void look(), "carts-answers-go");

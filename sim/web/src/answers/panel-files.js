@@ -6,7 +6,7 @@ import { download } from "../shared/download.js";
 import { readCode } from "./codes.js";
 import { csvText } from "./csv.js";
 import { fileName, makeFiles, readFile } from "./file.js";
-import { button, clock, part, status } from "./parts.js";
+import { button, clock, codeBox, part, status } from "./parts.js";
 
 const NAMES = /** @type {Record<string, string>} */ ({
   worksheet: tr("worksheet"),
@@ -84,11 +84,7 @@ function rows(book, told) {
 /** A file without a code word tells the teacher nothing of whose it is: asked for once more. */
 /** @param {HTMLElement} place @param {import("./book.js").Book} book @param {(student: string) => void} keep */
 function askWhose(place, book, keep) {
-  const label = html("label", "", `${tr("Whose file is it? Code word from your card")} `);
-  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-code"));
-  Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
-  box.placeholder = "BLUE-FOX-27";
-  label.append(box);
+  const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
   const told = status();
   const withCode = async () => {
     const found = readCode(box.value);

@@ -3,7 +3,7 @@
 import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
 import { readCode } from "./codes.js";
-import { button, part, status } from "./parts.js";
+import { button, codeBox, part, status } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
 export function whoPart(book) {
@@ -12,15 +12,9 @@ export function whoPart(book) {
   const now = student
     ? tr("These are the answers of {student}.", { student })
     : tr("No code word yet: the next person at this computer sees these answers.");
-  const label = html(
-    "label",
-    "",
-    `${student ? tr("Somebody else? Code word") : tr("Code word from your card")} `,
+  const { label, box } = codeBox(
+    student ? tr("Somebody else? Code word") : tr("Code word from your card"),
   );
-  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-code"));
-  Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
-  box.placeholder = "BLUE-FOX-27";
-  label.append(box);
   const told = status();
   const choices = html("p", "carts-answers-choices");
   const go = button(tr("Continue"), () => void look(), "carts-answers-go");

@@ -38,6 +38,16 @@ export function askingButton(text, question, yes, act, name) {
   return row;
 }
 
+/** A box for a code word, with its label. @param {string} text @returns {{label: HTMLElement, box: HTMLInputElement}} */
+export function codeBox(text) {
+  const label = html("label", "", `${text} `);
+  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-code"));
+  Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
+  box.placeholder = "BLUE-FOX-27";
+  label.append(box);
+  return { label, box };
+}
+
 /** @returns {HTMLElement} a line that is read out when its text changes */
 export function status() {
   const made = html("p", "carts-answers-status");

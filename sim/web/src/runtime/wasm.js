@@ -1,6 +1,7 @@
 // Python's machine code, compiled by the page while it still comes, and only once: a worker that has
 // to be replaced gets the same module.
 import { RuntimeFailure } from "./failure.js";
+import { isOutOfMemory } from "./memory.js";
 
 /** The empty module. */
 const NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
@@ -17,8 +18,8 @@ export function requireWasm() {
 
 /** Why compiling failed. @param {unknown} error */
 export function compileFailure(error) {
-  const short = error instanceof RangeError || /memory|allocat/i.test(String(error));
-  return new RuntimeFailure(short ? "no-memory" : "too-old", String(error), "pyodide.asm.wasm");
+  const reason = isOutOfMemory(error) ? "no-memory" : "too-old";
+  return new RuntimeFailure(reason, String(error), "pyodide.asm.wasm");
 }
 
 /**

@@ -1,6 +1,8 @@
 // Python's side of the page: runs in a classic worker made of a Blob, right after Pyodide's own script.
 // Files arrive in parts from the page and are gunzipped while they come; nothing is ever fetched.
 
+import { isOutOfMemory } from "./memory.js";
+
 /** @type {any} */
 const scope = self;
 const BASE = "https://runtime.invalid/"; // Pyodide wants an address; no request ever leaves for it
@@ -90,8 +92,7 @@ function useCompiledWasm() {
     try {
       return { module, instance: await WebAssembly.instantiate(module, imports) };
     } catch (error) {
-      const short = error instanceof RangeError || /memory|allocat/i.test(String(error));
-      fail(short ? "no-memory" : "too-old", error);
+      fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);
       throw error;
     }
   };
