@@ -31,13 +31,11 @@ CLASSROOM = "newtons-carts-class"
 TEACHER = "newtons-carts-teacher"
 MEASURED = "newtons-carts-measured"
 APART = (
-    *("sim.dynamics.batch", "sim.laws.many", "sim.bridge.map_answer"),
-    *("sim.dynamics.cost", "sim.bridge.cost_answer", "sim.bridge.hard_answer"),
-    *("sim.scene.schema", "sim.bridge.end_state"),
+    *("sim.dynamics.batch", "sim.laws.many", "sim.bridge.map_answer", "sim.scene.schema"),
     *(f"sim.laws.{law}.many" for law in ("bumper", "paper", "push_only", "push_only_uncorrected")),
 )
-"""Left out of the picture of the memory: no scene needs them. Pages with maps, costs and hard cases
-carry packages too, and those load the wheel."""
+"""Left out of the picture of the memory: no scene needs them. Pages with maps carry packages too,
+and those load the wheel."""
 
 
 @dataclass(frozen=True)
