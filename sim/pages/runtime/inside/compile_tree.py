@@ -9,10 +9,12 @@ import hashlib
 import importlib.util
 import io
 import marshal
+import types
 import zipfile
 
 DATE = (1980, 1, 1, 0, 0, 0)
 BUILD_ONLY = (".pyi", ".pxd", ".pyx", ".h", ".c", ".a", ".in", ".build", ".pc", ".template")
+SMALLEST = 2  # as `python -OO`
 NO_SOURCE_TO_CHECK = (1).to_bytes(4, "little") + bytes(8)  # PEP 552: by hash, "unchecked"
 
 
@@ -27,7 +29,18 @@ def entry(name: str) -> zipfile.ZipInfo:
 def compiled(name: str, source: bytes, optimize: int) -> bytes:
     """Return the .pyc of one module."""
     code = compile(source, name, "exec", dont_inherit=True, optimize=optimize)
+    if optimize == SMALLEST:
+        code = without_lines(code)
     return importlib.util.MAGIC_NUMBER + NO_SOURCE_TO_CHECK + marshal.dumps(code)
+
+
+def without_lines(code: types.CodeType) -> types.CodeType:
+    """The same code without its table of lines, which only a traceback would read.
+
+    Where files are made as small as can be a traceback still names modules and functions.
+    """
+    consts = tuple(without_lines(c) if isinstance(c, types.CodeType) else c for c in code.co_consts)
+    return code.replace(co_linetable=b"", co_consts=consts)
 
 
 def wanted(name: str) -> bool:
