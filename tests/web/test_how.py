@@ -11,6 +11,7 @@ from playwright.sync_api import Page, expect
 
 from sim.bridge.protocol import answer
 from sim.scene import read_fence
+from sim.scene.said import said
 from tests.web.conftest import OpenPage
 from tests.web.widget_site import FENCES, LIVE, MEETING, live, on_scene, widget_site, write_page
 
@@ -49,6 +50,13 @@ def ends(header: dict[str, Any]) -> list[list[float]]:
     return [[final["x"][name], final["v"][name]] for name in final["v"]]
 
 
+def english(wire: Any) -> str:
+    """A sentence as it went to the page, {code, values} or plain text, told in English."""
+    if isinstance(wire, str):
+        return wire
+    return said(wire["code"], **{name: english(value) for name, value in wire["values"].items()})
+
+
 def opened(page: Page, name: str = "meeting") -> Page:
     page.locator(f"#{name} .carts-how > summary").click()
     return page
@@ -80,7 +88,7 @@ def test_the_plan_and_its_cost_stand_there(open_page: OpenPage, widget_site: Pat
     lines = page.locator("#meeting .carts-how-plan li")
     expect(lines).to_have_count(len(phases))
     for line, phase in zip(lines.all_inner_texts(), phases, strict=True):
-        assert phase["why"][1:] in line
+        assert english(phase["why"])[1:] in line
     cost = page.locator("#meeting .carts-how-cost")
     expect(cost).to_have_text(
         re.compile(r"contacts: 2\..*just now: [\d.]+ (ms|µs), of which .* for the motion"),

@@ -183,6 +183,9 @@ id: think-again
 type: long
 ask: And now?
 idea: guess-first
+rubric:
+  1: says what changed
+  0: anything else
 ```
 """
 
