@@ -33,6 +33,8 @@ COMMON_KEYS = (
         "The two forces are a pair."),
     Key("topics", "words by which a form draws items from a bank", "[first-law, table]", TEXTS),
     Key("note", "for the teacher; never in the page", "Most choose A at first."),
+    Key("after", "id of the scene that is watched first; “nothing”: this question is open at once",
+        "two-carts"),
     Key("idea", "id of a first idea (type: idea), shown again beside this answer", "first-idea"),
 )  # fmt: skip
 
@@ -52,6 +54,7 @@ class Common:
     topics: tuple[str, ...] = ()
     note: str = ""
     idea: str = ""
+    after: str = ""
 
 
 def read_common(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> Common:
@@ -82,6 +85,7 @@ def read_common(table: Mapping[str, Any], path: Path, problems: list[Problem]) -
         topics=keys.texts(table, "topics", path, problems, "topics: [first-law]"),
         note=keys.text(table, "note", path, problems) or "",
         idea=keys.text(table, "idea", path, problems) or "",
+        after=keys.text(table, "after", path, problems) or "",
     )
 
 

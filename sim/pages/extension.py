@@ -35,6 +35,7 @@ _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
 _WORD = "cartsblock"
+_HEADING = re.compile(r" {0,3}#{1,6}\s")
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
 
@@ -76,6 +77,8 @@ class _TakeOut(Preprocessor):
         # Front matter has been removed by the generator: a line of --- here is only a line.
         page.blocks = tuple(scan(lines, front_matter=False))
         for block in page.blocks:
+            if any(_HEADING.match(line) for line in lines[done : block.start]):
+                page.items.asking = ""  # a new section: its questions are about other scenes
             try:
                 html = made(block, page)
             except AuthorError as error:

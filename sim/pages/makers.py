@@ -53,7 +53,8 @@ def _question(block: Block, page: Page) -> str:
 
     read = read_question_block(block, page.lesson, page.ids, first_line=page.first_line)
     page.items.questions.append(read)
-    return render_question(read.question, number=len(page.items.questions))
+    gate = page.items.gate(read.question)
+    return render_question(read.question, number=len(page.items.questions), after=gate)
 
 
 def _quiz(block: Block, page: Page) -> str:
@@ -142,6 +143,8 @@ def _widget(block: SceneBlock, page: Page) -> str:
         raise AuthorError(map(block.places.finding, run))
     page.scenes += 1
     page.items.scenes.append(block.fence)
+    if block.fence.predict:
+        page.items.asking = block.fence.id
     page.packages |= run.packages | set(block.fence.packages)
     made = render(block.fence, run.header, run.numbers)
     # Readings of a run are no words to search for, and must not give an answer away. The theme

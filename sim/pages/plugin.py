@@ -84,6 +84,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
                 self.build = SiteBuild(root, audience, site_id, _report)
         self.late: dict[str, dict[str, str]] = {}
         self.folder = root / self.config.lessons
+        self.build.lessons = self.folder
         self.lessons_only = Path(config.docs_dir).resolve() == self.folder.resolve()
         if self.lessons_only:
             lessons_only.fill_in(config)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -36,11 +36,15 @@ _FAULTS = {
 
 @dataclass(frozen=True, slots=True)
 class Lesson:
-    """Where a lesson comes from: `file` as messages show it, folders of scene files and banks."""
+    """Where a lesson comes from: `file` as messages show it, folders of scene files and banks.
+
+    `watch`: what scenes do that do not say it themselves; “first” in worksheets.
+    """
 
     file: str
     scene_folders: tuple[Path, ...] = ()
     bank_folders: tuple[Path, ...] = ()
+    watch: str = ""
 
 
 @dataclass(slots=True)
@@ -122,7 +126,7 @@ def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: 
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))
-    return SceneBlock(fence, places)
+    return SceneBlock(replace(fence, watch=fence.watch or lesson.watch), places)
 
 
 def load_block(block: Block, file: str, *, first_line: int) -> Source:

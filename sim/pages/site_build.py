@@ -66,6 +66,7 @@ class SiteBuild:
     done: frozenset[str] | None = None  # packages of the runtime that the site has already
     doors: Doors = field(init=False)
     hosting: Hosting | None = None  # for a web server
+    lessons: Path | None = None  # the folder of lessons: scenes in there are watched first
 
     def __post_init__(self) -> None:
         self.doors = Doors(self.root)
@@ -88,7 +89,8 @@ class SiteBuild:
         first_line = 1 + whole.replace("\r\n", "\n").count("\n") - markdown.count("\n")
         shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
         folders = scene_folders(path, self.root), bank_folders(path, self.root)
-        lesson = Lesson(shown.as_posix(), *folders)
+        watch = "first" if self.lessons and path.is_relative_to(self.lessons) else ""
+        lesson = Lesson(shown.as_posix(), *folders, watch=watch)
         self.ids.forget(lesson.file)  # a preview makes a page again
         page = Page(lesson, first_line, self.ids, self.report, late={})
         try:

@@ -12,7 +12,7 @@ from sim.scene.effect_controls import Switch, read_switches
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, read_predict
 from sim.scene.presets import read_presets
-from sim.scene.problem import Path, Problem, SceneError
+from sim.scene.problem import Problem, SceneError
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.read_effects import listed_effects
@@ -20,7 +20,7 @@ from sim.scene.tables import mapping, unknown_keys
 
 FENCE_KEYS = (
     *("id", "show", "with", "controls", "presets", "predict"),
-    *("forces", "slow", "view", "boxes", "packages"),
+    *("forces", "slow", "watch", "view", "boxes", "packages"),
 )
 SHOWS = ("x", "v", "a", "F", "p", "energy")
 FORCE_GRAPHS = ("F", "a")
@@ -44,9 +44,15 @@ class Fence:
     predict: Predict | None
     forces: str  # shown | hidden
     slow: str  # auto | never | stops
+    watch: str  # first | free: whether a run is watched before it is known; "": as the page has it
     boxes: str  # mass | alike: what the size of a cart's box says
     view_speed: float  # m/s, of the camera; 0: at rest on the track
     packages: tuple[str, ...]
+
+    @property
+    def watched_first(self) -> bool:
+        """Whether nothing of a run is shown before it has been played."""
+        return self.watch == "first" or (not self.watch and self.predict is not None)
 
 
 def read_fence(plain: object, *, named: bool = True) -> Fence:
@@ -61,20 +67,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     unknown_keys(table, (*FENCE_KEYS, *SCENE_KEYS), (), problems)
     scene_part = {key: value for key, value in table.items() if key in SCENE_KEYS}
     scene = collect_scene(scene_part, problems)
-    identity = table.get("id", None if named else "file")
-    if not isinstance(identity, str) or not ID.fullmatch(identity):
-        path: Path = ("id",) if "id" in table else ()
-        code = "bad-name" if "id" in table else "missing"
-        message = f"“{str(identity)[:40]}” cannot be an id" if "id" in table else "id is missing"
-        problems.append(
-            Problem(
-                path,
-                code,
-                message,
-                "small letters, digits and hyphens, one of its "
-                "kind in the whole site: id: light-meets-heavy",
-            )
-        )
+    identity = _identity(table, problems, named=named)
     show = _choices("show", table, ("x", "v", "F"), SHOWS, problems)
     opened = _choices("with", table, (), VIEWS, problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
@@ -82,6 +75,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     if forces == "hidden":
         _no_hidden_graphs(table, show, problems)
     slow = _choice("slow", table, ("auto", "never", "stops"), problems)
+    watch = _choice("watch", table, ("first", "free"), problems) if "watch" in table else ""
     boxes = _choice("boxes", table, ("mass", "alike"), problems)
     speed = _view(table.get("view"), problems)
     controls: tuple[Control, ...] = ()
@@ -99,7 +93,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     if problems or scene is None:
         raise SceneError(problems)
     return Fence(
-        id=str(identity),
+        id=identity,
         scene=scene,
         plain=scene_part,
         show=show,
@@ -110,10 +104,30 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         predict=predict,
         forces=forces,
         slow=slow,
+        watch=watch,
         boxes=boxes,
         view_speed=speed,
         packages=packages,
     )
+
+
+def _identity(table: Mapping[str, Any], problems: list[Problem], *, named: bool) -> str:
+    """The id; one that is missing or no id is a problem."""
+    identity = table.get("id", None if named else "file")
+    if isinstance(identity, str) and ID.fullmatch(identity):
+        return identity
+    given = "id" in table
+    message = f"“{str(identity)[:40]}” cannot be an id" if given else "id is missing"
+    hint = "small letters, digits and hyphens, one of its kind in the whole site: "
+    problems.append(
+        Problem(
+            ("id",) if given else (),
+            "bad-name" if given else "missing",
+            message,
+            f"{hint}id: light-meets-heavy",
+        )
+    )
+    return str(identity)
 
 
 def _no_hidden_graphs(

@@ -2,6 +2,7 @@
 
 import { fixed, px } from "./numbers.js";
 import { axis, axisDecimals, span, ticks } from "./scales.js";
+import { valueAt } from "./trajectory.js";
 
 /** @typedef {import("./scales.js").Axis} Axis */
 /** @typedef {import("./series.js").Series} Series */
@@ -15,6 +16,7 @@ export const WIDTH = 360;
 export const HEIGHT = 172;
 const BELOW_LINE = 4; // units, from a grid line to the foot of its number
 const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
+const PIECES = 8; // straight ones, in place of the part of a bend that was seen
 const STRAIGHT = 0.05; // units; a curve that bends less is drawn as a line
 
 /** @param {Plane} plane @param {number} t @returns {number} drawing coordinate of a time in s */
@@ -64,8 +66,11 @@ export function planeFor(values, window) {
   return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
 }
 
-/** @param {Series} curve @param {ArrayLike<number>} times @param {Plane} plane @returns {string} the SVG path */
-export function path(curve, times, plane) {
+/**
+ * @param {Series} curve @param {ArrayLike<number>} times @param {Plane} plane
+ * @param {number} seen s, as far as it is drawn @returns {string} the SVG path
+ */
+export function path(curve, times, plane, seen = Infinity) {
   const { values, slopes } = curve;
   const kx = (RIGHT - LEFT) / (plane.time.high - plane.time.low);
   const ky = (BOTTOM - TOP) / (plane.value.high - plane.value.low);
@@ -75,6 +80,7 @@ export function path(curve, times, plane) {
   let y0 = valueY(plane, Number(values[0]));
   let d = `M${px(x0)} ${px(y0)}`;
   for (let k = 1; k <= last; k += 1) {
+    if (Number(times[k]) > seen) return d + tail(curve, times, plane, Number(times[k - 1]), seen);
     const x = timeX(plane, Number(times[k]));
     const y = valueY(plane, Number(values[k]));
     if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
@@ -92,6 +98,16 @@ export function path(curve, times, plane) {
     drawn = k;
     x0 = x;
     y0 = y;
+  }
+  return d;
+}
+
+/** The last piece of a curve, from a row to an instant before the next. @param {Series} curve @param {ArrayLike<number>} times @param {Plane} plane @param {number} from in s @param {number} to in s */
+function tail({ values, slopes }, times, plane, from, to) {
+  let d = "";
+  for (let k = 1; k <= PIECES; k += 1) {
+    const t = from + ((to - from) * k) / PIECES;
+    d += `L${px(timeX(plane, t))} ${px(valueY(plane, valueAt(times, values, slopes, t)))}`;
   }
   return d;
 }

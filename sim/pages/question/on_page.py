@@ -8,11 +8,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from sim.lesson import Question
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.pages.findings import Finding
 from sim.pages.question.block import QuestionBlock
 from sim.pages.question.quiz import QuizBlock
 from sim.scene import Fence, Problem
+
+OPEN = "nothing"  # after: nothing
+BEFORE_A_RUN = ("idea", "drawn")  # what these ask for is given before a run is seen
 
 
 @dataclass(slots=True)
@@ -22,6 +26,13 @@ class PageItems:
     scenes: list[Fence] = field(default_factory=list)
     questions: list[QuestionBlock] = field(default_factory=list)
     quizzes: list[QuizBlock] = field(default_factory=list)
+    asking: str = ""  # the scene with a prediction that the text since the last heading is about
+
+    def gate(self, question: Question) -> str:
+        """The scene that is watched before the question opens; empty: it is open at once."""
+        if after := question.common.after:
+            return "" if after == OPEN else after
+        return "" if question.KIND in BEFORE_A_RUN else self.asking
 
     @property
     def answers(self) -> bool:
@@ -32,6 +43,9 @@ class PageItems:
         """Blocks that make sense alone but not together."""
         scenes = {scene.id: scene for scene in self.scenes}
         for block in self.questions:
+            after = block.question.common.after
+            if after not in ("", OPEN, *scenes):
+                yield block.places.finding(_no_such_scene("after", after, scenes))
             if isinstance(block.question, (Reading, Drawn)):
                 problem = _misfit(block.question, scenes)
                 if problem:
@@ -78,12 +92,16 @@ def _item(data: dict[str, Any], form: str) -> dict[str, Any]:
     return {name: data[name] for name in ("id", "hash", "type", "level")} | {"form": form}
 
 
+def _no_such_scene(key: str, name: str, scenes: dict[str, Fence]) -> Problem:
+    known = ", ".join(scenes) or "none"
+    message = f"there is no scene “{name[:40]}” on this page"
+    return Problem((key,), "no-such-scene", message, f"scenes of this page: {known}")
+
+
 def _misfit(question: Reading | Drawn, scenes: dict[str, Fence]) -> Problem | None:
     scene = scenes.get(question.scene)
     if scene is None:
-        known = ", ".join(scenes) or "none"
-        message = f"there is no scene “{question.scene[:40]}” on this page"
-        return Problem(("scene",), "no-such-scene", message, f"scenes of this page: {known}")
+        return _no_such_scene("scene", question.scene, scenes)
     if isinstance(question, Drawn):
         if scene.predict is None:
             message = f"the scene “{scene.id}” asks for no prediction"

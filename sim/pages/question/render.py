@@ -20,12 +20,17 @@ SURE = {"guess": mark("a guess"), "think": mark("I think so"), "sure": mark("I a
 
 
 def render_question(
-    question: Question, *, number: int | None = None, key: bool = True, scope: str = ""
+    question: Question,
+    *,
+    number: int | None = None,
+    key: bool = True,
+    scope: str = "",
+    after: str = "",
 ) -> str:
     """HTML of the element. With `key` the page marks at once; without, nothing tells the answer.
 
     `number` is printed before the question. `scope` is the form it belongs to: the element's id
-    and the form's name of the answer are `scope-id`.
+    and the form's name of the answer are `scope-id`. `after`: the scene that is watched first.
     """
     common = question.common
     element = f"{scope}-{common.id}" if scope else common.id
@@ -35,6 +40,7 @@ def render_question(
         "id": element,
         "kind": question.KIND,
         "number": number,
+        "after": after,
         "level": common.level,
         "level_words": tr(LEVELS[common.level]),
         "minutes": common.minutes,

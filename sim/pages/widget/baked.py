@@ -79,6 +79,7 @@ def _fence_facts(fence: Any) -> dict[str, Any]:
         "opened": list(fence.opened),
         "forces": fence.forces,
         "slow": fence.slow,
+        "watch": "first" if fence.watched_first else "free",
         "boxes": fence.boxes,
         "camera": fence.view_speed,
         "packages": sorted(fence.packages),

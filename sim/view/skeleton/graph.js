@@ -40,11 +40,11 @@ function plot(clip, isForce) {
   const inside = html`clip-path="url(#${clip})"`;
   const shade = html`<path class="carts-impulse" d=""/>`;
   return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
+<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath><clipPath id="${clip}-seen" class="carts-seen"><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside}>${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${clip}-seen)">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
 <g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>
 </svg>`;

@@ -34,6 +34,7 @@ ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow k
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
 ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
 <p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
+${fence.watch === "first" && html`<button type="button" class="carts-button carts-end" disabled>${tr("Show me the end")}</button>`}
 </div>`;
 }
 

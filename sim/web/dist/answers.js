@@ -1038,6 +1038,27 @@
     return row;
   }
 
+  // src/question/gate.js
+  var OPEN_ALL = "carts-open-questions";
+  function wait(question, answered) {
+    const id = question.dataset.after;
+    if (!id || question.dataset.opened !== void 0) return;
+    const open2 = () => question.dataset.opened = "";
+    const scene = document.getElementById(id);
+    const shown = () => !scene || ["watched", "reason"].some((name) => name in scene.dataset);
+    if (answered || shown()) return open2();
+    for (const kind of ["carts-watched", "carts-error"]) {
+      document.addEventListener(kind, () => shown() && open2());
+    }
+    document.addEventListener(OPEN_ALL, open2);
+  }
+  function anyWaits() {
+    return document.querySelector("carts-question[data-after]:not([data-opened])") !== null;
+  }
+  function openAll2() {
+    document.dispatchEvent(new Event(OPEN_ALL));
+  }
+
   // src/answers/panel-leave.js
   function leavePart(book2) {
     const root = part("leave", tr("Before you leave this computer"));
@@ -1062,6 +1083,16 @@
         "carts-answers-delete"
       )
     );
+    if (anyWaits()) {
+      const key = askingButton(
+        tr("Open all questions"),
+        tr("For teachers: some questions of this page open when their run was watched."),
+        tr("Open them now"),
+        openAll2,
+        "carts-answers-open-all"
+      );
+      root.append(key);
+    }
     return root;
   }
   function whereKept(book2) {
@@ -2162,6 +2193,7 @@
         this.#enable();
         this.dataset.ready = "";
         this.#form?.follow?.(book2);
+        wait(this, this.answered);
       }
       /** Shows what is kept; an answer to another version of the question is shown beside it. */
       #show() {

@@ -227,6 +227,11 @@
     speed = 1;
     slow = true;
     until = 1;
+    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
+    seen = Infinity;
+    ended = () => {
+    };
+    // what to do at the end of the run
     /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
     /** @type {number[]} s, where playing stops by itself */
@@ -277,9 +282,14 @@
     }
     /** @param {number} t in s */
     seek(t3) {
-      this.#move(t3);
+      this.#move(Math.min(t3, this.seen));
       if (t3 <= 0) this.own = 0;
-      this.changed(this.time, false);
+      this.#tell(this.time, false);
+    }
+    /** Goes there, watched or not. @param {number} t in s */
+    show(t3) {
+      this.seen = Math.max(this.seen, t3);
+      this.seek(t3);
     }
     /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
     step(way, count2 = 1) {
@@ -290,7 +300,7 @@
         const event = way > 0 ? this.stops.find((t3) => t3 > before + SAME) : this.stops.findLast((t3) => t3 < before - SAME);
         const passed = event !== void 0 && (way > 0 ? event < target : event > target);
         this.#move(passed ? event : target);
-        this.changed(before, way > 0);
+        this.#tell(before, way > 0);
       }
     }
     /** @param {number} now */
@@ -312,12 +322,18 @@
       const halt = this.halting ? this.halts.find((t3) => t3 > before + SAME && t3 <= next) : void 0;
       this.#move(halt ?? next);
       if (halt !== void 0 || this.time >= this.until) this.playing = false;
-      this.changed(before, true);
+      this.#tell(before, true);
       if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
     }
     /** @param {number} t */
     #move(t3) {
       this.time = Math.min(this.until, Math.max(0, t3));
+      this.seen = Math.max(this.seen, this.time);
+    }
+    /** @param {number} before @param {boolean} playing */
+    #tell(before, playing) {
+      this.changed(before, playing);
+      if (this.time >= this.until) this.ended();
     }
   };
 
@@ -4421,6 +4437,10 @@
     get isLocked() {
       return this.#entry.locked !== null;
     }
+    /** @returns {boolean} whether the run was seen to its end, now or at an earlier visit */
+    get watched() {
+      return Boolean(this.#entry.watched);
+    }
     /** Brings back what the reader left here before. */
     async restore() {
       const { site, page: page2 } = place();
@@ -4460,6 +4480,10 @@
         place3.append(html("p", "", both));
       }
       place3.hidden = false;
+      if (!this.#entry.watched) {
+        this.#entry.watched = (/* @__PURE__ */ new Date()).toISOString();
+        void this.#keep();
+      }
       this.why.show(why ?? "");
       this.again.offer();
       say(need(this.root, ".carts-heading"), tr("Your prediction"));
@@ -4991,6 +5015,7 @@
   async function project(scene, on) {
     for (const other of shown2()) if (other !== scene) mark(other, false);
     mark(scene, on);
+    if (on) scene.complete?.();
     if (!on) {
       if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
       });
@@ -6570,6 +6595,7 @@ ${lines2.join("\n")}
   var HEIGHT3 = 172;
   var BELOW_LINE = 4;
   var NEAR2 = 0.7;
+  var PIECES = 8;
   var STRAIGHT = 0.05;
   function timeX(plane, t3) {
     return LEFT4 + (t3 - plane.time.low) * ((RIGHT3 - LEFT4) / (plane.time.high - plane.time.low));
@@ -6601,7 +6627,7 @@ ${lines2.join("\n")}
   function planeFor(values, window) {
     return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
   }
-  function path(curve2, times2, plane) {
+  function path(curve2, times2, plane, seen = Infinity) {
     const { values, slopes } = curve2;
     const kx = (RIGHT3 - LEFT4) / (plane.time.high - plane.time.low);
     const ky = (BOTTOM4 - TOP3) / (plane.value.high - plane.value.low);
@@ -6611,6 +6637,7 @@ ${lines2.join("\n")}
     let y0 = valueY(plane, Number(values[0]));
     let d2 = `M${px(x0)} ${px(y0)}`;
     for (let k = 1; k <= last; k += 1) {
+      if (Number(times2[k]) > seen) return d2 + tail2(curve2, times2, plane, Number(times2[k - 1]), seen);
       const x2 = timeX(plane, Number(times2[k]));
       const y2 = valueY(plane, Number(values[k]));
       if (k < last && Math.abs(x2 - x0) < NEAR2 && Math.abs(y2 - y0) < NEAR2) continue;
@@ -6627,6 +6654,14 @@ ${lines2.join("\n")}
       drawn2 = k;
       x0 = x2;
       y0 = y2;
+    }
+    return d2;
+  }
+  function tail2({ values, slopes }, times2, plane, from, to) {
+    let d2 = "";
+    for (let k = 1; k <= PIECES; k += 1) {
+      const t3 = from + (to - from) * k / PIECES;
+      d2 += `L${px(timeX(plane, t3))} ${px(valueY(plane, valueAt(times2, values, slopes, t3)))}`;
     }
     return d2;
   }
@@ -7020,6 +7055,11 @@ ${lines2.join("\n")}
     /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
     #timer = 0;
+    #seen = Infinity;
+    // s, as far as the run was watched
+    /** @type {{run: Run, curves: Series[]} | null} */
+    #shown = null;
+    #rows = 0;
     /** @param {HTMLElement} details @param {string} quantity @param {import("../../../../view/types.js").View} view */
     constructor(details, quantity, view) {
       this.details = /** @type {HTMLDetailsElement} */
@@ -7031,8 +7071,16 @@ ${lines2.join("\n")}
     /** @param {Run} run @param {Series[]} curves */
     show(run, curves) {
       this.#waiting = { run, curves };
+      this.#shown = this.#waiting;
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST2);
+    }
+    /** @param {number} seen s, as far as the run was watched */
+    grow(seen) {
+      this.#seen = seen;
+      if (!this.#shown || this.#times(this.#shown.run).length === this.#rows) return;
+      this.#waiting = this.#shown;
+      if (this.details.open || seen === Infinity) this.fill();
     }
     fill() {
       if (!this.#waiting) return;
@@ -7048,7 +7096,9 @@ ${lines2.join("\n")}
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
       const scale = greatest3(curves);
-      const rows = tableTimes(run).map((t3) => {
+      const times2 = this.#times(run);
+      this.#rows = times2.length;
+      const rows = times2.map((t3) => {
         const row = html("tr");
         row.append(html("td", "", fixed(t3, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
@@ -7058,6 +7108,10 @@ ${lines2.join("\n")}
         return row;
       });
       need(this.details, "tbody").replaceChildren(...rows);
+    }
+    /** @param {Run} run */
+    #times(run) {
+      return tableTimes(run).filter((t3) => t3 <= this.#seen);
     }
   };
   function tableTimes({ header, trajectory }) {
@@ -7097,6 +7151,8 @@ ${lines2.join("\n")}
     // “with sign”, “as a ledger”
     #t = 0;
     // s, the instant shown
+    #seen = Infinity;
+    // s, as far as the run was watched
     /** @type {[number, number] | null} */
     #window = null;
     /**
@@ -7145,6 +7201,12 @@ ${lines2.join("\n")}
       this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t3);
       this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
+    }
+    /** Draws the curves as far as they were watched. @param {number} seen in s */
+    grow(seen) {
+      this.#seen = seen;
+      this.table.grow(seen);
+      if (this.#run) this.#lines(this.#run);
     }
     /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window, t3) {
@@ -7213,8 +7275,8 @@ ${lines2.join("\n")}
           group2.children[i2]
         );
         put(line, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
-        put(line, "d", path(curve2, this.#times(run), this.#plane));
       });
+      this.#lines(run);
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
       this.#cursor();
       if (this.#stacked) {
@@ -7222,10 +7284,24 @@ ${lines2.join("\n")}
         this.key.forget();
       } else {
         this.ledger?.clear();
-        const note = graphNote(this.quantity, header.events, this.#curves.length);
+        const events = header.events.filter((event) => event.t <= this.#seen);
+        const note = graphNote(this.quantity, events, this.#curves.length);
         this.key.show(this.#curves, note);
       }
       this.at(t3);
+    }
+    /** The curves, up to what was seen. @param {Run} run */
+    #lines(run) {
+      const group2 = need(this.root, '[data-part="curves"]');
+      this.#curves.forEach((curve2, i2) => {
+        const line = (
+          /** @type {Element} */
+          group2.children[i2]
+        );
+        put(line, "d", path(curve2, this.#times(run), this.#plane, this.#seen));
+      });
+      const end = Math.min(RIGHT3, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
+      put(need(this.root, ".carts-seen rect"), "width", px(end - LEFT4 + 1));
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -7804,10 +7880,18 @@ ${lines2.join("\n")}
   var Story = class {
     /** @type {{t: number, sentence: string}[]} */
     told = [];
+    #seen = Infinity;
+    // s, as far as the run was watched
+    #listed = -1;
+    // sentences that stand there
+    #last = false;
+    // whether the model stands there
     /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked @param {(t: number) => void} seek */
     constructor(root, baked, seek) {
       const { fence, view } = baked;
+      this.root = root;
       this.view = view;
+      this.header = null;
       this.layout = /** @type {import("../../../view/types.js").Layout} */
       view.layouts[0];
       this.telling = {
@@ -7842,16 +7926,19 @@ ${lines2.join("\n")}
           sentence: exitSentence(exit, decimals, this.view.velocity)
         }))
       ].sort((a2, b2) => a2.t - b2.t);
-      const items = this.told.slice(0, MOST_EVENTS2).map(({ t: t3, sentence: sentence2 }) => {
-        const item = html("li");
-        const button = html("button", "", `${fixed(t3, this.view.decimals.t ?? 3)} s`);
-        button.setAttribute("type", "button");
-        button.className = "carts-jump";
-        button.dataset.time = String(t3);
-        item.append(button, " ", html("span", "", sentence2));
-        return item;
-      });
-      const more = this.told.length - items.length;
+      this.header = header;
+      this.#listed = -1;
+      this.grow(this.#seen);
+    }
+    /** Lists what has happened by then; what the model is made of is told at the end. @param {number} seen in s */
+    grow(seen) {
+      this.#seen = seen;
+      const seenOnes = this.told.filter(({ t: t3 }) => t3 <= seen);
+      const whole = seen === Infinity;
+      if (!this.header || seenOnes.length === this.#listed && whole === this.#last) return;
+      [this.#listed, this.#last] = [seenOnes.length, whole];
+      const items = seenOnes.slice(0, MOST_EVENTS2).map((one) => this.#item(one));
+      const more = seenOnes.length - items.length;
       if (more > 0)
         items.push(
           html("li", "carts-more-events", tr("… and {count} more events.", { count: more }))
@@ -7861,7 +7948,19 @@ ${lines2.join("\n")}
       put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
-      this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
+      const model = whole ? modelSentences(this.header) : [];
+      this.model.replaceChildren(...model.map((text) => html("li", "", text)));
+      need(this.root, ".carts-model").hidden = !whole;
+    }
+    /** @param {{t: number, sentence: string}} told */
+    #item({ t: t3, sentence: sentence2 }) {
+      const item = html("li");
+      const button = html("button", "", `${fixed(t3, this.view.decimals.t ?? 3)} s`);
+      button.setAttribute("type", "button");
+      button.className = "carts-jump";
+      button.dataset.time = String(t3);
+      item.append(button, " ", html("span", "", sentence2));
+      return item;
     }
     /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before, now) {
@@ -7874,6 +7973,12 @@ ${lines2.join("\n")}
   var Timeline = class {
     #until = 0;
     // s, as far as the axis goes
+    #seen = Infinity;
+    // s, as far as the run was watched
+    /** @type {{start: number, end: number}[]} */
+    #touches = [];
+    /** @type {{t: number, kind: string}[]} */
+    #events = [];
     /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
     constructor(root, seek) {
       this.scrub = /** @type {HTMLInputElement} */
@@ -7887,31 +7992,43 @@ ${lines2.join("\n")}
     show(run, windows) {
       const { header } = run;
       const pushes = isTold(run) ? marks(header, false) : [];
-      const at2 = (t3) => `${px(100 * t3 / header.until, 3)}%`;
-      this.bands.replaceChildren(
-        ...windows.map(
-          (w2) => svg("rect", {
-            class: "carts-contact-band",
-            x: at2(w2.start),
-            y: 0,
-            width: at2(w2.end - w2.start),
-            height: 18
-          })
-        )
-      );
-      this.marks.replaceChildren(
-        .../** @type {{t: number, kind: string}[]} */
-        header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes.map(({ t: t3 }) => ({ t: t3, kind: "push" }))).map(
-          (event) => svg("line", {
-            class: `carts-event carts-event-${event.kind}`,
-            x1: at2(event.t),
-            x2: at2(event.t),
-            y1: 1,
-            y2: 17
-          })
-        )
-      );
+      this.#touches = windows;
+      this.#events = [
+        ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end"),
+        ...pushes.map(({ t: t3 }) => ({ t: t3, kind: "push" }))
+      ];
       if (this.#until !== header.until) this.#renumber(header.until);
+      this.#mark();
+    }
+    /** @param {number} seen s, as far as the run was watched */
+    grow(seen) {
+      this.#seen = seen;
+      if (this.#until) this.#mark();
+    }
+    /** Bands and ticks of what was seen. */
+    #mark() {
+      const at2 = (t3) => `${px(100 * t3 / this.#until, 3)}%`;
+      const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
+      const events = this.#events.filter(({ t: t3 }) => t3 <= this.#seen);
+      fit2(this.bands, touches2.length, { class: "carts-contact-band", y: 0, height: 18 }, "rect");
+      touches2.forEach(({ start, end }, k) => {
+        const band3 = (
+          /** @type {Element} */
+          this.bands.children[k]
+        );
+        put(band3, "x", at2(start));
+        put(band3, "width", at2(Math.min(end, this.#seen) - start));
+      });
+      fit2(this.marks, events.length, { y1: 1, y2: 17 }, "line");
+      events.forEach(({ t: t3, kind }, k) => {
+        const mark2 = (
+          /** @type {Element} */
+          this.marks.children[k]
+        );
+        put(mark2, "class", `carts-event carts-event-${kind}`);
+        put(mark2, "x1", at2(t3));
+        put(mark2, "x2", at2(t3));
+      });
     }
     /** @param {number} t in s @param {string} spoken */
     at(t3, spoken) {
@@ -7934,6 +8051,10 @@ ${lines2.join("\n")}
       );
     }
   };
+  function fit2(group2, count2, attributes, tag) {
+    while (group2.children.length > count2) group2.lastElementChild?.remove();
+    while (group2.children.length < count2) group2.append(svg(tag, attributes));
+  }
 
   // src/scene/drawing.js
   var Drawing = class {
@@ -7941,6 +8062,8 @@ ${lines2.join("\n")}
     run;
     /** @type {Touch[]} bodies that touch in the run shown */
     windows = [];
+    /** s, as far as the run may be drawn: what was not seen yet is nowhere on the page */
+    #seen = Infinity;
     /**
      * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
      * @param {(t: number) => void} seek when the reader points at a time
@@ -7976,13 +8099,22 @@ ${lines2.join("\n")}
       this.run = run;
       this.windows = touches(header.events, header.until);
       this.#words();
-      this.#offerWindows();
       this.stand();
       for (const graph2 of this.graphs) graph2.show(run, t3);
       this.views.show(run, this.windows, t3);
       this.readouts.show(run);
       this.timeline.show(run, this.windows);
       this.story.show(run);
+      this.#offerWindows();
+    }
+    /** Draws the run as far as it was watched. @param {number} seen in s */
+    grow(seen) {
+      if (seen === this.#seen) return;
+      this.#seen = seen;
+      for (const graph2 of this.graphs) graph2.grow(seen);
+      this.timeline.grow(seen);
+      this.story.grow(seen);
+      this.#offerWindows();
     }
     /** Draws the instant t. @param {number} t in s */
     at(t3) {
@@ -8013,7 +8145,9 @@ ${lines2.join("\n")}
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */
     #offerWindows() {
-      const options = this.windows.map(({ bodies, start }, i2) => {
+      const begun = this.windows.filter(({ start }) => start <= this.#seen);
+      if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
+      const options = begun.map(({ bodies, start }, i2) => {
         const names = bodies.map(brief).join("–");
         const option2 = html(
           "option",
@@ -8054,11 +8188,11 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     const inside = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH6} ${HEIGHT3}" width=${WIDTH6} height=${HEIGHT3} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT4} y=${TOP3 - 4} width=${RIGHT3 - LEFT4 + 1} height=${BOTTOM4 - TOP3 + 8}/></clipPath></defs>
+<defs><clipPath id=${clip}><rect x=${LEFT4} y=${TOP3 - 4} width=${RIGHT3 - LEFT4 + 1} height=${BOTTOM4 - TOP3 + 8}/></clipPath><clipPath id="${clip}-seen" class="carts-seen"><rect x=${LEFT4} y=${TOP3 - 4} width=${RIGHT3 - LEFT4 + 1} height=${BOTTOM4 - TOP3 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside}>${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${clip}-seen)">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
 <g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
 </svg>`;
@@ -8243,6 +8377,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.behind = behind;
       for (const ghost of this.ghosts) ghost.show(behind);
       for (const graph2 of this.drawing.graphs) graph2.behind = behind;
+      if (this.player.seen < Infinity) this.player.seen = this.player.time;
+      this.drawing.grow(this.player.seen);
       this.drawing.show(run, this.player.time);
       this.player.until = header.until;
       this.player.parts = slowParts(this.drawing.windows);
@@ -8274,6 +8410,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     /** @param {number} before @param {boolean} forward */
     #moved(before, forward) {
       const t3 = this.player.time;
+      this.drawing.grow(this.player.seen);
       this.drawing.at(t3);
       for (const ghost of this.ghosts) ghost.at(t3);
       this.transport.show();
@@ -8309,6 +8446,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       graphs.push(graph2);
       graph2.enable();
       graph2.behind = this.behind;
+      graph2.grow(this.player.seen);
       graph2.show(this.run, this.player.time);
       this.#zoom();
     }
@@ -8321,6 +8459,64 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       for (const graph2 of graphs) graph2.zoom(window, this.player.time);
     }
   };
+
+  // src/scene/watch.js
+  var WATCHED = "carts-watched";
+  var Watch = class {
+    over = false;
+    /**
+     * @param {HTMLElement} element of the scene @param {import("../../../view/types.js").Baked} baked
+     * @param {import("./player.js").Player} player @param {() => void} ended once, when all was seen
+     */
+    constructor(element, baked, player, ended2) {
+      this.element = element;
+      this.player = player;
+      this.ended = ended2;
+      this.first = baked.fence.watch === "first";
+      this.asked = baked.fence.predict !== null;
+      this.button = /** @type {HTMLButtonElement | null} */
+      element.querySelector(".carts-end");
+      this.button?.addEventListener("click", () => {
+        player.pause();
+        player.show(player.until);
+      });
+      if (this.first) player.seen = 0;
+      player.ended = () => this.finish();
+      if (!this.asked && remembered().includes(this.#name)) this.#open();
+    }
+    /** All of the run is there from now on. */
+    finish() {
+      if (this.over) return;
+      this.#open();
+      this.player.seek(this.player.time);
+      this.ended();
+    }
+    #open() {
+      this.over = true;
+      this.player.seen = Infinity;
+      if (this.button) this.button.style.visibility = "hidden";
+      if (!this.asked) remember(this.#name);
+      this.element.dataset.watched = "";
+      this.element.dispatchEvent(new CustomEvent(WATCHED, { bubbles: true }));
+    }
+    get #name() {
+      return `${location.pathname}#${this.element.id}`;
+    }
+  };
+  var KEY = "carts-watched";
+  function remembered() {
+    try {
+      return JSON.parse(sessionStorage.getItem(KEY) ?? "[]");
+    } catch {
+      return [];
+    }
+  }
+  function remember(name2) {
+    try {
+      sessionStorage.setItem(KEY, JSON.stringify([.../* @__PURE__ */ new Set([...remembered(), name2])]));
+    } catch {
+    }
+  }
 
   // src/scene/element.js
   function sceneElement(client2) {
@@ -8336,6 +8532,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #runs = new Runs(this, client2, () => this.#baked?.fence.scene);
       /** @type {ReturnType<typeof wireInside> | null} */
       #inside = null;
+      /** @type {Watch | null} */
+      #watch = null;
       #asBaked = "";
       // the inside of the element as the generator wrote it, for “Start again”
       #live = new Live(this, client2, {
@@ -8380,7 +8578,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           preset: (changes2) => this.#preset(changes2),
           found: () => void this.#showForces(),
           settings: () => this.#values.good,
-          told: () => this.#told,
+          told: () => this.#told && this.#free,
           change: (target, value, at2) => void this.set({ [target]: value }, at2).catch((error) => this.#complain(target, error))
         });
         this.#inside = inside;
@@ -8388,10 +8586,12 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           locked: (now) => void this.#reveal(now),
           forgotten: () => void this.#startAgain()
         });
+        this.#watch = new Watch(this, baked, view.player, () => this.#watched());
         if (!this.#predict) this.#lesson = baked.run;
         if (this.#lesson) inside.find?.show(baked.run);
         void inside.find?.restore();
         void inside.how.follow(baked.run);
+        if (this.#watch.over) view.show(baked.run);
         view.enable(!this.#predict);
         inside.controls.enable(!this.#predict);
         this.#restored = this.#predict?.restore() ?? Promise.resolve();
@@ -8402,6 +8602,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#reset();
         this.#values.forget();
         this.#lesson = null;
+        delete this.dataset.watched;
         this.innerHTML = this.#asBaked;
         this.classList.add("carts-asks");
         this.#adopt();
@@ -8438,7 +8639,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       set time(t3) {
         if (!this.#told) return;
         this.#view?.player.pause();
-        this.#view?.player.seek(Number(t3));
+        this.#view?.player.show(Number(t3));
       }
       /**
        * Changes values and resolves when the new run is drawn. Rejects with a message for the reader
@@ -8462,6 +8663,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       get #told() {
         return !this.#predict || this.#lesson !== null;
+      }
+      /** Whether the reader may change values: after a prediction its run is watched first. */
+      get #free() {
+        return !this.#predict || Boolean(this.#watch?.over);
       }
       #undo() {
         this.#values.undo();
@@ -8501,6 +8706,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         const run = await this.#runs.ask();
         if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
       }
+      /** All of a run that may be told, at once: for a whole class. */
+      complete() {
+        if (this.#told) this.#watch?.finish();
+      }
       /** The run without a prediction, for a whole class: nothing is kept. */
       async reveal() {
         if (!this.#told) await this.#reveal(false, false);
@@ -8516,10 +8725,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           need(this, ".carts-results").hidden = false;
           this.#draw(run);
           this.#view?.enable(true);
-          this.#inside?.controls.enable(true);
-          if (own) this.#predict?.compare(run);
-          if (now)
-            this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
+          if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
+          if (!own || this.#predict?.watched) this.#watch?.finish();
+          else if (this.#watch?.first) this.#view?.player.play();
+          else this.#watched();
         } catch (error) {
           const { message } = (
             /** @type {Error} */
@@ -8527,6 +8736,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           );
           this.#predict?.complain(`${message} ${PREDICTION_KEPT}`);
         }
+      }
+      /** The run was seen: now it stands beside the prediction, and values may be changed. */
+      #watched() {
+        if (!this.#predict || !this.#lesson) return;
+        this.#inside?.controls.enable(true);
+        if (!this.#predict.isLocked) return;
+        this.#predict.compare(this.#lesson);
+        this.#view?.announcer.tell([this.#predict.spoken]);
       }
       /** @param {string} target @param {Error} error */
       #complain(target, error) {

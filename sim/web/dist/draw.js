@@ -11910,6 +11910,7 @@ ${rows}</tbody></table></div>
   var HEIGHT3 = 172;
   var BELOW_LINE = 4;
   var NEAR = 0.7;
+  var PIECES = 8;
   var STRAIGHT = 0.05;
   function timeX(plane, t) {
     return LEFT3 + (t - plane.time.low) * ((RIGHT3 - LEFT3) / (plane.time.high - plane.time.low));
@@ -11941,7 +11942,7 @@ ${rows}</tbody></table></div>
   function planeFor(values, window2) {
     return { time: span(window2[0], window2[1], 6), value: axis(values[0], values[1], 5) };
   }
-  function path(curve3, times2, plane) {
+  function path(curve3, times2, plane, seen = Infinity) {
     const { values, slopes } = curve3;
     const kx = (RIGHT3 - LEFT3) / (plane.time.high - plane.time.low);
     const ky = (BOTTOM3 - TOP3) / (plane.value.high - plane.value.low);
@@ -11951,6 +11952,7 @@ ${rows}</tbody></table></div>
     let y0 = valueY(plane, Number(values[0]));
     let d = `M${px(x0)} ${px(y0)}`;
     for (let k = 1; k <= last; k += 1) {
+      if (Number(times2[k]) > seen) return d + tail(curve3, times2, plane, Number(times2[k - 1]), seen);
       const x = timeX(plane, Number(times2[k]));
       const y = valueY(plane, Number(values[k]));
       if (k < last && Math.abs(x - x0) < NEAR && Math.abs(y - y0) < NEAR) continue;
@@ -11967,6 +11969,14 @@ ${rows}</tbody></table></div>
       drawn = k;
       x0 = x;
       y0 = y;
+    }
+    return d;
+  }
+  function tail({ values, slopes }, times2, plane, from, to) {
+    let d = "";
+    for (let k = 1; k <= PIECES; k += 1) {
+      const t = from + (to - from) * k / PIECES;
+      d += `L${px(timeX(plane, t))} ${px(valueY(plane, valueAt2(times2, values, slopes, t)))}`;
     }
     return d;
   }
@@ -12009,11 +12019,11 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     const inside6 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
     return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH3} ${HEIGHT3}" width=${WIDTH3} height=${HEIGHT3} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/></clipPath></defs>
+<defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/></clipPath><clipPath id="${clip}-seen" class="carts-seen"><rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside6}>${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${clip}-seen)">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside6}></g>
 <g data-part="cursor" ${inside6}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
 </svg>`;
@@ -12306,6 +12316,7 @@ ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow k
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
 ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
 <p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
+${fence.watch === "first" && html`<button type="button" class="carts-button carts-end" disabled>${tr("Show me the end")}</button>`}
 </div>`;
   }
   function button(name, icon, label, title) {
@@ -13039,7 +13050,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           /** @type {Element} */
           group.children[k]
         );
-        const [x, y] = tail(force);
+        const [x, y] = tail2(force);
         put(path2, "class", "carts-block-arrow");
         put(path2, "d", (cut ? cutArrow : blockArrow)(x, y, length));
         put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x)} ${px(y)})` : "");
@@ -13062,7 +13073,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
   };
-  function tail({ way, side: side2, value }) {
+  function tail2({ way, side: side2, value }) {
     if (way === "up") {
       const middle = (BOX.top + BOX.bottom) / 2;
       return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
@@ -13630,6 +13641,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
     #timer = 0;
+    #seen = Infinity;
+    // s, as far as the run was watched
+    /** @type {{run: Run, curves: Series[]} | null} */
+    #shown = null;
+    #rows = 0;
     /** @param {HTMLElement} details @param {string} quantity @param {import("../../../../view/types.js").View} view */
     constructor(details, quantity, view) {
       this.details = /** @type {HTMLDetailsElement} */
@@ -13641,8 +13657,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {Run} run @param {Series[]} curves */
     show(run, curves) {
       this.#waiting = { run, curves };
+      this.#shown = this.#waiting;
       clearTimeout(this.#timer);
       this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
+    }
+    /** @param {number} seen s, as far as the run was watched */
+    grow(seen) {
+      this.#seen = seen;
+      if (!this.#shown || this.#times(this.#shown.run).length === this.#rows) return;
+      this.#waiting = this.#shown;
+      if (this.details.open || seen === Infinity) this.fill();
     }
     fill() {
       if (!this.#waiting) return;
@@ -13658,7 +13682,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       need(this.details, "thead").replaceChildren(head);
       const decimals = this.view.decimals[this.quantity] ?? 3;
       const scale = greatest2(curves);
-      const rows = tableTimes(run).map((t) => {
+      const times2 = this.#times(run);
+      this.#rows = times2.length;
+      const rows = times2.map((t) => {
         const row2 = html2("tr");
         row2.append(html2("td", "", fixed(t, this.view.decimals.t ?? 3)));
         for (const { values, slopes } of curves) {
@@ -13668,6 +13694,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
         return row2;
       });
       need(this.details, "tbody").replaceChildren(...rows);
+    }
+    /** @param {Run} run */
+    #times(run) {
+      return tableTimes(run).filter((t) => t <= this.#seen);
     }
   };
   function tableTimes({ header, trajectory }) {
@@ -13707,6 +13737,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     // “with sign”, “as a ledger”
     #t = 0;
     // s, the instant shown
+    #seen = Infinity;
+    // s, as far as the run was watched
     /** @type {[number, number] | null} */
     #window = null;
     /**
@@ -13755,6 +13787,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
       this.#draw(t);
       this.table.show(run, this.#stacked ? this.ledger?.entries ?? [] : this.#curves);
+    }
+    /** Draws the curves as far as they were watched. @param {number} seen in s */
+    grow(seen) {
+      this.#seen = seen;
+      this.table.grow(seen);
+      if (this.#run) this.#lines(this.#run);
     }
     /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window2, t) {
@@ -13823,8 +13861,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
           group.children[i]
         );
         put(line, "class", `carts-curve carts-${curve3.style}${curve3.over ? " carts-over" : ""}`);
-        put(line, "d", path(curve3, this.#times(run), this.#plane));
       });
+      this.#lines(run);
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
       this.#cursor();
       if (this.#stacked) {
@@ -13832,10 +13870,24 @@ ${found && html`<p class="carts-found" hidden></p>`}
         this.key.forget();
       } else {
         this.ledger?.clear();
-        const note = graphNote(this.quantity, header.events, this.#curves.length);
+        const events = header.events.filter((event) => event.t <= this.#seen);
+        const note = graphNote(this.quantity, events, this.#curves.length);
         this.key.show(this.#curves, note);
       }
       this.at(t);
+    }
+    /** The curves, up to what was seen. @param {Run} run */
+    #lines(run) {
+      const group = need(this.root, '[data-part="curves"]');
+      this.#curves.forEach((curve3, i) => {
+        const line = (
+          /** @type {Element} */
+          group.children[i]
+        );
+        put(line, "d", path(curve3, this.#times(run), this.#plane, this.#seen));
+      });
+      const end = Math.min(RIGHT3, Math.max(LEFT3, timeX(this.#plane, this.#seen)));
+      put(need(this.root, ".carts-seen rect"), "width", px(end - LEFT3 + 1));
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -14414,10 +14466,18 @@ ${found && html`<p class="carts-found" hidden></p>`}
   var Story = class {
     /** @type {{t: number, sentence: string}[]} */
     told = [];
+    #seen = Infinity;
+    // s, as far as the run was watched
+    #listed = -1;
+    // sentences that stand there
+    #last = false;
+    // whether the model stands there
     /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked @param {(t: number) => void} seek */
     constructor(root, baked, seek) {
       const { fence, view } = baked;
+      this.root = root;
       this.view = view;
+      this.header = null;
       this.layout = /** @type {import("../../../view/types.js").Layout} */
       view.layouts[0];
       this.telling = {
@@ -14452,16 +14512,19 @@ ${found && html`<p class="carts-found" hidden></p>`}
           sentence: exitSentence(exit, decimals, this.view.velocity)
         }))
       ].sort((a, b) => a.t - b.t);
-      const items = this.told.slice(0, MOST_EVENTS2).map(({ t, sentence: sentence2 }) => {
-        const item = html2("li");
-        const button2 = html2("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
-        button2.setAttribute("type", "button");
-        button2.className = "carts-jump";
-        button2.dataset.time = String(t);
-        item.append(button2, " ", html2("span", "", sentence2));
-        return item;
-      });
-      const more = this.told.length - items.length;
+      this.header = header;
+      this.#listed = -1;
+      this.grow(this.#seen);
+    }
+    /** Lists what has happened by then; what the model is made of is told at the end. @param {number} seen in s */
+    grow(seen) {
+      this.#seen = seen;
+      const seenOnes = this.told.filter(({ t }) => t <= seen);
+      const whole = seen === Infinity;
+      if (!this.header || seenOnes.length === this.#listed && whole === this.#last) return;
+      [this.#listed, this.#last] = [seenOnes.length, whole];
+      const items = seenOnes.slice(0, MOST_EVENTS2).map((one) => this.#item(one));
+      const more = seenOnes.length - items.length;
       if (more > 0)
         items.push(
           html2("li", "carts-more-events", tr("… and {count} more events.", { count: more }))
@@ -14471,7 +14534,19 @@ ${found && html`<p class="carts-found" hidden></p>`}
       put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
-      this.model.replaceChildren(...modelSentences(header).map((text3) => html2("li", "", text3)));
+      const model2 = whole ? modelSentences(this.header) : [];
+      this.model.replaceChildren(...model2.map((text3) => html2("li", "", text3)));
+      need(this.root, ".carts-model").hidden = !whole;
+    }
+    /** @param {{t: number, sentence: string}} told */
+    #item({ t, sentence: sentence2 }) {
+      const item = html2("li");
+      const button2 = html2("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+      button2.setAttribute("type", "button");
+      button2.className = "carts-jump";
+      button2.dataset.time = String(t);
+      item.append(button2, " ", html2("span", "", sentence2));
+      return item;
     }
     /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before2, now) {
@@ -14484,6 +14559,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
   var Timeline = class {
     #until = 0;
     // s, as far as the axis goes
+    #seen = Infinity;
+    // s, as far as the run was watched
+    /** @type {{start: number, end: number}[]} */
+    #touches = [];
+    /** @type {{t: number, kind: string}[]} */
+    #events = [];
     /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
     constructor(root, seek) {
       this.scrub = /** @type {HTMLInputElement} */
@@ -14497,31 +14578,43 @@ ${found && html`<p class="carts-found" hidden></p>`}
     show(run, windows) {
       const { header } = run;
       const pushes2 = isTold(run) ? marks(header, false) : [];
-      const at = (t) => `${px(100 * t / header.until, 3)}%`;
-      this.bands.replaceChildren(
-        ...windows.map(
-          (w) => svg("rect", {
-            class: "carts-contact-band",
-            x: at(w.start),
-            y: 0,
-            width: at(w.end - w.start),
-            height: 18
-          })
-        )
-      );
-      this.marks.replaceChildren(
-        .../** @type {{t: number, kind: string}[]} */
-        header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end").concat(pushes2.map(({ t }) => ({ t, kind: "push" }))).map(
-          (event) => svg("line", {
-            class: `carts-event carts-event-${event.kind}`,
-            x1: at(event.t),
-            x2: at(event.t),
-            y1: 1,
-            y2: 17
-          })
-        )
-      );
+      this.#touches = windows;
+      this.#events = [
+        ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end"),
+        ...pushes2.map(({ t }) => ({ t, kind: "push" }))
+      ];
       if (this.#until !== header.until) this.#renumber(header.until);
+      this.#mark();
+    }
+    /** @param {number} seen s, as far as the run was watched */
+    grow(seen) {
+      this.#seen = seen;
+      if (this.#until) this.#mark();
+    }
+    /** Bands and ticks of what was seen. */
+    #mark() {
+      const at = (t) => `${px(100 * t / this.#until, 3)}%`;
+      const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
+      const events = this.#events.filter(({ t }) => t <= this.#seen);
+      fit2(this.bands, touches2.length, { class: "carts-contact-band", y: 0, height: 18 }, "rect");
+      touches2.forEach(({ start, end }, k) => {
+        const band4 = (
+          /** @type {Element} */
+          this.bands.children[k]
+        );
+        put(band4, "x", at(start));
+        put(band4, "width", at(Math.min(end, this.#seen) - start));
+      });
+      fit2(this.marks, events.length, { y1: 1, y2: 17 }, "line");
+      events.forEach(({ t, kind }, k) => {
+        const mark = (
+          /** @type {Element} */
+          this.marks.children[k]
+        );
+        put(mark, "class", `carts-event carts-event-${kind}`);
+        put(mark, "x1", at(t));
+        put(mark, "x2", at(t));
+      });
     }
     /** @param {number} t in s @param {string} spoken */
     at(t, spoken) {
@@ -14544,6 +14637,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       );
     }
   };
+  function fit2(group, count, attributes2, tag) {
+    while (group.children.length > count) group.lastElementChild?.remove();
+    while (group.children.length < count) group.append(svg(tag, attributes2));
+  }
 
   // src/scene/drawing.js
   var Drawing = class {
@@ -14551,6 +14648,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     run;
     /** @type {Touch[]} bodies that touch in the run shown */
     windows = [];
+    /** s, as far as the run may be drawn: what was not seen yet is nowhere on the page */
+    #seen = Infinity;
     /**
      * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
      * @param {(t: number) => void} seek when the reader points at a time
@@ -14586,13 +14685,22 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.run = run;
       this.windows = touches(header.events, header.until);
       this.#words();
-      this.#offerWindows();
       this.stand();
       for (const graph2 of this.graphs) graph2.show(run, t);
       this.views.show(run, this.windows, t);
       this.readouts.show(run);
       this.timeline.show(run, this.windows);
       this.story.show(run);
+      this.#offerWindows();
+    }
+    /** Draws the run as far as it was watched. @param {number} seen in s */
+    grow(seen) {
+      if (seen === this.#seen) return;
+      this.#seen = seen;
+      for (const graph2 of this.graphs) graph2.grow(seen);
+      this.timeline.grow(seen);
+      this.story.grow(seen);
+      this.#offerWindows();
     }
     /** Draws the instant t. @param {number} t in s */
     at(t) {
@@ -14623,7 +14731,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */
     #offerWindows() {
-      const options = this.windows.map(({ bodies, start }, i) => {
+      const begun = this.windows.filter(({ start }) => start <= this.#seen);
+      if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
+      const options = begun.map(({ bodies, start }, i) => {
         const names = bodies.map(brief).join("–");
         const option = html2(
           "option",
@@ -14654,6 +14764,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const baked = bakedOf(raw);
     const root = filled2("carts-scene", inside5(baked, found).text);
     const drawing = new Drawing(root, baked);
+    if (baked.fence.watch === "first") drawing.grow(0);
     drawing.show(baked.run, 0);
     drawing.at(0);
     for (const { table: table4 } of drawing.graphs) table4.fill();

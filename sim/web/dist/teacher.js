@@ -1975,11 +1975,11 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     const inside4 = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath></defs>
+<defs><clipPath id=${clip}><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath><clipPath id="${clip}-seen" class="carts-seen"><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath></defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" ${inside4}>${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${clip}-seen)">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside4}></g>
 <g data-part="cursor" ${inside4}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM2}" transform="translate(${LEFT2} 0)"/></g>
 </svg>`;
@@ -2272,6 +2272,7 @@ ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow k
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
 ${slow && html2`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
 <p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html2`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
+${fence.watch === "first" && html2`<button type="button" class="carts-button carts-end" disabled>${tr("Show me the end")}</button>`}
 </div>`;
   }
   function button(name, icon, label, title) {

@@ -36,6 +36,7 @@ function scene({ baked: raw, found }) {
   const baked = bakedOf(raw);
   const root = filled("carts-scene", inside(baked, found).text);
   const drawing = new Drawing(root, baked);
+  if (baked.fence.watch === "first") drawing.grow(0);
   drawing.show(baked.run, 0);
   drawing.at(0);
   for (const { table } of drawing.graphs) table.fill();

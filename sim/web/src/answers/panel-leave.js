@@ -1,6 +1,7 @@
 /** Leaving a shared laptop: clear one's own answers, or everything; and where answers are kept. */
 
 import { tr } from "../../../view/language.js";
+import { anyWaits, openAll } from "../question/gate.js";
 import { html } from "../shared/dom.js";
 import { askingButton, part } from "./parts.js";
 
@@ -28,6 +29,16 @@ export function leavePart(book) {
       "carts-answers-delete",
     ),
   );
+  if (anyWaits()) {
+    const key = askingButton(
+      tr("Open all questions"),
+      tr("For teachers: some questions of this page open when their run was watched."),
+      tr("Open them now"),
+      openAll,
+      "carts-answers-open-all",
+    );
+    root.append(key);
+  }
   return root;
 }
 

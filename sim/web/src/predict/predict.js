@@ -21,9 +21,9 @@ import { ChoiceForm, WordsForm } from "./words.js";
  * @typedef {{value: unknown, readonly said: string, enable: (on: boolean) => void, problem: () => string | null,
  *   compare: (run: Run) => Node[]}} Form
  */
-/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string,
+/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string, watched?: string,
  *   talk?: string, before?: {value: unknown, said: string}, why?: string}} Entry
- * talk: when it was locked for the first time; before: what it was until it was changed after talking */
+ * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking */
 
 export class Predict {
   /** @type {Entry} */
@@ -80,6 +80,11 @@ export class Predict {
     return this.#entry.locked !== null;
   }
 
+  /** @returns {boolean} whether the run was seen to its end, now or at an earlier visit */
+  get watched() {
+    return Boolean(this.#entry.watched);
+  }
+
   /** Brings back what the reader left here before. */
   async restore() {
     const { site, page } = place();
@@ -120,6 +125,10 @@ export class Predict {
       place.append(html("p", "", both));
     }
     place.hidden = false;
+    if (!this.#entry.watched) {
+      this.#entry.watched = new Date().toISOString();
+      void this.#keep();
+    }
     this.why.show(why ?? "");
     this.again.offer();
     say(need(this.root, ".carts-heading"), tr("Your prediction"));

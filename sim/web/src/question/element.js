@@ -8,6 +8,7 @@ import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";
 import { drawnForm, ownReading } from "./forms/run.js";
 import { numberForm, wordsForm } from "./forms/typed.js";
+import { wait } from "./gate.js";
 import { plainText } from "./plain-text.js";
 
 /**
@@ -109,6 +110,7 @@ export function questionElement(book) {
       this.#enable();
       this.dataset.ready = "";
       this.#form?.follow?.(book);
+      wait(this, this.answered);
     }
 
     /** Shows what is kept; an answer to another version of the question is shown beside it. */

@@ -25,6 +25,8 @@ export class Drawing {
   run;
   /** @type {Touch[]} bodies that touch in the run shown */
   windows = [];
+  /** s, as far as the run may be drawn: what was not seen yet is nowhere on the page */
+  #seen = Infinity;
 
   /**
    * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
@@ -54,13 +56,23 @@ export class Drawing {
     this.run = run;
     this.windows = touches(header.events, header.until);
     this.#words();
-    this.#offerWindows();
     this.stand();
     for (const graph of this.graphs) graph.show(run, t);
     this.views.show(run, this.windows, t);
     this.readouts.show(run);
     this.timeline.show(run, this.windows);
     this.story.show(run);
+    this.#offerWindows();
+  }
+
+  /** Draws the run as far as it was watched. @param {number} seen in s */
+  grow(seen) {
+    if (seen === this.#seen) return;
+    this.#seen = seen;
+    for (const graph of this.graphs) graph.grow(seen);
+    this.timeline.grow(seen);
+    this.story.grow(seen);
+    this.#offerWindows();
   }
 
   /** Draws the instant t. @param {number} t in s */
@@ -95,7 +107,9 @@ export class Drawing {
 
   /** Parts of the time that the graphs can show alone: those in which bodies touch. */
   #offerWindows() {
-    const options = this.windows.map(({ bodies, start }, i) => {
+    const begun = this.windows.filter(({ start }) => start <= this.#seen);
+    if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
+    const options = begun.map(({ bodies, start }, i) => {
       const names = bodies.map(brief).join("–");
       const option = html(
         "option",

@@ -11,6 +11,7 @@ import { Live } from "./live.js";
 import { Runs } from "./runs.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./take-along/share.js";
+import { Watch } from "./watch.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */
@@ -29,6 +30,8 @@ export function sceneElement(client) {
     #runs = new Runs(this, client, () => this.#baked?.fence.scene);
     /** @type {ReturnType<typeof wireInside> | null} */
     #inside = null;
+    /** @type {Watch | null} */
+    #watch = null;
     #asBaked = ""; // the inside of the element as the generator wrote it, for “Start again”
     #live = new Live(this, client, {
       first: () => this.#first(),
@@ -75,7 +78,7 @@ export function sceneElement(client) {
         preset: (changes) => this.#preset(changes),
         found: () => void this.#showForces(),
         settings: () => this.#values.good,
-        told: () => this.#told,
+        told: () => this.#told && this.#free,
         change: (target, value, at) =>
           void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error)),
       });
@@ -84,10 +87,12 @@ export function sceneElement(client) {
         locked: (now) => void this.#reveal(now),
         forgotten: () => void this.#startAgain(),
       });
+      this.#watch = new Watch(this, baked, view.player, () => this.#watched());
       if (!this.#predict) this.#lesson = baked.run;
       if (this.#lesson) inside.find?.show(baked.run);
       void inside.find?.restore();
       void inside.how.follow(baked.run);
+      if (this.#watch.over) view.show(baked.run);
       view.enable(!this.#predict);
       inside.controls.enable(!this.#predict);
       this.#restored = this.#predict?.restore() ?? Promise.resolve();
@@ -99,6 +104,7 @@ export function sceneElement(client) {
       this.#reset();
       this.#values.forget();
       this.#lesson = null;
+      delete this.dataset.watched;
       this.innerHTML = this.#asBaked;
       this.classList.add("carts-asks");
       this.#adopt();
@@ -140,7 +146,7 @@ export function sceneElement(client) {
     set time(t) {
       if (!this.#told) return;
       this.#view?.player.pause();
-      this.#view?.player.seek(Number(t));
+      this.#view?.player.show(Number(t));
     }
 
     /**
@@ -168,6 +174,11 @@ export function sceneElement(client) {
 
     get #told() {
       return !this.#predict || this.#lesson !== null;
+    }
+
+    /** Whether the reader may change values: after a prediction its run is watched first. */
+    get #free() {
+      return !this.#predict || Boolean(this.#watch?.over);
     }
 
     #undo() {
@@ -214,6 +225,11 @@ export function sceneElement(client) {
       if (run && this.#told && !this.#view?.player.playing) this.#draw(run);
     }
 
+    /** All of a run that may be told, at once: for a whole class. */
+    complete() {
+      if (this.#told) this.#watch?.finish();
+    }
+
     /** The run without a prediction, for a whole class: nothing is kept. */
     async reveal() {
       if (!this.#told) await this.#reveal(false, false);
@@ -230,14 +246,23 @@ export function sceneElement(client) {
         need(this, ".carts-results").hidden = false;
         this.#draw(run);
         this.#view?.enable(true);
-        this.#inside?.controls.enable(true);
-        if (own) this.#predict?.compare(run);
-        if (now)
-          this.#view?.announcer.leadTo(need(this, ".carts-play"), this.#predict?.spoken ?? "");
+        if (now) this.#view?.announcer.leadTo(need(this, ".carts-play"), "");
+        if (!own || this.#predict?.watched) this.#watch?.finish();
+        else if (this.#watch?.first) this.#view?.player.play();
+        else this.#watched();
       } catch (error) {
         const { message } = /** @type {Error} */ (error);
         this.#predict?.complain(`${message} ${words.PREDICTION_KEPT}`);
       }
+    }
+
+    /** The run was seen: now it stands beside the prediction, and values may be changed. */
+    #watched() {
+      if (!this.#predict || !this.#lesson) return;
+      this.#inside?.controls.enable(true);
+      if (!this.#predict.isLocked) return;
+      this.#predict.compare(this.#lesson);
+      this.#view?.announcer.tell([this.#predict.spoken]);
     }
 
     /** @param {string} target @param {Error} error */

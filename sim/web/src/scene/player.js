@@ -14,6 +14,9 @@ export class Player {
   speed = 1;
   slow = true;
   until = 1;
+  /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
+  seen = Infinity;
+  ended = () => {}; // what to do at the end of the run
   /** @type {import("./slow.js").SlowPart[]} */
   parts = [];
   /** @type {number[]} s, where playing stops by itself */
@@ -71,9 +74,15 @@ export class Player {
 
   /** @param {number} t in s */
   seek(t) {
-    this.#move(t);
+    this.#move(Math.min(t, this.seen));
     if (t <= 0) this.own = 0;
-    this.changed(this.time, false);
+    this.#tell(this.time, false);
+  }
+
+  /** Goes there, watched or not. @param {number} t in s */
+  show(t) {
+    this.seen = Math.max(this.seen, t);
+    this.seek(t);
   }
 
   /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
@@ -88,7 +97,7 @@ export class Player {
           : this.stops.findLast((t) => t < before - SAME);
       const passed = event !== undefined && (way > 0 ? event < target : event > target);
       this.#move(passed ? event : target);
-      this.changed(before, way > 0);
+      this.#tell(before, way > 0);
     }
   }
 
@@ -111,12 +120,19 @@ export class Player {
     const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : undefined;
     this.#move(halt ?? next);
     if (halt !== undefined || this.time >= this.until) this.playing = false;
-    this.changed(before, true);
+    this.#tell(before, true);
     if (this.playing) this.#frame = requestAnimationFrame((next) => this.#tick(next));
   }
 
   /** @param {number} t */
   #move(t) {
     this.time = Math.min(this.until, Math.max(0, t));
+    this.seen = Math.max(this.seen, this.time);
+  }
+
+  /** @param {number} before @param {boolean} playing */
+  #tell(before, playing) {
+    this.changed(before, playing);
+    if (this.time >= this.until) this.ended();
   }
 }

@@ -6,7 +6,7 @@
 import { tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
 
-/** @typedef {HTMLElement & {reveal?: () => Promise<void>}} Scene */
+/** @typedef {HTMLElement & {reveal?: () => Promise<void>, complete?: () => void}} Scene */
 
 const MOST_HANDS = 999;
 /** @type {WeakSet<Scene>} scenes that listen to keys; their inside may be put there anew */
@@ -58,6 +58,7 @@ const isOn = (scene) => scene.classList.contains("carts-projector");
 async function project(scene, on) {
   for (const other of shown()) if (other !== scene) mark(other, false);
   mark(scene, on);
+  if (on) scene.complete?.();
   if (!on) {
     if (document.fullscreenElement) await document.exitFullscreen().catch(() => {});
     return;

@@ -65,6 +65,8 @@ export class SceneView {
     this.behind = behind;
     for (const ghost of this.ghosts) ghost.show(behind);
     for (const graph of this.drawing.graphs) graph.behind = behind;
+    if (this.player.seen < Infinity) this.player.seen = this.player.time; // another run: not seen yet
+    this.drawing.grow(this.player.seen);
     this.drawing.show(run, this.player.time);
     this.player.until = header.until;
     this.player.parts = slowParts(this.drawing.windows);
@@ -101,6 +103,7 @@ export class SceneView {
   /** @param {number} before @param {boolean} forward */
   #moved(before, forward) {
     const t = this.player.time;
+    this.drawing.grow(this.player.seen);
     this.drawing.at(t);
     for (const ghost of this.ghosts) ghost.at(t);
     this.transport.show();
@@ -138,6 +141,7 @@ export class SceneView {
     graphs.push(graph);
     graph.enable();
     graph.behind = this.behind;
+    graph.grow(this.player.seen);
     graph.show(this.run, this.player.time);
     this.#zoom();
   }

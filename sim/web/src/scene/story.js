@@ -14,11 +14,17 @@ const IN_FULL = 10; // events that stand there without scrolling
 export class Story {
   /** @type {{t: number, sentence: string}[]} */
   told = [];
+  #seen = Infinity; // s, as far as the run was watched
+  #listed = -1; // sentences that stand there
+  #last = false; // whether the model stands there
 
   /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked @param {(t: number) => void} seek */
   constructor(root, baked, seek) {
     const { fence, view } = baked;
+    this.root = root;
     this.view = view;
+    /** @type {import("../../../view/types.js").Header | null} */
+    this.header = null;
     this.layout = /** @type {import("../../../view/types.js").Layout} */ (view.layouts[0]);
     this.telling = {
       decimals: view.decimals,
@@ -50,16 +56,20 @@ export class Story {
         sentence: exitSentence(exit, decimals, this.view.velocity),
       })),
     ].sort((a, b) => a.t - b.t);
-    const items = this.told.slice(0, MOST_EVENTS).map(({ t, sentence }) => {
-      const item = html("li");
-      const button = html("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
-      button.setAttribute("type", "button");
-      button.className = "carts-jump";
-      button.dataset.time = String(t);
-      item.append(button, " ", html("span", "", sentence));
-      return item;
-    });
-    const more = this.told.length - items.length;
+    this.header = header;
+    this.#listed = -1;
+    this.grow(this.#seen);
+  }
+
+  /** Lists what has happened by then; what the model is made of is told at the end. @param {number} seen in s */
+  grow(seen) {
+    this.#seen = seen;
+    const seenOnes = this.told.filter(({ t }) => t <= seen);
+    const whole = seen === Infinity;
+    if (!this.header || (seenOnes.length === this.#listed && whole === this.#last)) return;
+    [this.#listed, this.#last] = [seenOnes.length, whole];
+    const items = seenOnes.slice(0, MOST_EVENTS).map((one) => this.#item(one));
+    const more = seenOnes.length - items.length;
     if (more > 0)
       items.push(
         html("li", "carts-more-events", tr("… and {count} more events.", { count: more })),
@@ -69,7 +79,20 @@ export class Story {
     put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
     if (scrolled) put(this.list, "tabindex", "0");
     else this.list.removeAttribute("tabindex");
-    this.model.replaceChildren(...modelSentences(header).map((text) => html("li", "", text)));
+    const model = whole ? modelSentences(this.header) : [];
+    this.model.replaceChildren(...model.map((text) => html("li", "", text)));
+    need(this.root, ".carts-model").hidden = !whole;
+  }
+
+  /** @param {{t: number, sentence: string}} told */
+  #item({ t, sentence }) {
+    const item = html("li");
+    const button = html("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
+    button.setAttribute("type", "button");
+    button.className = "carts-jump";
+    button.dataset.time = String(t);
+    item.append(button, " ", html("span", "", sentence));
+    return item;
   }
 
   /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */

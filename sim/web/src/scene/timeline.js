@@ -10,6 +10,11 @@ const MOST_EVENTS = 60;
 
 export class Timeline {
   #until = 0; // s, as far as the axis goes
+  #seen = Infinity; // s, as far as the run was watched
+  /** @type {{start: number, end: number}[]} */
+  #touches = [];
+  /** @type {{t: number, kind: string}[]} */
+  #events = [];
 
   /** @param {HTMLElement} root of the scene @param {(t: number) => void} seek */
   constructor(root, seek) {
@@ -24,34 +29,39 @@ export class Timeline {
   show(run, windows) {
     const { header } = run;
     const pushes = isTold(run) ? marks(header, false) : [];
-    const at = (/** @type {number} */ t) => `${px((100 * t) / header.until, 3)}%`;
-    this.bands.replaceChildren(
-      ...windows.map((w) =>
-        svg("rect", {
-          class: "carts-contact-band",
-          x: at(w.start),
-          y: 0,
-          width: at(w.end - w.start),
-          height: 18,
-        }),
-      ),
-    );
-    this.marks.replaceChildren(
-      .../** @type {{t: number, kind: string}[]} */ (header.events)
-        .slice(0, MOST_EVENTS)
-        .filter((event) => event.kind !== "end")
-        .concat(pushes.map(({ t }) => ({ t, kind: "push" })))
-        .map((event) =>
-          svg("line", {
-            class: `carts-event carts-event-${event.kind}`,
-            x1: at(event.t),
-            x2: at(event.t),
-            y1: 1,
-            y2: 17,
-          }),
-        ),
-    );
+    this.#touches = windows;
+    this.#events = [
+      ...header.events.slice(0, MOST_EVENTS).filter((event) => event.kind !== "end"),
+      ...pushes.map(({ t }) => ({ t, kind: "push" })),
+    ];
     if (this.#until !== header.until) this.#renumber(header.until);
+    this.#mark();
+  }
+
+  /** @param {number} seen s, as far as the run was watched */
+  grow(seen) {
+    this.#seen = seen;
+    if (this.#until) this.#mark();
+  }
+
+  /** Bands and ticks of what was seen. */
+  #mark() {
+    const at = (/** @type {number} */ t) => `${px((100 * t) / this.#until, 3)}%`;
+    const touches = this.#touches.filter(({ start }) => start <= this.#seen);
+    const events = this.#events.filter(({ t }) => t <= this.#seen);
+    fit(this.bands, touches.length, { class: "carts-contact-band", y: 0, height: 18 }, "rect");
+    touches.forEach(({ start, end }, k) => {
+      const band = /** @type {Element} */ (this.bands.children[k]);
+      put(band, "x", at(start));
+      put(band, "width", at(Math.min(end, this.#seen) - start));
+    });
+    fit(this.marks, events.length, { y1: 1, y2: 17 }, "line");
+    events.forEach(({ t, kind }, k) => {
+      const mark = /** @type {Element} */ (this.marks.children[k]);
+      put(mark, "class", `carts-event carts-event-${kind}`);
+      put(mark, "x1", at(t));
+      put(mark, "x2", at(t));
+    });
   }
 
   /** @param {number} t in s @param {string} spoken */
@@ -75,4 +85,10 @@ export class Timeline {
       }),
     );
   }
+}
+
+/** Exactly `count` children. @param {Element} group @param {number} count @param {Record<string, string | number>} attributes @param {string} tag */
+function fit(group, count, attributes, tag) {
+  while (group.children.length > count) group.lastElementChild?.remove();
+  while (group.children.length < count) group.append(svg(tag, attributes));
 }

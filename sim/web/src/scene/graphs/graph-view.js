@@ -34,6 +34,7 @@ export class GraphView {
   behind = null;
   #pressed = false; // “with sign”, “as a ledger”
   #t = 0; // s, the instant shown
+  #seen = Infinity; // s, as far as the run was watched
   /** @type {[number, number] | null} */
   #window = null;
 
@@ -83,6 +84,13 @@ export class GraphView {
     this.ledger?.show(run, this.#pressed, () => this.show(run, this.#t));
     this.#draw(t);
     this.table.show(run, this.#stacked ? (this.ledger?.entries ?? []) : this.#curves);
+  }
+
+  /** Draws the curves as far as they were watched. @param {number} seen in s */
+  grow(seen) {
+    this.#seen = seen;
+    this.table.grow(seen);
+    if (this.#run) this.#lines(this.#run);
   }
 
   /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
@@ -153,8 +161,8 @@ export class GraphView {
     this.#curves.forEach((curve, i) => {
       const line = /** @type {Element} */ (group.children[i]);
       put(line, "class", `carts-curve carts-${curve.style}${curve.over ? " carts-over" : ""}`);
-      put(line, "d", g.path(curve, this.#times(run), this.#plane));
     });
+    this.#lines(run);
     ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
     this.#cursor();
     if (this.#stacked) {
@@ -162,10 +170,22 @@ export class GraphView {
       this.key.forget();
     } else {
       this.ledger?.clear();
-      const note = graphNote(this.quantity, header.events, this.#curves.length);
+      const events = header.events.filter((event) => event.t <= this.#seen);
+      const note = graphNote(this.quantity, events, this.#curves.length);
       this.key.show(this.#curves, note);
     }
     this.at(t);
+  }
+
+  /** The curves, up to what was seen. @param {Run} run */
+  #lines(run) {
+    const group = need(this.root, '[data-part="curves"]');
+    this.#curves.forEach((curve, i) => {
+      const line = /** @type {Element} */ (group.children[i]);
+      put(line, "d", g.path(curve, this.#times(run), this.#plane, this.#seen));
+    });
+    const end = Math.min(g.RIGHT, Math.max(g.LEFT, g.timeX(this.#plane, this.#seen)));
+    put(need(this.root, ".carts-seen rect"), "width", px(end - g.LEFT + 1));
   }
 
   /** @param {Run} run */

@@ -21,6 +21,10 @@ export class Table {
   /** @type {{run: Run, curves: Series[]} | null} */
   #waiting = null;
   #timer = 0;
+  #seen = Infinity; // s, as far as the run was watched
+  /** @type {{run: Run, curves: Series[]} | null} */
+  #shown = null;
+  #rows = 0;
 
   /** @param {HTMLElement} details @param {string} quantity @param {import("../../../../view/types.js").View} view */
   constructor(details, quantity, view) {
@@ -33,8 +37,17 @@ export class Table {
   /** @param {Run} run @param {Series[]} curves */
   show(run, curves) {
     this.#waiting = { run, curves };
+    this.#shown = this.#waiting;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST);
+  }
+
+  /** @param {number} seen s, as far as the run was watched */
+  grow(seen) {
+    this.#seen = seen;
+    if (!this.#shown || this.#times(this.#shown.run).length === this.#rows) return;
+    this.#waiting = this.#shown;
+    if (this.details.open || seen === Infinity) this.fill();
   }
 
   fill() {
@@ -51,7 +64,9 @@ export class Table {
     need(this.details, "thead").replaceChildren(head);
     const decimals = this.view.decimals[this.quantity] ?? 3;
     const scale = greatest(curves);
-    const rows = tableTimes(run).map((t) => {
+    const times = this.#times(run);
+    this.#rows = times.length;
+    const rows = times.map((t) => {
       const row = html("tr");
       row.append(html("td", "", fixed(t, this.view.decimals.t ?? 3)));
       for (const { values, slopes } of curves) {
@@ -61,6 +76,11 @@ export class Table {
       return row;
     });
     need(this.details, "tbody").replaceChildren(...rows);
+  }
+
+  /** @param {Run} run */
+  #times(run) {
+    return tableTimes(run).filter((t) => t <= this.#seen);
   }
 }
 
