@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import MEETING, live, on_scene, widget_site, write_page
+from tests.web.widget_site import MEETING, live, lock, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -80,7 +80,7 @@ def test_a_locked_prediction_stays_when_the_forces_are_found(
     page = live(open_page(write_page(widget_site, "asking", ASKING)), "asking")
     assert page.locator("#asking .carts-find button").is_disabled()
     page.locator("#asking .carts-options input").first.check()
-    page.locator("#asking .carts-lock").click()
+    lock(page, "asking")
     expect(page.locator("#asking .carts-results")).to_be_visible()
     answer = page.evaluate("document.querySelector('#asking').trajectory !== null")
     assert answer

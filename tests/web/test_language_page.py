@@ -18,7 +18,7 @@ from tests.pages.test_language import BRACKETS, rebuilt, sent_of_runs
 from tests.web import question_site as question_pages
 from tests.web.conftest import OpenPage
 from tests.web.question_site import question_site
-from tests.web.widget_site import MEETING, QUESTIONS, in_node, live, widget_site, write_page
+from tests.web.widget_site import MEETING, QUESTIONS, in_node, live, lock, widget_site, write_page
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 __all__ = ["question_site", "widget_site"]  # fixtures
@@ -139,7 +139,7 @@ def test_nothing_in_a_prediction_or_a_search_for_a_force_is_said_in_another_lang
     for box in page.locator(".carts-guess .carts-number-box").all():
         box.fill("2")
         box.press("Enter")
-    page.locator(".carts-lock").click()
+    lock(page, "arrows")
     expect(page.locator(".carts-compared")).to_be_visible()
     open_all(page)
     assert unheard(page) == set()

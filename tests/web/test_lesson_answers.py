@@ -11,6 +11,7 @@ from tests.web.answering import saved, saved_file
 from tests.web.conftest import OpenPage
 from tests.web.question_site import ready
 from tests.web.test_answers_panel import continue_as
+from tests.web.widget_site import lock
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -32,7 +33,7 @@ def test_a_lesson_over_two_days_gives_one_file(
         box.press("ControlOrMeta+a")
         box.press_sequentially(str(value))
         box.press("Tab")
-    scene.locator(".carts-lock").click()
+    lock(page, "third-equal")
     expect(scene.locator(".carts-compared")).to_be_visible(timeout=40_000)
     page.context.new_page().goto((site / "index.html").as_uri())
     page.close()
@@ -44,6 +45,8 @@ def test_a_lesson_over_two_days_gives_one_file(
     expect(page.get_by_label("Ana: the force on the trailer is larger.")).to_be_checked()
     run = page.locator("#third-light-into-heavy")
     expect(run).to_have_attribute("data-state", "live", timeout=40_000)
+    run.locator(".carts-end").click()
+    page.locator("#third-heavy-into-light").evaluate("scene => scene.reveal()")
     answer = page.locator("#third-read-a")
     answer.locator("input").fill("-0.26")
     answer.locator(".carts-q-check").click()

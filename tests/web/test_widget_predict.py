@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import CHOICE, live, on_scene, widget_site, write_page
+from tests.web.widget_site import CHOICE, live, lock, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -67,7 +67,7 @@ def test_after_the_lock_a_graph_says_what_it_cannot_draw(
 ) -> None:
     page = live(open_page(widget_site / "guessed.html"), "guessed")
     page.get_by_label("It stops", exact=True).check()
-    page.locator("#guessed .carts-lock").click()
+    lock(page, "guessed")
     force = page.locator('#guessed [data-quantity="F"] .carts-key')
     expect(force).to_contain_text("too large and too short to draw: see the impulses")
     acceleration = page.locator('#guessed [data-quantity="a"] .carts-key')
@@ -83,7 +83,7 @@ def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_s
     guess(page, "B", 6)
     expect(page.locator("#arrows .carts-saved")).to_have_text("Saved.")
     assert page.locator("#arrows .carts-stage-wide .carts-guessed").count() == 2
-    page.locator("#arrows .carts-lock").click()
+    lock(page, "arrows")
     expect(page.locator("#arrows .carts-results")).to_be_visible()
     compared = page.locator("#arrows .carts-compared").inner_text()
     assert "2.0 N" in compared
@@ -96,13 +96,13 @@ def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_s
 
 def test_a_long_arrow_is_typed_and_drawn_cut(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "arrows.html"), "arrows")
-    lock, error = page.locator("#arrows .carts-lock"), page.locator("#arrows .carts-predict-error")
+    error = page.locator("#arrows .carts-predict-error")
     force = page.locator('.carts-guess[data-on="A"]')
     full = float(force.locator("[type=range]").get_attribute("max") or 0)
     guess(page, "B", 2)
     guess(page, "A", 11 * full)
     expect(force.locator(".carts-error")).to_contain_text(f"0 to {10 * full:g} N, please.")
-    lock.click()
+    page.locator("#arrows .carts-lock").click()
     expect(error).to_contain_text("does not work yet: force on A by B")
     guess(page, "A", 9 * full)
     expect(force.locator(".carts-error")).to_be_hidden()
@@ -110,7 +110,7 @@ def test_a_long_arrow_is_typed_and_drawn_cut(open_page: OpenPage, widget_site: P
     expect(force.locator(".carts-error")).to_contain_text(f"{9 * full:.1f} N is kept.")
     drawn = page.locator('#arrows .carts-stage-wide .carts-guessed[data-on="A"]')
     assert (drawn.get_attribute("d") or "").count("Z") == 2  # a gap
-    lock.click()
+    lock(page, "arrows")
     compared = page.locator("#arrows .carts-compared")
     expect(compared).to_contain_text(f"{9 * full:.1f} N, arrow cut")
 
@@ -124,6 +124,7 @@ def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
     page.locator("#arrows .carts-lock").focus()
     page.keyboard.press("Enter")
     expect(page.locator("#arrows .carts-play")).to_be_focused()
+    page.locator("#arrows .carts-end").click()
     expect(page.locator("#arrows .carts-announcer")).to_contain_text(
         "force on A by B: you 2.0 N, the run 6.9 N."
     )
@@ -173,7 +174,7 @@ def test_a_prediction_comes_back_after_a_reload(open_page: OpenPage, widget_site
     page.reload()
     expect(page.locator('.carts-guess[data-on="A"] [type=text]')).to_have_value("2.0")
     guess(page, "B", 6)
-    page.locator("#arrows .carts-lock").click()
+    lock(page, "arrows")
     expect(page.locator("#arrows .carts-compared")).to_be_visible(timeout=20_000)
     page.reload()
     expect(page.locator("#arrows .carts-compared")).to_contain_text("2.0 N", timeout=20_000)
@@ -192,7 +193,7 @@ def test_a_curve_is_typed_or_drawn_and_compared_by_features(
     assert pad
     page.mouse.click(pad["x"] + pad["width"] * 350 / 360, pad["y"] + pad["height"] * 94 / 170)
     expect(heights.nth(4)).to_have_value("3")
-    page.locator("#curve .carts-lock").click()
+    lock(page, "curve")
     compared = page.locator("#curve .carts-compared")
     expect(compared).to_contain_text("starts from zero: your curve yes, the run yes")
     expect(compared).to_contain_text("is zero again at the end: your curve no, the run yes")
@@ -203,7 +204,7 @@ def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Pat
     page.locator("#choice .carts-lock").click()
     expect(page.locator("#choice .carts-predict-error")).to_be_visible()
     page.get_by_label("It turns back", exact=True).check()
-    page.locator("#choice .carts-lock").click()
+    lock(page, "choice")
     expect(page.locator("#choice .carts-compared")).to_contain_text("What do you see?")
     expect(page.get_by_label("It turns back", exact=True)).to_be_checked()
     expect(page.get_by_label("It turns back", exact=True)).to_be_disabled()
@@ -245,7 +246,7 @@ def test_after_talking_a_prediction_is_changed_once_and_explained(
     live(page, "talk")
     scene.locator(".carts-talk-change").click()
     scene.locator("input[type=radio]").nth(1).check()
-    scene.locator(".carts-lock").click()
+    lock(page, "talk")
     expect(scene.locator(".carts-compared")).to_contain_text(
         "First you said: It stops. After talking you said: It turns back."
     )

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.widget_site import live, on_scene, widget_site, write_page
+from tests.web.widget_site import live, lock, on_scene, widget_site, write_page
 
 pytestmark = pytest.mark.browser
 
@@ -42,8 +42,7 @@ def test_after_the_lock_carts_play_and_graphs_fit_on_a_laptop(
         "asked",
     )
     page.locator("#asked input[type=radio]").first.check()
-    page.locator("#asked .carts-lock").click()
-    page.wait_for_selector("#asked:not(.carts-asks)")
+    lock(page, "asked")
     top, *bottoms = on_scene(
         page,
         """const box = (part) => part.getBoundingClientRect();

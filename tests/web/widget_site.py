@@ -144,6 +144,12 @@ def widget_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build_site(tmp_path_factory.mktemp("widget") / "site")
 
 
+def lock(page: Page, name: str) -> None:
+    """Lock the prediction and go straight to the end of the run that it brings."""
+    page.locator(f"#{name} .carts-lock").click()
+    page.locator(f"#{name} .carts-end:enabled").click(timeout=LIVE)
+
+
 def live(page: Page, name: str = "meeting") -> Page:
     page.wait_for_selector(f'#{name}[data-state="live"]', timeout=LIVE)
     return page

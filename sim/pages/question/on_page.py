@@ -32,6 +32,9 @@ class PageItems:
         """The scene that is watched before the question opens; empty: it is open at once."""
         if after := question.common.after:
             return "" if after == OPEN else after
+        if isinstance(question, Reading):
+            own = next((s for s in self.scenes if s.id == question.scene), None)
+            return question.scene if own and own.watched_first else ""
         return "" if question.KIND in BEFORE_A_RUN else self.asking
 
     @property

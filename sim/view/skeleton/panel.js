@@ -43,8 +43,8 @@ function cartCards(baked) {
     const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
     return html`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
 <p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
-<dl class="carts-readouts">${readouts(baked)}</dl>
-${own.map((one) => control(one, fence.id))}</div>
+${own.map((one) => control(one, fence.id))}
+<dl class="carts-readouts">${readouts(baked)}</dl></div>
 `;
   });
 }

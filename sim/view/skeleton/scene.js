@@ -46,6 +46,8 @@ ${fence.camera !== 0 && html`<p class="carts-camera">${cameraText(fence.camera)}
 ${timeline(baked)}
 ${transport(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
+${asked && predict(baked, asked)}
+${panel(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -55,8 +57,6 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
 </div>
-${asked && predict(baked, asked)}
-${panel(baked)}
 ${asksForForces(baked) && find()}
 ${found && html`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>

@@ -7206,7 +7206,7 @@ ${lines2.join("\n")}
     grow(seen) {
       this.#seen = seen;
       this.table.grow(seen);
-      if (this.#run) this.#lines(this.#run);
+      if (this.#run) seen === Infinity ? this.#draw(this.#t) : this.#lines(this.#run);
     }
     /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window, t3) {
@@ -7284,8 +7284,8 @@ ${lines2.join("\n")}
         this.key.forget();
       } else {
         this.ledger?.clear();
-        const events = header.events.filter((event) => event.t <= this.#seen);
-        const note = graphNote(this.quantity, events, this.#curves.length);
+        const whole = this.#seen === Infinity;
+        const note = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
         this.key.show(this.#curves, note);
       }
       this.at(t3);

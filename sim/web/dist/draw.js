@@ -12057,8 +12057,8 @@ ${back > 0 && html`<p class="carts-reset-row"><button type="button" class="carts
       const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
       return html`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
 <p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
-<dl class="carts-readouts">${readouts(baked)}</dl>
-${own.map((one) => control(one, fence.id))}</div>
+${own.map((one) => control(one, fence.id))}
+<dl class="carts-readouts">${readouts(baked)}</dl></div>
 `;
     });
   }
@@ -12349,6 +12349,8 @@ ${fence.camera !== 0 && html`<p class="carts-camera">${cameraText(fence.camera)}
 ${timeline(baked)}
 ${transport(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
+${asked && predict(baked, asked)}
+${panel(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -12358,8 +12360,6 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
 </div>
-${asked && predict(baked, asked)}
-${panel(baked)}
 ${asksForForces(baked) && find2()}
 ${found && html`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>
@@ -13792,7 +13792,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     grow(seen) {
       this.#seen = seen;
       this.table.grow(seen);
-      if (this.#run) this.#lines(this.#run);
+      if (this.#run) seen === Infinity ? this.#draw(this.#t) : this.#lines(this.#run);
     }
     /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
     zoom(window2, t) {
@@ -13870,8 +13870,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
         this.key.forget();
       } else {
         this.ledger?.clear();
-        const events = header.events.filter((event) => event.t <= this.#seen);
-        const note = graphNote(this.quantity, events, this.#curves.length);
+        const whole = this.#seen === Infinity;
+        const note = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
         this.key.show(this.#curves, note);
       }
       this.at(t);

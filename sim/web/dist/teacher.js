@@ -2013,8 +2013,8 @@ ${back > 0 && html2`<p class="carts-reset-row"><button type="button" class="cart
       const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
       return html2`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
 <p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
-<dl class="carts-readouts">${readouts(baked)}</dl>
-${own.map((one) => control(one, fence.id))}</div>
+${own.map((one) => control(one, fence.id))}
+<dl class="carts-readouts">${readouts(baked)}</dl></div>
 `;
     });
   }
@@ -2305,6 +2305,8 @@ ${fence.camera !== 0 && html2`<p class="carts-camera">${cameraText(fence.camera)
 ${timeline(baked)}
 ${transport(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
+${asked && predict(baked, asked)}
+${panel(baked)}
 ${views(baked)}
 <div class="carts-results"${asked && html2` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
@@ -2314,8 +2316,6 @@ ${quantities.map((quantity) => graph(baked, quantity))}
 <ol class="carts-events" aria-label=${tr("What happens")}></ol></div>
 </div>
 </div>
-${asked && predict(baked, asked)}
-${panel(baked)}
 ${asksForForces(baked) && find()}
 ${found && html2`<p class="carts-found" hidden></p>`}
 <details class="carts-more carts-model"><summary>${tr("What is in this model")}</summary><ul></ul></details>

@@ -90,7 +90,7 @@ export class GraphView {
   grow(seen) {
     this.#seen = seen;
     this.table.grow(seen);
-    if (this.#run) this.#lines(this.#run);
+    if (this.#run) seen === Infinity ? this.#draw(this.#t) : this.#lines(this.#run);
   }
 
   /** A part of the time axis, or null for all of it. @param {[number, number] | null} window @param {number} t */
@@ -170,8 +170,8 @@ export class GraphView {
       this.key.forget();
     } else {
       this.ledger?.clear();
-      const events = header.events.filter((event) => event.t <= this.#seen);
-      const note = graphNote(this.quantity, events, this.#curves.length);
+      const whole = this.#seen === Infinity; // else a note would tell what comes
+      const note = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
       this.key.show(this.#curves, note);
     }
     this.at(t);
