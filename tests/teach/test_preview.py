@@ -50,11 +50,14 @@ def test_a_block_is_the_very_element_of_the_build_without_its_drawing() -> None:
     """The page draws it by the same functions; test_teacher_page looks at what comes of it."""
     from markdown import Markdown
 
-    from sim.pages.extension import CartsExtension
+    from sim.pages.extension import CartsExtension, Page, set_page
+    from sim.pages.scene_block import Lesson
 
     text = SCENE.format(mass="1 kg")
     (block,) = look(text)["blocks"]
+    set_page(Page(Lesson("lesson", watch="first")))
     built = Markdown(extensions=[CartsExtension()]).convert(text)
+    set_page(None)
     plain = built.replace("<carts-scene data-search-exclude", "<carts-scene")
     assert "carts-stage" in plain
     bare = re.sub(r"(<carts-scene[^>]*>\n).*(\n<script)", r"\1\2", plain, flags=re.DOTALL)
