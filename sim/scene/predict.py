@@ -11,6 +11,7 @@ from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
 KINDS = ("arrows", "curve", "choice", "text")
+WISHES = ("talk", "numbers", "sure")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -20,7 +21,8 @@ class Predict:
     arrows: length of the force arrow on each cart of the `pairs` at greatest compression.
     curve: the contact force on `cart` during the contact. choice: one of `options`.
     text: a sentence. `ask` is the question shown above. `talk`: after the lock two students
-    compare, and each may change the prediction once before the run.
+    compare, and each may change the prediction once before the run. `numbers`: arrows in newtons;
+    else only which one is longer counts. `sure`: how sure the student is, is asked too.
     """
 
     kind: Literal["arrows", "curve", "choice", "text"]
@@ -29,16 +31,20 @@ class Predict:
     cart: str | None = None
     options: tuple[str, ...] = ()
     talk: bool = False
+    numbers: bool = False
+    sure: bool = False
 
 
 def read_predict(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
     """The prediction, or None and a problem. Exactly one of the kinds is named."""
     found = _read_kind(value, scene, problems)
-    talk = value.get("talk", False) if isinstance(value, dict) else False
-    if not isinstance(talk, bool):
-        path: Path = ("predict", "talk")
-        problems.append(Problem(path, "not-a-choice", "talk is true or false", "talk: true"))
-    return found and replace(found, talk=talk is True)
+    wishes = {key: value.get(key, False) if isinstance(value, dict) else False for key in WISHES}
+    for key, wish in wishes.items():
+        if not isinstance(wish, bool):
+            path: Path = ("predict", key)
+            message = f"{key} is true or false"
+            problems.append(Problem(path, "not-a-choice", message, f"{key}: true"))
+    return found and replace(found, **{key: wish is True for key, wish in wishes.items()})
 
 
 def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
@@ -47,7 +53,7 @@ def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict 
     table = mapping(value, path, problems, hint)
     if table is None:
         return None
-    unknown_keys(table, (*KINDS, "ask", "talk"), path, problems)
+    unknown_keys(table, (*KINDS, "ask", *WISHES), path, problems)
     kinds = [kind for kind in KINDS if kind in table]
     if len(kinds) != 1:
         problems.append(Problem(path, "not-a-choice", "predict names exactly one kind", hint))

@@ -23,6 +23,7 @@ const NAMED = 34;
 const SPRING = [2, 10];
 export const PUSH = 15.5;
 const FACE = 22;
+const WHEEL = 5.5; // units, its radius
 const TURNS = 9; // of a coil
 const LEAD = 5; // units of straight wire at each end of a coil
 export const COIL = 7; // half its height
@@ -44,6 +45,13 @@ export function box(body, view, layout, lift) {
     label: named ? mass : `${body.name}: ${mass}`,
     labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift,
   };
+}
+
+/** @param {Box} box @returns {string} two wheels on the track */
+export function wheels({ width }) {
+  const radius = Math.min(WHEEL, width / 5);
+  const x = width / 2 - 1.5 * radius;
+  return dot(-x, 0, radius) + dot(x, 0, radius);
 }
 
 /** @param {Body} body @returns {number} length in m of its box, without bumpers */

@@ -45,7 +45,7 @@ PLAY: dict[str, Any] = {
         {"set": "A.position", "from": "0.2 m", "to": "1 m", "step": "0.1 m"},
     ],
 }
-ARROWS = {**MEETING, "id": "arrows", "predict": {"arrows": ["A-B"]}}
+ARROWS = {**MEETING, "id": "arrows", "predict": {"arrows": ["A-B"], "numbers": True}}
 CURVE = {**MEETING, "id": "curve", "predict": {"curve": "F.A"}}
 CHOICE = {
     **MEETING,

@@ -117,6 +117,8 @@ def _prediction(predict: Any) -> dict[str, Any]:
         "kind": predict.kind,
         "ask": told(predict.ask),
         "talk": predict.talk,
+        "numbers": predict.numbers,
+        "sure": predict.sure,
         "pairs": [list(pair) for pair in predict.pairs],
         "cart": predict.cart,
         "options": list(predict.options),

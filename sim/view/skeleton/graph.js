@@ -27,7 +27,7 @@ export function graph({ fence, view, run }, quantity) {
   const table = tr("Table: {quantity}", { quantity: lower(name) });
   return html`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
-${plot(`${fence.id}-${quantity}-clip`, isForce)}
+${plot(`${fence.id}-${quantity}-clip`, isForce, fence.watch === "first")}
 <p class="carts-key"></p>
 ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 <details class="carts-more"><summary>${table}</summary>
@@ -35,16 +35,18 @@ ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 </div>`;
 }
 
-/** @param {string} clip id @param {boolean} isForce */
-function plot(clip, isForce) {
+/** @param {string} clip id @param {boolean} isForce @param {boolean} growing whether areas grow with the clock */
+function plot(clip, isForce, growing) {
   const inside = html`clip-path="url(#${clip})"`;
   const shade = html`<path class="carts-impulse" d=""/>`;
+  const room = html`<rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/>`;
+  const seen = `${clip}-seen`;
   return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath><clipPath id="${clip}-seen" class="carts-seen"><rect x=${LEFT} y=${TOP - 4} width=${RIGHT - LEFT + 1} height=${BOTTOM - TOP + 8}/></clipPath></defs>
+<defs><clipPath id=${clip}>${room}</clipPath>${growing && html`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT} y=${HEIGHT - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" clip-path="url(#${clip}-seen)">${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
 <g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP}V${BOTTOM}" transform="translate(${LEFT} 0)"/></g>
 </svg>`;

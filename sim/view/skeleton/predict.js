@@ -13,6 +13,12 @@ import { niceAbove } from "../scales.js";
 /** @typedef {import("../types.js").PredictSpec} PredictSpec */
 
 const FULL = 10; // N, of the longest arrow where the scene has no scale of its own
+const STEP = 0.05; // of the longest arrow that can be drawn, where no newtons are asked for
+const CERTAINTY = /** @type {[string, string][]} */ ([
+  ["guess", tr("a guess")],
+  ["think", tr("I think so")],
+  ["sure", tr("I am sure")],
+]);
 const KNOBS = [0, 1, 2, 3, 4];
 
 /** @type {Record<PredictSpec["kind"], (baked: Baked, spec: PredictSpec) => import("../markup.js").Markup>} */
@@ -26,6 +32,7 @@ export function predict(baked, spec) {
 <p class="carts-heading">${tr("Predict first")}</p>
 <p class="carts-ask" id="${id}-ask">${spec.ask}</p>
 ${FORMS[spec.kind](baked, spec)}
+${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
 <div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
@@ -36,10 +43,20 @@ ${FORMS[spec.kind](baked, spec)}
 </div>`;
 }
 
-/** A length for each force: a slider and a box. @param {Baked} baked @param {PredictSpec} spec */
-function arrows({ fence, view, run: { header } }, { pairs }) {
-  const full = view.force || FULL;
-  const step = niceAbove(full / 100);
+/** How sure the reader is. @param {string} id of the scene */
+function certainty(id) {
+  const label = tr("How sure are you?");
+  const choices = CERTAINTY.map(
+    ([word, says]) =>
+      html`<label><input type="radio" autocomplete="off" name="${id}-sure" value=${word} disabled> ${says}</label> `,
+  );
+  return html`<p class="carts-certainty" role="radiogroup" aria-label=${label}><span>${label}</span> ${choices}</p>`;
+}
+
+/** A length for each force: a slider, and a box where it is asked for in newtons. @param {Baked} baked @param {PredictSpec} spec */
+function arrows({ fence, view, run: { header } }, { pairs, numbers }) {
+  const full = numbers ? view.force || FULL : 1;
+  const step = numbers ? niceAbove(full / 100) : STEP;
   const asked = pairs.flatMap(([left, right]) => [
     { pair: `${left}-${right}`, on: left, by: right },
     { pair: `${left}-${right}`, on: right, by: left },
@@ -49,11 +66,14 @@ function arrows({ fence, view, run: { header } }, { pairs }) {
     const force = forceOn(body(on), body(by));
     const label = tr("{force}, length of the arrow", { force });
     const id = `${fence.id}-guess-${k + 1}`;
-    return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label} disabled><span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
+    return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label}${!numbers && html` id=${id}`} disabled>${numbers && html`<span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p>`}</div>
 `;
   });
-  return html`<div class="carts-guesses">
-${rows}</div>`;
+  const how = tr(
+    "Make each arrow as long as you think. Only which one is longer counts, not how many newtons.",
+  );
+  return html`${!numbers && html`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
+${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
 }
 
 /** A curve drawn by hand: five points over the time of the contact. @param {Baked} baked @param {PredictSpec} spec */

@@ -11304,6 +11304,7 @@ ${table3(facts)}
   var SPRING = [2, 10];
   var PUSH = 15.5;
   var FACE = 22;
+  var WHEEL = 5.5;
   var TURNS = 9;
   var LEAD = 5;
   var COIL = 7;
@@ -11323,6 +11324,11 @@ ${table3(facts)}
       label: named2 ? mass : `${body2.name}: ${mass}`,
       labelY: named2 ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
+  }
+  function wheels({ width }) {
+    const radius = Math.min(WHEEL, width / 5);
+    const x = width / 2 - 1.5 * radius;
+    return dot(-x, 0, radius) + dot(x, 0, radius);
   }
   function bodyWidth(body2) {
     return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
@@ -12008,22 +12014,24 @@ ${rows}</tbody></table></div>
     const table4 = tr("Table: {quantity}", { quantity: lower(name) });
     return html`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured2 })}</span>${TOGGLES[quantity]}</p>
-${plot(`${fence.id}-${quantity}-clip`, isForce)}
+${plot(`${fence.id}-${quantity}-clip`, isForce, fence.watch === "first")}
 <p class="carts-key"></p>
 ${isForce && html`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 <details class="carts-more"><summary>${table4}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
-  function plot(clip, isForce) {
+  function plot(clip, isForce, growing) {
     const inside6 = html`clip-path="url(#${clip})"`;
     const shade = html`<path class="carts-impulse" d=""/>`;
+    const room = html`<rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/>`;
+    const seen = `${clip}-seen`;
     return html`<svg class="carts-plot" viewBox="0 0 ${WIDTH3} ${HEIGHT3}" width=${WIDTH3} height=${HEIGHT3} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/></clipPath><clipPath id="${clip}-seen" class="carts-seen"><rect x=${LEFT3} y=${TOP3 - 4} width=${RIGHT3 - LEFT3 + 1} height=${BOTTOM3 - TOP3 + 8}/></clipPath></defs>
+<defs><clipPath id=${clip}>${room}</clipPath>${growing && html`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" clip-path="url(#${clip}-seen)">${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside6}></g>
 <g data-part="cursor" ${inside6}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM3}" transform="translate(${LEFT3} 0)"/></g>
 </svg>`;
@@ -12127,6 +12135,15 @@ ${own.map((one) => control(one, fence.id))}</div>`;
 
   // ../view/skeleton/predict.js
   var FULL = 10;
+  var STEP = 0.05;
+  var CERTAINTY = (
+    /** @type {[string, string][]} */
+    [
+      ["guess", tr("a guess")],
+      ["think", tr("I think so")],
+      ["sure", tr("I am sure")]
+    ]
+  );
   var KNOBS = [0, 1, 2, 3, 4];
   var FORMS = { arrows, curve: curve2, choice: choice2, text };
   function predict(baked, spec) {
@@ -12136,6 +12153,7 @@ ${own.map((one) => control(one, fence.id))}</div>`;
 <p class="carts-heading">${tr("Predict first")}</p>
 <p class="carts-ask" id="${id}-ask">${spec.ask}</p>
 ${FORMS[spec.kind](baked, spec)}
+${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
 <div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
@@ -12145,9 +12163,16 @@ ${FORMS[spec.kind](baked, spec)}
 <p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
 </div>`;
   }
-  function arrows({ fence, view, run: { header } }, { pairs }) {
-    const full = view.force || FULL;
-    const step = niceAbove(full / 100);
+  function certainty(id) {
+    const label = tr("How sure are you?");
+    const choices = CERTAINTY.map(
+      ([word, says]) => html`<label><input type="radio" autocomplete="off" name="${id}-sure" value=${word} disabled> ${says}</label> `
+    );
+    return html`<p class="carts-certainty" role="radiogroup" aria-label=${label}><span>${label}</span> ${choices}</p>`;
+  }
+  function arrows({ fence, view, run: { header } }, { pairs, numbers }) {
+    const full = numbers ? view.force || FULL : 1;
+    const step = numbers ? niceAbove(full / 100) : STEP;
     const asked = pairs.flatMap(([left, right]) => [
       { pair: `${left}-${right}`, on: left, by: right },
       { pair: `${left}-${right}`, on: right, by: left }
@@ -12157,11 +12182,14 @@ ${FORMS[spec.kind](baked, spec)}
       const force = forceOn(body(on), body(by));
       const label = tr("{force}, length of the arrow", { force });
       const id = `${fence.id}-guess-${k + 1}`;
-      return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label} disabled><span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
+      return html`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label}${!numbers && html` id=${id}`} disabled>${numbers && html`<span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p>`}</div>
 `;
     });
-    return html`<div class="carts-guesses">
-${rows}</div>`;
+    const how = tr(
+      "Make each arrow as long as you think. Only which one is longer counts, not how many newtons."
+    );
+    return html`${!numbers && html`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
+${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
   }
   function curve2({ run: { header } }, { cart: cart2 }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
@@ -12225,7 +12253,7 @@ ${legend(baked, layout)}
   }
   function cart({ name }, i) {
     const face = (side2) => html`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+    return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><path data-part="wheels" class="carts-wheels"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
   function pushes({ run: { header } }) {
@@ -13886,8 +13914,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         );
         put(line, "d", path(curve3, this.#times(run), this.#plane, this.#seen));
       });
+      const room = this.root.querySelector(".carts-seen rect");
       const end = Math.min(RIGHT3, Math.max(LEFT3, timeX(this.#plane, this.#seen)));
-      put(need(this.root, ".carts-seen rect"), "width", px(end - LEFT3 + 1));
+      if (room) put(room, "width", px(end - LEFT3 + 1));
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -14425,6 +14454,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     put(rect, "y", px(-box2.height));
     put(rect, "width", px(box2.width));
     put(rect, "height", px(box2.height));
+    put(need(group, '[data-part="wheels"]'), "d", wheels(box2));
     const cut = need(group, '[data-part="break"]');
     put(cut, "visibility", box2.cut ? "visible" : "hidden");
     const title = need(group, '[data-part="name"]');

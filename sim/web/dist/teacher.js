@@ -1964,22 +1964,24 @@ ${rows}</tbody></table></div>
     const table3 = tr("Table: {quantity}", { quantity: lower(name) });
     return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
 <p class="carts-graph-title"><span class="carts-graph-name">${name} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
-${plot(`${fence.id}-${quantity}-clip`, isForce)}
+${plot(`${fence.id}-${quantity}-clip`, isForce, fence.watch === "first")}
 <p class="carts-key"></p>
 ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 <details class="carts-more"><summary>${table3}</summary>
 <div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">${tr("t in s")}</th></tr></thead><tbody></tbody></table></div></details>
 </div>`;
   }
-  function plot(clip, isForce) {
+  function plot(clip, isForce, growing) {
     const inside4 = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
+    const room = html2`<rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/>`;
+    const seen = `${clip}-seen`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH2} ${HEIGHT2}" width=${WIDTH2} height=${HEIGHT2} aria-hidden="true">
-<defs><clipPath id=${clip}><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath><clipPath id="${clip}-seen" class="carts-seen"><rect x=${LEFT2} y=${TOP2 - 4} width=${RIGHT2 - LEFT2 + 1} height=${BOTTOM2 - TOP2 + 8}/></clipPath></defs>
+<defs><clipPath id=${clip}>${room}</clipPath>${growing && html2`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
 <g data-part="times"></g>
 <g data-part="values"></g>
 <text class="carts-unit" x=${RIGHT2} y=${HEIGHT2 - 3} text-anchor="end">${tr("time t in s")}</text>
-<g data-part="areas" clip-path="url(#${clip}-seen)">${isForce && [shade, shade]}</g>
+<g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside4}></g>
 <g data-part="cursor" ${inside4}><path class="carts-cursor" d="M0 ${TOP2}V${BOTTOM2}" transform="translate(${LEFT2} 0)"/></g>
 </svg>`;
@@ -2083,6 +2085,15 @@ ${own.map((one) => control(one, fence.id))}</div>`;
 
   // ../view/skeleton/predict.js
   var FULL = 10;
+  var STEP = 0.05;
+  var CERTAINTY = (
+    /** @type {[string, string][]} */
+    [
+      ["guess", tr("a guess")],
+      ["think", tr("I think so")],
+      ["sure", tr("I am sure")]
+    ]
+  );
   var KNOBS = [0, 1, 2, 3, 4];
   var FORMS = { arrows, curve: curve2, choice, text };
   function predict(baked, spec) {
@@ -2092,6 +2103,7 @@ ${own.map((one) => control(one, fence.id))}</div>`;
 <p class="carts-heading">${tr("Predict first")}</p>
 <p class="carts-ask" id="${id}-ask">${spec.ask}</p>
 ${FORMS[spec.kind](baked, spec)}
+${spec.sure && certainty(id)}
 <p class="carts-lock-row"><button type="button" class="carts-button carts-lock" disabled>${lock}</button> <span class="carts-saved" role="status"></span></p>
 <p class="carts-error carts-predict-error" role="alert" hidden></p>
 <div class="carts-talk" role="group" aria-label=${tr("Talk with your partner")} hidden><p><b>${tr("Locked.")}</b> ${tr("Now tell your partner what you expect, and why. Listen to the other reason too. You may change your prediction once; both are kept.")}</p><p class="carts-lock-row"><button type="button" class="carts-button carts-talk-change">${tr("Change it once")}</button> <button type="button" class="carts-button carts-talk-run">${tr("Keep it and show the run")}</button></p></div>
@@ -2101,9 +2113,16 @@ ${FORMS[spec.kind](baked, spec)}
 <p class="carts-lock-row carts-again-row" hidden><button type="button" class="carts-button carts-again">${tr("Start again")}</button><span class="carts-forget" hidden>${tr("Forget this prediction?")} <button type="button" class="carts-button carts-forget-yes">${tr("Forget it")}</button> <button type="button" class="carts-button carts-forget-no">${tr("Keep it")}</button></span></p>
 </div>`;
   }
-  function arrows({ fence, view, run: { header } }, { pairs }) {
-    const full = view.force || FULL;
-    const step = niceAbove(full / 100);
+  function certainty(id) {
+    const label = tr("How sure are you?");
+    const choices = CERTAINTY.map(
+      ([word, says]) => html2`<label><input type="radio" autocomplete="off" name="${id}-sure" value=${word} disabled> ${says}</label> `
+    );
+    return html2`<p class="carts-certainty" role="radiogroup" aria-label=${label}><span>${label}</span> ${choices}</p>`;
+  }
+  function arrows({ fence, view, run: { header } }, { pairs, numbers }) {
+    const full = numbers ? view.force || FULL : 1;
+    const step = numbers ? niceAbove(full / 100) : STEP;
     const asked = pairs.flatMap(([left, right]) => [
       { pair: `${left}-${right}`, on: left, by: right },
       { pair: `${left}-${right}`, on: right, by: left }
@@ -2113,11 +2132,14 @@ ${FORMS[spec.kind](baked, spec)}
       const force = forceOn(body(on), body(by));
       const label = tr("{force}, length of the arrow", { force });
       const id = `${fence.id}-guess-${k + 1}`;
-      return html2`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label} disabled><span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p></div>
+      return html2`<div class="carts-guess carts-${i < 0 ? "wall" : styleOf(i)}" data-pair=${pair} data-on=${on}><label for=${id}>${force}</label><input type="range" autocomplete="off" min="0" max=${full} step=${step} value="0" aria-label=${label}${!numbers && html2` id=${id}`} disabled>${numbers && html2`<span class="carts-typed"><input type="text" class="carts-number-box" id=${id} inputmode="decimal" autocomplete="off" value="" disabled> <span class="carts-unit-text">N</span></span><p class="carts-error" hidden></p>`}</div>
 `;
     });
-    return html2`<div class="carts-guesses">
-${rows}</div>`;
+    const how = tr(
+      "Make each arrow as long as you think. Only which one is longer counts, not how many newtons."
+    );
+    return html2`${!numbers && html2`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
+${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`;
   }
   function curve2({ run: { header } }, { cart: cart2 }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
@@ -2181,7 +2203,7 @@ ${legend(baked, layout)}
   }
   function cart({ name }, i) {
     const face = (side2) => html2`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><path data-part="wheels" class="carts-wheels"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
   function pushes({ run: { header } }) {

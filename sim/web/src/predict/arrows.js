@@ -11,7 +11,7 @@ import { readTyped } from "../shared/typed.js";
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, size: number | null,
  *   good: number | null, slider: HTMLInputElement, box: HTMLInputElement, error: HTMLElement}} Row */
 
-const LONG = 120; // units of the comparison that stand for the full scale
+export const LONG = 120; // units of the comparison that stand for the full scale
 const MOST = 10; // full scales; a longer arrow than the slider's is typed, and drawn cut
 
 export class ArrowsForm {
@@ -215,7 +215,7 @@ function name({ on, by }) {
 }
 
 /** Greatest contact force of a pair in N. @param {import("../../../view/types.js").Run} run @param {string} pair */
-function greatest(run, pair) {
+export function greatest(run, pair) {
   const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
   const peak = run.header.events.find(
     (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right,
@@ -226,7 +226,11 @@ function greatest(run, pair) {
 
 /** @param {number} size @param {number} full @param {string} className @param {"left" | "right"} side */
 function arrow(size, full, className, side) {
-  const length = arrowLength(size, full, LONG);
+  return pulled(arrowLength(size, full, LONG), className, side, isCut(size, full));
+}
+
+/** @param {number} length @param {string} className @param {"left" | "right"} side @param {boolean} cut */
+export function pulled(length, className, side, cut = false) {
   const width = Math.max(length, 6) + 4;
   const picture = svg("svg", {
     viewBox: `0 0 ${width} 20`,
@@ -234,7 +238,7 @@ function arrow(size, full, className, side) {
     height: 20,
     "aria-hidden": "true",
   });
-  const draw = isCut(size, full) ? cutArrow : blockArrow;
+  const draw = cut ? cutArrow : blockArrow;
   const d = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
   picture.append(svg("path", { class: className, d }));
   return picture;

@@ -10,6 +10,8 @@ import { openStore, place } from "../shared/storage.js";
 import { Again } from "./again.js";
 import { ArrowsForm } from "./arrows.js";
 import { CurveForm } from "./curve.js";
+import { RelativeArrows } from "./relative.js";
+import { Sure } from "./sure.js";
 import { Talk, Why } from "./talk.js";
 import { ChoiceForm, WordsForm } from "./words.js";
 
@@ -21,7 +23,7 @@ import { ChoiceForm, WordsForm } from "./words.js";
  * @typedef {{value: unknown, readonly said: string, enable: (on: boolean) => void, problem: () => string | null,
  *   compare: (run: Run) => Node[]}} Form
  */
-/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string, watched?: string,
+/** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string, sure?: string, watched?: string,
  *   talk?: string, before?: {value: unknown, said: string}, why?: string}} Entry
  * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking */
 
@@ -56,13 +58,17 @@ export class Predict {
     };
     const changed = () => void this.#changed();
     const forms = {
-      arrows: () => new ArrowsForm(root, baked, draw, changed),
+      arrows: () => new (spec.numbers ? ArrowsForm : RelativeArrows)(root, baked, draw, changed),
       curve: () => new CurveForm(root, spec, changed),
       choice: () => new ChoiceForm(root, changed),
       text: () => new WordsForm(root, changed),
     };
     /** @type {Form} */
     this.form = forms[spec.kind]();
+    this.sure = new Sure(root, (word) => {
+      this.#entry.sure = word;
+      void this.#keep();
+    });
     this.button.addEventListener("click", () => void this.#lock());
     this.talk = new Talk(root, { change: () => this.#change(), run: () => void this.#finish() });
     this.why = new Why(root, (text) => {
@@ -104,6 +110,7 @@ export class Predict {
     }
     const talking = Boolean(this.#entry.talk) && !this.#entry.before;
     this.form.enable(!this.isLocked && !talking);
+    this.sure.show(this.#entry.sure, !this.isLocked);
     this.button.disabled = this.isLocked || talking;
     this.talk.show(!this.isLocked && talking, false);
     if (this.#entry.before) this.#showAgain();
@@ -167,6 +174,7 @@ export class Predict {
     if (problem) return this.complain(problem);
     this.#entry.value = this.form.value;
     this.form.enable(false);
+    this.sure.show(this.#entry.sure, false);
     this.button.disabled = true;
     this.complain("");
     if (!this.spec.talk || this.#entry.talk) return this.#finish();
@@ -180,6 +188,7 @@ export class Predict {
     this.#entry.before = { value: this.#entry.value, said: this.form.said };
     this.talk.show(false, true);
     this.form.enable(true);
+    this.sure.show(this.#entry.sure, true);
     this.#showAgain();
     this.button.disabled = false;
     void this.#keep();

@@ -204,6 +204,7 @@ function drawBox(group, name, box) {
   put(rect, "y", px(-box.height));
   put(rect, "width", px(box.width));
   put(rect, "height", px(box.height));
+  put(need(group, '[data-part="wheels"]'), "d", shapes.wheels(box));
   const cut = need(group, '[data-part="break"]');
   put(cut, "visibility", box.cut ? "visible" : "hidden");
   const title = need(group, '[data-part="name"]');

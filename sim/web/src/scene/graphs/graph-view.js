@@ -184,8 +184,9 @@ export class GraphView {
       const line = /** @type {Element} */ (group.children[i]);
       put(line, "d", g.path(curve, this.#times(run), this.#plane, this.#seen));
     });
+    const room = this.root.querySelector(".carts-seen rect"); // only where a run is watched first
     const end = Math.min(g.RIGHT, Math.max(g.LEFT, g.timeX(this.#plane, this.#seen)));
-    put(need(this.root, ".carts-seen rect"), "width", px(end - g.LEFT + 1));
+    if (room) put(room, "width", px(end - g.LEFT + 1));
   }
 
   /** @param {Run} run */

@@ -1,0 +1,153 @@
+/**
+ * Prediction without newtons: which of the two arrows is longer? Nobody can know a force in newtons
+ * before the run, but everybody has an idea which body is pushed harder.
+ */
+
+import { body, forceOn } from "../../../view/bodies.js";
+import { tr } from "../../../view/language.js";
+import { html, need, say } from "../shared/dom.js";
+import { greatest, LONG, pulled } from "./arrows.js";
+
+/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, share: number | null, slider: HTMLInputElement}} Row share: of the longest arrow */
+
+const ALIKE = 0.06; // of the longest arrow: nearer than this two arrows were meant to be equal
+
+export class RelativeArrows {
+  /** @type {Row[]} */
+  #rows;
+
+  /**
+   * @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked
+   * @param {(guesses: import("./arrows.js").Guess[]) => void} draw @param {() => void} changed
+   */
+  constructor(root, baked, draw, changed) {
+    this.full = baked.view.force || 10; // N, of the longest arrow of the picture
+    this.draw = draw;
+    this.relation = need(root, ".carts-relation");
+    const { contacts } = baked.run.header;
+    const elements = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-guess"));
+    this.#rows = [...elements].map((element) => {
+      const { pair = "", on = "" } = element.dataset;
+      const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
+      const side = bodies[0] === on ? "left" : "right";
+      const slider = /** @type {HTMLInputElement} */ (need(element, "input[type=range]"));
+      const style = element.className.split(" ").find((one) => /^carts-(b\d|wall)$/.test(one));
+      const by = bodies[side === "left" ? 1 : 0] ?? "";
+      /** @type {Row} */
+      const row = { pair, on, by, side, style: style ?? "", share: null, slider };
+      slider.addEventListener("input", () => {
+        row.share = slider.valueAsNumber;
+        this.#show();
+        changed();
+      });
+      return row;
+    });
+  }
+
+  get value() {
+    return this.#rows.map(({ pair, on, share }) => ({ pair, on, share }));
+  }
+
+  set value(value) {
+    for (const saved of Array.isArray(value) ? value : []) {
+      const row = this.#rows.find(({ pair, on }) => pair === saved.pair && on === saved.on);
+      if (!row || typeof saved.share !== "number") continue;
+      row.share = saved.share;
+      row.slider.valueAsNumber = saved.share;
+    }
+    this.#show();
+  }
+
+  /** @returns {string} */
+  get said() {
+    return this.#pairs.map((rows) => relation(rows, (row) => row.share)).join(" ");
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    for (const { slider } of this.#rows) slider.disabled = !on;
+  }
+
+  problem() {
+    const missing = this.#rows.filter(({ share }) => share === null).map(name);
+    if (!missing.length) return null;
+    return tr("Set every arrow first: {names}. No arrow counts too: pull it out and back.", {
+      names: missing.join(", "),
+    });
+  }
+
+  /** Both pairs of arrows, the longest of each as long as the other: lengths are compared, not newtons. @param {Run} run */
+  compare(run) {
+    this.draw([]);
+    return this.#pairs.map((rows) => {
+      const actual = greatest(run, rows[0]?.pair ?? "");
+      const most = Math.max(...rows.map(({ share }) => share ?? 0));
+      const grid = html("div", "carts-compare");
+      const yours = relation(rows, (row) => row.share);
+      const seen = relation(rows, () => actual);
+      grid.setAttribute("role", "img");
+      grid.setAttribute(
+        "aria-label",
+        tr("You: {yours} The run: {seen}", { yours: yours || "–", seen }),
+      );
+      grid.append(
+        html("span"),
+        ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
+        html("span", "", tr("you")),
+        ...rows.map((row) => cell(row, most ? (row.share ?? 0) / most : 0, "carts-guessed")),
+        html("span", "", tr("the run")),
+        ...rows.map((row) => cell(row, actual ? 1 : 0, "carts-block-arrow")),
+      );
+      const place = html("div");
+      const words = html("p", "", tr("You: {yours} The run: {seen}", { yours, seen }));
+      words.setAttribute("aria-hidden", "true");
+      place.append(grid, words);
+      return place;
+    });
+  }
+
+  get #pairs() {
+    const pairs = [...new Set(this.#rows.map(({ pair }) => pair))];
+    return pairs.map((pair) => this.#rows.filter((row) => row.pair === pair));
+  }
+
+  #show() {
+    for (const { slider, share } of this.#rows) {
+      const part = `${Math.round(100 * (share ?? 0))} %`;
+      slider.setAttribute("aria-valuetext", share ? part : tr("no arrow"));
+    }
+    say(this.relation, this.said);
+    this.draw(
+      this.#rows.flatMap(({ pair, on, side, share }) =>
+        share === null ? [] : [{ pair, on, side, size: share * this.full }],
+      ),
+    );
+  }
+}
+
+/** Which of two forces is larger, as a sentence; empty while one is missing. @param {Row[]} rows @param {(row: Row) => number | null} of */
+function relation(rows, of) {
+  const [one, other] = rows;
+  if (!one || !other) return "";
+  const [a, b] = [of(one), of(other)];
+  if (a === null || b === null) return "";
+  const most = Math.max(a, b);
+  if (!most) return tr("no force on either.");
+  if (Math.abs(a - b) <= ALIKE * most) return tr("both forces are equally large.");
+  const [large, small] = a > b ? [one, other] : [other, one];
+  if (!Math.min(a, b)) return tr("only the {force}.", { force: name(large) });
+  return tr("the {large} is larger than the {small}.", { large: name(large), small: name(small) });
+}
+
+/** @param {Row} row */
+function name({ on, by }) {
+  return forceOn(body(on), body(by));
+}
+
+/** @param {Row} row @param {number} part of the longest arrow @param {string} look */
+function cell({ style, side }, part, look) {
+  const made = html("span", `carts-compare-arrow ${style} ${side}`);
+  made.append(pulled(part * LONG, look, side));
+  return made;
+}
