@@ -47,11 +47,10 @@ export function box(body, view, layout, lift) {
   };
 }
 
-/** @param {Box} box @returns {string} two wheels on the track */
+/** @param {Box} box @returns {string} the hubs of two wheels on the track: points that a round, thick line makes discs */
 export function wheels({ width }) {
-  const radius = Math.min(WHEEL, width / 5);
-  const x = width / 2 - 1.5 * radius;
-  return dot(-x, 0, radius) + dot(x, 0, radius);
+  const x = px(Math.max(width / 4, width / 2 - 1.5 * WHEEL));
+  return `M-${x} 0h0M${x} 0h0`;
 }
 
 /** @param {Body} body @returns {number} length in m of its box, without bumpers */

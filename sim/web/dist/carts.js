@@ -1389,9 +1389,8 @@
     };
   }
   function wheels({ width }) {
-    const radius = Math.min(WHEEL, width / 5);
-    const x2 = width / 2 - 1.5 * radius;
-    return dot(-x2, 0, radius) + dot(x2, 0, radius);
+    const x2 = px(Math.max(width / 4, width / 2 - 1.5 * WHEEL));
+    return `M-${x2} 0h0M${x2} 0h0`;
   }
   function bodyWidth(body2) {
     return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);

@@ -11326,9 +11326,8 @@ ${table3(facts)}
     };
   }
   function wheels({ width }) {
-    const radius = Math.min(WHEEL, width / 5);
-    const x = width / 2 - 1.5 * radius;
-    return dot(-x, 0, radius) + dot(x, 0, radius);
+    const x = px(Math.max(width / 4, width / 2 - 1.5 * WHEEL));
+    return `M-${x} 0h0M${x} 0h0`;
   }
   function bodyWidth(body2) {
     return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);

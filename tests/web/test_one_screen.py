@@ -1,0 +1,79 @@
+"""A scene on one screen of a school laptop: picture, Play, clock, sliders and two graphs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page
+
+from sim.pages.site_build import lessons_in
+from tests.conftest import ROOT
+from tests.web.conftest import OpenPage
+from tests.web.widget_site import LIVE
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+HEAD, BAR = 48, 39  # px of the theme's head and of “My answers”, which stay on screen
+LAPTOP, PHONE = (1366, 768), (360, 740)
+
+LESSONS = [
+    path.stem for path in lessons_in(ROOT / "worksheets")
+    if path.parent.name == "worksheets" and "```scene" in path.read_text(encoding="utf-8")
+]  # fmt: skip
+
+BOTTOMS = """(parts) => [...document.querySelectorAll("carts-scene")].flatMap((scene) => {
+    const { top } = scene.getBoundingClientRect();
+    return Object.entries(parts).flatMap(([part, most]) =>
+        [...scene.querySelectorAll(part)].filter((one) => one.checkVisibility()).slice(0, most)
+            .map((one) => ({ name: `${scene.id} ${part}`,
+                bottom: Math.round(one.getBoundingClientRect().bottom - top) })));
+})"""
+WIDTHS = """() => [...document.querySelectorAll(".carts-stage")].filter((one) =>
+    one.checkVisibility()).map((one) => Math.round(one.getBoundingClientRect().width))"""
+
+
+def too_low(page: Page, height: int, parts: dict[str, int]) -> list[str]:
+    """What of the first few of each part cannot be seen with the top of its scene."""
+    room = height - HEAD - BAR
+    found = page.evaluate(BOTTOMS, parts)
+    assert found
+    return [f"{one['name']}: {one['bottom']} px" for one in found if one["bottom"] > room]
+
+
+def all_shown(page: Page) -> None:
+    for scene in page.locator("carts-scene").all():
+        scene.and_(page.locator("[data-state=live]")).wait_for(timeout=LIVE)
+        scene.evaluate("(scene) => scene.reveal().then(() => scene.complete())")
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_on_a_laptop_everything_one_plays_with_is_seen_together(
+    site: Path, open_page: OpenPage, lesson: str
+) -> None:
+    width, height = LAPTOP
+    page = open_page(
+        site / "worksheets" / f"{lesson}.html",
+        folder=site,
+        viewport={"width": width, "height": height},
+    )
+    parts = {".carts-stage": 1, ".carts-play": 1, ".carts-clock": 1, ".carts-slider": 99}
+    assert too_low(page, height, {**parts, ".carts-lock": 1}) == []
+    before = page.evaluate(WIDTHS)
+    all_shown(page)
+    assert too_low(page, height, {**parts, ".carts-plot": 2}) == []
+    assert page.evaluate(WIDTHS) == before  # the picture never shrinks
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_on_a_phone_picture_and_play_are_seen_together(
+    site: Path, open_page: OpenPage, lesson: str
+) -> None:
+    width, height = PHONE
+    page = open_page(
+        site / "worksheets" / f"{lesson}.html",
+        folder=site,
+        viewport={"width": width, "height": height},
+    )
+    assert too_low(page, height, {".carts-stage": 1, ".carts-play": 1}) == []
