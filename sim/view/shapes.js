@@ -49,7 +49,7 @@ export function box(body, view, layout, lift) {
 
 /** @param {Box} box @returns {string} the hubs of two wheels on the track: points that a round, thick line makes discs */
 export function wheels({ width }) {
-  const x = px(Math.max(width / 4, width / 2 - 1.5 * WHEEL));
+  const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
   return `M-${x} 0h0M${x} 0h0`;
 }
 

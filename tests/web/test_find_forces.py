@@ -53,7 +53,13 @@ def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_si
     third = find(page, "123")
     assert "m = 1" in third
     assert "not a number" in find(page, "lots")
-    find(page, f"{mean:.2f}".replace(".", ","))
+    assert "find the force on A too" in find(page, f"{mean:.2f}".replace(".", ","))
+    expect(page.locator("#hidden .carts-found")).to_be_hidden()
+    assert " N " not in page.locator("#hidden").inner_text().replace("Mean force on", "")
+    page.reload()
+    live(page, "hidden")
+    expect(page.locator("#hidden .carts-find-note")).to_contain_text("find the force on A too")
+    find(page, f"{-mean:.2f}", which="A, while it touches B")
     expect(page.locator("#hidden .carts-found")).to_be_visible()
     expect(page.locator("#hidden .carts-find")).to_have_count(0)
     expect(page.locator('#hidden .carts-graph[data-quantity="F"]')).to_be_visible()
@@ -94,6 +100,7 @@ def test_a_locked_prediction_stays_when_the_forces_are_found(
         name="asking",
     )
     find(page, f"{mean:.3f}", "asking")
+    find(page, f"{-mean:.3f}", "asking", "A, while it touches B")
     expect(page.locator("#asking .carts-found")).to_be_visible()
     expect(page.locator("#asking .carts-results")).to_be_visible()
     expect(page.locator('#asking .carts-graph[data-quantity="F"]')).to_be_visible()

@@ -75,7 +75,7 @@ function find() {
   const [before, after] = tr(
     "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”.",
   ).split("{formula}");
-  return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find one, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+  return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
 }
 
 /** The start of every cart as a sentence. @param {Baked} baked */

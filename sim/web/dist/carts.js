@@ -1389,7 +1389,7 @@
     };
   }
   function wheels({ width }) {
-    const x2 = px(Math.max(width / 4, width / 2 - 1.5 * WHEEL));
+    const x2 = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
     return `M-${x2} 0h0M${x2} 0h0`;
   }
   function bodyWidth(body2) {
@@ -3491,6 +3491,8 @@
     /** @type {Run | null} */
     #run = null;
     #tries = 0;
+    /** @type {Map<string, string>} what was found: sentences by the names of cart and other */
+    #found = /* @__PURE__ */ new Map();
     /** @param {HTMLElement} root @param {string} id of the scene @param {() => void} found what to do then */
     constructor(root, id, found2) {
       this.id = `${id}-forces`;
@@ -3517,6 +3519,7 @@
       const same = [...this.which.options].map((one) => one.text).join() === names.join();
       if (!same) this.which.replaceChildren(...names.map((name3) => new Option(name3)));
       for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
+      if (names.length && this.#found.size) return this.#tell();
       say(
         this.note,
         names.length ? "" : tr("In this run no two touch for a time that can be read off.")
@@ -3527,7 +3530,26 @@
       const { site, page: page2 } = place();
       const store = await openStore(site);
       const kept = await store.get(`${page2}#${this.id}`).catch(() => null);
-      if (kept?.type === TYPE) this.found();
+      if (kept?.type !== TYPE) return;
+      if (!Array.isArray(kept.found)) return this.found();
+      this.#found = new Map(kept.found);
+      if (this.#run) this.#tell();
+    }
+    /** Shows all forces once those on both bodies of a contact were found; else says what is left. */
+    #tell() {
+      const keys = [...this.#found.keys()];
+      const whole = keys.some((key) => {
+        const [cart2 = "", other2 = ""] = JSON.parse(key);
+        return isWall(other2) || this.#found.has(JSON.stringify([other2, cart2]));
+      });
+      if (whole) return this.found();
+      const [cart = "", other = ""] = JSON.parse(keys.at(-1) ?? "[]");
+      const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {
+        other
+      });
+      say(this.note, text);
+      const next = this.#means.findIndex((mean) => mean.cart === other && mean.other === cart);
+      if (next >= 0) this.which.selectedIndex = next;
     }
     async #check() {
       const mean = this.#means[this.which.selectedIndex];
@@ -3544,8 +3566,10 @@
         other: body(mean.other),
         force: short(mean.value)
       });
-      await this.#keep(this.box.value, said);
-      this.found();
+      this.#found.set(JSON.stringify([mean.cart, mean.other]), said);
+      await this.#keep(this.box.value);
+      this.box.value = "";
+      this.#tell();
     }
     /** @param {Mean} mean @param {number} typed in N */
     #advice(mean, typed) {
@@ -3596,11 +3620,19 @@
       );
       return `${steps} ${here}`;
     }
-    /** @param {string} typed @param {string} said */
-    async #keep(typed, said) {
+    /** @param {string} typed */
+    async #keep(typed) {
       const { site, page: page2 } = place();
       const now = (/* @__PURE__ */ new Date()).toISOString();
-      const entry2 = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
+      const entry2 = {
+        id: this.id,
+        type: TYPE,
+        value: typed,
+        first: now,
+        last: now,
+        said: [...this.#found.values()].join("; "),
+        found: [...this.#found]
+      };
       try {
         const store = await openStore(site);
         await store.put(`${page2}#${this.id}`, {
@@ -3629,10 +3661,10 @@
     const note = element.querySelector(".carts-found");
     if (!note) return;
     note.replaceChildren(
-      html("b", "", tr("You found a force.")),
+      html("b", "", tr("You found the forces.")),
       " ",
       tr(
-        "Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time."
+        "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time."
       )
     );
     note.hidden = false;

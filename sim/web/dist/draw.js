@@ -11326,7 +11326,7 @@ ${table3(facts)}
     };
   }
   function wheels({ width }) {
-    const x = px(Math.max(width / 4, width / 2 - 1.5 * WHEEL));
+    const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
     return `M-${x} 0h0M${x} 0h0`;
   }
   function bodyWidth(body2) {
@@ -12401,7 +12401,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const [before2, after2] = tr(
       "While they touch, the mean force on a cart is {formula}. Read its velocity before and after off the graph or its table, and the times off “What happens”."
     ).split("{formula}");
-    return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find one, and you see them all")}</summary><p>${before2}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after2}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
+    return html`<details class="carts-more carts-find"><summary>${tr("The forces are hidden. Find those on both carts, and you see them all")}</summary><p>${before2}<i>F</i> = <i>m</i> · Δ<i>v</i> / Δ<i>t</i>${after2}</p><form class="carts-find-form"><label>${tr("Mean force on")} <select class="carts-find-which" disabled></select></label> <span class="carts-find-value"><input type="text" inputmode="decimal" autocomplete="off" aria-label=${tr("mean force in N, plus is to the right")} disabled> N</span> <button type="submit" class="carts-button" disabled>${tr("Check")}</button></form><p class="carts-find-note" role="status"></p></details>`;
   }
   function description({ fence: { camera }, view, run: { header } }) {
     const carts = header.bodies.map(({ name, mass, position, velocity: velocity2 }) => {

@@ -1,6 +1,7 @@
 /**
- * Where a scene hides the forces: the reader finds one, F = m Δv / Δt, and then sees them all. What
- * was found is kept with the answers, so the forces are there again at the next visit.
+ * Where a scene hides the forces: the reader finds those of one contact, each from its own cart,
+ * F = m Δv / Δt, and then sees them all: one force tells nothing of the other before. What was found
+ * is kept with the answers, so it is there again at the next visit.
  */
 
 import { body, isWall } from "../../../view/bodies.js";
@@ -25,6 +26,8 @@ export class FindForces {
   /** @type {Run | null} */
   #run = null;
   #tries = 0;
+  /** @type {Map<string, string>} what was found: sentences by the names of cart and other */
+  #found = new Map();
 
   /** @param {HTMLElement} root @param {string} id of the scene @param {() => void} found what to do then */
   constructor(root, id, found) {
@@ -50,6 +53,7 @@ export class FindForces {
     const same = [...this.which.options].map((one) => one.text).join() === names.join();
     if (!same) this.which.replaceChildren(...names.map((name) => new Option(name)));
     for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
+    if (names.length && this.#found.size) return this.#tell();
     say(
       this.note,
       names.length ? "" : tr("In this run no two touch for a time that can be read off."),
@@ -61,7 +65,27 @@ export class FindForces {
     const { site, page } = place();
     const store = await openStore(site);
     const kept = await store.get(`${page}#${this.id}`).catch(() => null);
-    if (kept?.type === TYPE) this.found();
+    if (kept?.type !== TYPE) return;
+    if (!Array.isArray(kept.found)) return this.found(); // kept when one force was enough
+    this.#found = new Map(kept.found);
+    if (this.#run) this.#tell();
+  }
+
+  /** Shows all forces once those on both bodies of a contact were found; else says what is left. */
+  #tell() {
+    const keys = [...this.#found.keys()];
+    const whole = keys.some((key) => {
+      const [cart = "", other = ""] = JSON.parse(key);
+      return isWall(other) || this.#found.has(JSON.stringify([other, cart]));
+    });
+    if (whole) return this.found();
+    const [cart = "", other = ""] = JSON.parse(keys.at(-1) ?? "[]");
+    const text = tr("Right. Now find the force on {other} too, from its own mass and velocities.", {
+      other,
+    });
+    say(this.note, text);
+    const next = this.#means.findIndex((mean) => mean.cart === other && mean.other === cart);
+    if (next >= 0) this.which.selectedIndex = next;
   }
 
   async #check() {
@@ -79,8 +103,10 @@ export class FindForces {
       other: body(mean.other),
       force: short(mean.value),
     });
-    await this.#keep(this.box.value, said);
-    this.found();
+    this.#found.set(JSON.stringify([mean.cart, mean.other]), said);
+    await this.#keep(this.box.value);
+    this.box.value = "";
+    this.#tell();
   }
 
   /** @param {Mean} mean @param {number} typed in N */
@@ -117,11 +143,19 @@ export class FindForces {
     return `${steps} ${here}`;
   }
 
-  /** @param {string} typed @param {string} said */
-  async #keep(typed, said) {
+  /** @param {string} typed */
+  async #keep(typed) {
     const { site, page } = place();
     const now = new Date().toISOString();
-    const entry = { id: this.id, type: TYPE, value: typed, first: now, last: now, said };
+    const entry = {
+      id: this.id,
+      type: TYPE,
+      value: typed,
+      first: now,
+      last: now,
+      said: [...this.#found.values()].join("; "),
+      found: [...this.#found],
+    };
     try {
       const store = await openStore(site);
       await store.put(`${page}#${this.id}`, {
@@ -150,10 +184,10 @@ export function showForces(element) {
   const note = element.querySelector(".carts-found");
   if (!note) return;
   note.replaceChildren(
-    html("b", "", tr("You found a force.")),
+    html("b", "", tr("You found the forces.")),
     " ",
     tr(
-      "Now the forces are shown at each instant. Yours is the mean: the steady force that would do the same in the same time.",
+      "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time.",
     ),
   );
   /** @type {HTMLElement} */ (note).hidden = false;
