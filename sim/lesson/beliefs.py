@@ -31,6 +31,7 @@ THIRD_LAW = {
     "damage-shows-force": "The one that is damaged more was pushed harder.",
     "no-touch-no-pair": "Without touching there is only one force, not a pair.",
     "no-motion-no-force": "While nothing moves there are no forces.",
+    "weight-is-passed-on": "The weight of a thing is passed on to what it lies on.",
     "partner-is-balance": "The partner of a force is the other force on the same thing.",
 }
 SECOND_LAW = {
