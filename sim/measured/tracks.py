@@ -44,11 +44,15 @@ class Track:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """Two tracks of one kind. Carts stand from left to right. `notes` say how they were read."""
+    """Two tracks of one kind. Carts stand from left to right. `notes` say how they were read.
+
+    `own`: each sensor may have a zero and a direction of its own; tracks as they stand in the file.
+    """
 
     kind: Kind  # length or force
     tracks: tuple[Track, Track]
     notes: tuple[str, ...]
+    own: bool = False
 
     @property
     def names(self) -> tuple[str, str]:
