@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
+from sim.measured.believable import believable
 from sim.measured.effects import Compared, called_for
 from sim.measured.fit import Fit
 from sim.measured.known import Known, told
@@ -30,7 +31,7 @@ def motion_report(
     masses = masses or {}
     names = measured.names
     mass = next(iter(masses.items()), None)
-    known, untold = told(fit, names, mass)
+    known, untold = believable(*told(fit, names, mass))
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
     said = [*of_effects(compared), *of_fit(fit, names, compared)]
     if balance := of_balance(ratio, masses, names):
@@ -46,7 +47,7 @@ def motion_report(
         "law": fit.asked.law,
         "law_words": LAWS[fit.asked.law],
         "effect": fit.asked.effect,
-        "known": [_row(one) for one in known],
+        "known": [row_of(one) for one in known],
         "untold": [{"key": o.key, "name": o.name, "reason": o.reason} for o in untold],
         "noise": fit.noise,
         "compared": [
@@ -65,7 +66,8 @@ def motion_report(
     }
 
 
-def _row(one: Known) -> dict[str, Any]:
+def row_of(one: Known) -> dict[str, Any]:
+    """A quantity as plain values."""
     return {
         "key": one.key,
         "name": one.name,

@@ -14,7 +14,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from sim.measured.refusal import FitError
-from sim.measured.tracks import Measured, Track
+from sim.measured.track import Track
+from sim.measured.tracks import Measured
 
 QUIET = 0.1
 """Share of the greatest force below which a sensor counts as not pushed."""

@@ -1,7 +1,7 @@
 """What the files hold: the motion of two carts, or the readings of two force sensors.
 
-Each device's way of writing has a reader of its own (sim.measured.readers); the first one that knows
-a text reads it. Readings become SI there. Two files with one track each make two carts.
+Each device's way of writing has a reader of its own (sim.measured.readers); the first one that
+knows a text reads it. Readings become SI there. Two files with one track each make two carts.
 """
 
 from __future__ import annotations

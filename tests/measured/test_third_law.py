@@ -12,7 +12,8 @@ from sim.dynamics.result.trajectory import trajectory
 from sim.measured.refusal import FitError
 from sim.measured.report import forces_report
 from sim.measured.third_law import third_law
-from sim.measured.tracks import Measured, Track
+from sim.measured.track import Track
+from sim.measured.tracks import Measured
 from tests.measured.makers import truth
 
 NOISE = 0.05  # N

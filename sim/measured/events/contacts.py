@@ -26,7 +26,7 @@ STANDS_OUT = 0.04
 """Share of the greatest trace of all that a candidate must reach."""
 
 COMPARABLE = 0.4
-"""Share of the greatest strength from which the earlier one is taken: later ones are often stops."""
+"""Share of the greatest strength from which the earlier one is taken: later ones may be stops."""
 
 LOUDER, FADED = 5.0, 1.5
 """Times the lower quartile of the trace: a candidate is louder, and ends where it is no more."""

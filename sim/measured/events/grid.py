@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sim.measured.refusal import FitError
-from sim.measured.tracks import Track
+from sim.measured.track import Track
 
 if TYPE_CHECKING:
     import numpy as np

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from sim.measured.events.in_step import Step
 from sim.measured.events.outcome import HALF, Outcome, spread
 from sim.measured.events.quantities import directions, loss
-from sim.measured.events.in_step import Step
 from sim.measured.events.sides import Speeds
 
 

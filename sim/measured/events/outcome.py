@@ -26,7 +26,7 @@ HALF = 2.1
 """Half a 95 % interval in standard deviations (Student's t with some twenty readings)."""
 
 STUCK, PERHAPS = 0.06, 0.12
-"""e: below the first, or below the second with 0 inside of the interval, the carts stay together."""
+"""e: below the first, or below the second with 0 inside of the interval, they stay together."""
 
 HARDLY = 0.15
 """An approach below this share of the parting is none, if carts were to be at rest together."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Literal
 from sim.measured.events.change_points import SHORTEST, change_points
 from sim.measured.events.contacts import Contact
 from sim.measured.events.grid import Grid
+import itertools
 
 if TYPE_CHECKING:
     import numpy as np
@@ -89,7 +90,7 @@ def _cut(grid: Grid, edges: list[int], found: Sequence[Contact]) -> list[tuple[i
     kept = {k for k in edges if not any(low - near <= k <= high + near for low, high in spans)}
     kept |= {k for span in spans for k in span} | {0, len(grid.t) - 1}
     ordered = sorted(kept)
-    return list(zip(ordered[:-1], ordered[1:], strict=True))
+    return list(itertools.pairwise(ordered))
 
 
 def _named(

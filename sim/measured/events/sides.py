@@ -22,7 +22,7 @@ from sim.measured.events.contacts import Contact
 from sim.measured.events.correlated import inflation
 from sim.measured.events.segments import Segment
 from sim.measured.refusal import FitError
-from sim.measured.tracks import Track
+from sim.measured.track import Track
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 Step = Literal["nothing", "friction", "tilt", "drag"]
 STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag")
 LONGEST = 0.9
-"""s. Farther from the contact the model of a constant brake is worse than what more readings give."""
+"""s. Farther from the contact the model of a constant brake costs more than readings give."""
 
 FEWEST = 4
 """Readings of one side."""
@@ -97,7 +97,9 @@ def sides_of(
     return listed[0], listed[1], listed[2], listed[3]
 
 
-def window(contact: Contact, named: Sequence[Segment], after: bool) -> tuple[float, float]:
+def window(
+    contact: Contact, named: Sequence[Segment], after: bool, longest: float = LONGEST
+) -> tuple[float, float]:
     """s. The stretch beside the contact in which the cart is left alone; `named`: of this cart."""
     free = ("rest", "coasting", "friction")
     greatest = max((abs(v) for one in named for v in one.speeds if one.kind in free), default=0.0)
@@ -112,7 +114,7 @@ def window(contact: Contact, named: Sequence[Segment], after: bool) -> tuple[flo
         if one.kind not in free or jumps:
             break
         low, high, speed = min(low, far), max(high, far), last
-    return max(low, contact.begin - LONGEST), min(high, contact.end + LONGEST)
+    return max(low, contact.begin - longest), min(high, contact.end + longest)
 
 
 def speeds_of(sides: Sequence[Side]) -> Speeds:

@@ -37,7 +37,7 @@ def read(text: str, units: Units) -> Reading:
     if len(found) < 2:
         raise refuse(table.heads_line, "no acceleration along x and y", "export all columns")
     listed = list(found.values())
-    rows = []
+    rows: list[tuple[float, tuple[float, float, float], int]] = []
     repeated = 0
     for k, line in enumerate(table.lines):
         t, parts = time.values[k], [column.values[k] for column in listed]
@@ -49,7 +49,7 @@ def read(text: str, units: Units) -> Reading:
         three = [float(part or 0.0) for part in parts] + [0.0] * (3 - len(parts))
         rows.append((t, (three[0], three[1], three[2]), line))
     if len(rows) < FEWEST:
-        raise refuse(table.lines[-1], f"{len(rows)} readings: at least {FEWEST} are needed", "")
+        raise refuse(table.lines[-1], f"{len(rows)} readings: at least {FEWEST} are needed")
     axis = axis_of([point for _, point, _ in rows])
     notes = ["acceleration of a phone, m/s²", "direction of the track, from the motion: ("
              + ", ".join(f"{part:.3f}" for part in axis) + ")"]  # fmt: skip

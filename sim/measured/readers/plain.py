@@ -34,7 +34,7 @@ def claims(text: str) -> bool:
 def read(text: str, units: Units) -> Reading:
     """The tracks of a table; raises ReadingError."""
     kind, tracks, said = _of_table(read_table(text), units)
-    return Reading(kind, tuple(tracks), tuple(said))
+    return Reading("force" if kind == "force" else "length", tuple(tracks), tuple(said))
 
 
 def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]:

@@ -113,21 +113,23 @@ def _marks(rows: Sequence[Row], column: int, skipped: int, rate: float) -> Marks
 def _unchanged(first: Marks, second: Marks) -> int:
     """Gives both markers their own places back, frame by frame; how often names were changed."""
     places = {t: k for k, (_, t, _) in enumerate(second)}
-    changed, swapped, last = 0, False, None
-    for i, (line, t, a) in enumerate(first):
+    changed, swapped = 0, False
+    last: tuple[Point, Point] | None = None
+    for i, (line, t, here) in enumerate(first):
         k = places.get(t)
         if k is None:
             continue
-        b = second[k][2]
-        if swapped:
-            a, b = b, a
-        if last and math.dist(a, last[1]) + math.dist(b, last[0]) < 0.5 * (
-            math.dist(a, last[0]) + math.dist(b, last[1])
-        ):
-            a, b, swapped, changed = b, a, not swapped, changed + 1
-        first[i], second[k] = (line, t, a), (second[k][0], t, b)
-        last = (a, b)
+        pair = (second[k][2], here) if swapped else (here, second[k][2])
+        if last and _way(pair[::-1], last) < 0.5 * _way(pair, last):
+            pair, swapped, changed = pair[::-1], not swapped, changed + 1
+        first[i], second[k] = (line, t, pair[0]), (second[k][0], t, pair[1])
+        last = pair
     return changed
+
+
+def _way(pair: tuple[Point, Point], last: tuple[Point, Point]) -> float:
+    """mm. How far both would have moved."""
+    return math.dist(pair[0], last[0]) + math.dist(pair[1], last[1])
 
 
 def axis_of(points: Sequence[Point]) -> Point:

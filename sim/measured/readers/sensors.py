@@ -18,6 +18,7 @@ from sim.measured.refusal import refuse, shown
 from sim.measured.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor
+import itertools
 
 _QUANTITY = re.compile(
     r"\W*(?P<what>position|distance|displacement|velocity|speed|acceleration|x|v|a|pos|vel|acc)"
@@ -130,7 +131,7 @@ def _track(
     ]
     rows = _first_run(rows, name, notes)
     missing = sum(t is not None for t in clock.values) - len(rows)
-    if 0 < missing and len(rows) >= FEWEST and not any("starts anew" in note for note in notes):
+    if missing > 0 and len(rows) >= FEWEST and not any("starts anew" in note for note in notes):
         notes.append(f"{name}: {missing} rows without a reading, left out")
     if len(rows) < FEWEST:
         line = rows[-1][2] if rows else table.lines[-1]
@@ -167,9 +168,9 @@ def _first_run(rows: Rows, name: str, notes: list[str]) -> Rows:
 
 
 def _gaps(rows: Rows, name: str, notes: list[str]) -> None:
-    steps = sorted(b[0] - a[0] for a, b in zip(rows[:-1], rows[1:], strict=True))
+    steps = sorted(b[0] - a[0] for a, b in itertools.pairwise(rows))
     usual = steps[len(steps) // 2]
-    wide = [(a, b) for a, b in zip(rows[:-1], rows[1:], strict=True) if b[0] - a[0] > 3.5 * usual]
+    wide = [(a, b) for a, b in itertools.pairwise(rows) if b[0] - a[0] > 3.5 * usual]
     for a, b in wide[:3]:
         notes.append(f"{name}: no reading from {a[0]:.2f} to {b[0]:.2f} s (line {b[2]})")
 
@@ -177,6 +178,6 @@ def _gaps(rows: Rows, name: str, notes: list[str]) -> None:
 def _summed(rows: Rows) -> tuple[float, ...]:
     """m. The velocity summed up by trapezoids, from 0."""
     x = [0.0]
-    for (t, v, _), (s, w, _) in zip(rows[:-1], rows[1:], strict=True):
+    for (t, v, _), (s, w, _) in itertools.pairwise(rows):
         x.append(x[-1] + 0.5 * (v + w) * (s - t))
     return tuple(x)
