@@ -8,6 +8,7 @@ velocities stand. A scene comes from the model in both cases.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -16,7 +17,8 @@ from sim.measured.believable import believable
 from sim.measured.contact import Law
 from sim.measured.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.events.momentum import Momentum, momentum_of
-from sim.measured.events.quantities import told_of
+from sim.measured.events.outcome import PERHAPS
+from sim.measured.events.quantities import mass_ratio, told_of
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.words import of_momentum, of_story
@@ -81,9 +83,10 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
             rows = []
     made = _chosen(rows, wanted) if rows else None
     white = made is not None and any(_white(row.fit, story) for row in rows)
-    if refused and not (overruled and white and made and 0.0 <= made.parameters.e <= 1.02):
+    bounces = made is not None and PERHAPS < made.parameters.e <= 1.02
+    if refused and not (overruled and white and bounces):
         return Analysis(story, _base(measured, story, None, refused), None, refused)
-    if made is not None and white:
+    if made is not None and white and (refused or _same(story, made, wanted)):
         report = _by_model(measured, story, made, rows, wanted)
     else:
         report = _by_velocities(measured, story, made, rows, wanted)
@@ -152,6 +155,20 @@ def _white(made: Fit, story: Story) -> bool:
     if made.noise < ROUNDING * reach:
         return True
     return neighbours(made) <= ALIKE and not _smooth(story)
+
+
+def _same(story: Story, made: Fit, wanted: Wanted) -> bool:
+    """Whether the model's mass ratio lies in the interval of the velocities; else white residuals
+    deceive. An effect that the reader asks for is the reader's to judge."""
+    if wanted.effect is not None or not (story.outcome and story.speeds and story.step):
+        return True
+    two = story.frames is not None and story.frames.joined
+    ratio = mass_ratio(story.speeds, story.step, story.outcome, story.measured.names, two)
+    if isinstance(ratio, Untold):
+        return True
+    half = made.factor * made.sd("ln_ratio")
+    low, high = math.log(ratio.low) - half, math.log(ratio.high) + half
+    return low <= math.log(made.parameters.ratio) <= high
 
 
 def _by_model(

@@ -44,6 +44,10 @@ LATE_SHARE = 0.06
 APART = 0.22
 """How far the shares of both changes may run apart, root mean square."""
 
+ELASTIC = 0.85
+"""e from which a cart that stands still after a contact is taken as such: equal masses, hardly any
+loss."""
+
 AT_REST = 0.06
 """Share of the greatest velocity below which a cart stands still."""
 
@@ -126,3 +130,23 @@ def _in_time(
             "no hand, no end stop near the contact; both clocks the same",
             "not-in-step",
         )
+
+
+def check_seen(speeds: Speeds, names: tuple[str, str]) -> None:
+    """Of two sensors: raises FitError where a standing cart may as well be one that is not seen.
+
+    A cart that comes and then stands still has met one of 1/e times its mass, or has left
+    what its sensor can read, as a cart that sticks does while it moves on with the other.
+    """
+    v, greatest = speeds.v, max(map(abs, speeds.v))
+    e = (v[3] - v[2]) / (v[0] - v[1])
+    for k, name in enumerate(names):
+        rests = abs(v[k + 2]) < AT_REST * greatest < abs(v[k])
+        if rests and abs(v[3 - k]) > AT_REST * greatest and e < ELASTIC:
+            raise FitError(
+                f"{name} comes, and after the contact its readings stand still while the other "
+                "cart moves on: it may have stopped, or its sensor has lost it while both move on "
+                "together. These readings do not tell which",
+                "let the carts meet nearer to the middle, so that both run on within reach",
+                "perhaps-lost",
+            )

@@ -3,8 +3,8 @@
 By the third law m_A Δv_A = −m_B Δv_B, so the ratio of the masses is −Δv_A/Δv_B. A track takes a
 part of the push away while the carts touch: a bumper that hits above or below the centre of mass
 tips its cart, and the cart rubs. Such friction is against each cart's motion, and at most a share
-LOSS of the push itself (more where both changes do not run in step); it is not seen, and counts in
-full on both sides of the ratio's interval:
+LOSS of the push itself (more in a hard push, and where both changes do not run in step). It is not
+seen; the ratio is put right by what is likely, and its interval counts all of it:
 
     m_B/m_A = −Δv_A/Δv_B (1 − f (s_A + s_B)) ,   0 ≤ f ≤ LOSS ,   s the direction of motion
 """
@@ -26,6 +26,10 @@ air track: 0.3 to 1.5 % where the push was soft, up to 4 % where it was hard."""
 
 HARD = 0.05
 """Times (1 − e)²: what a bounce that loses most of its energy may take beside."""
+
+LIKELY = 0.7
+"""Of what friction may take, the share by which the ratio is put right; the interval reaches from
+a little below none to more than all of it."""
 
 SCALES = 0.04
 """Half of a 95 % interval: two sensors may read lengths that differ by so much (three weighed
@@ -61,7 +65,7 @@ def loss(speeds: Speeds, step: Step, outcome: Outcome) -> float:
     v = speeds.v
     e = min(max((v[3] - v[2]) / (v[0] - v[1]), 0.0), 1.0)
     hard = LOSS + HARD * (1.0 - e) ** 2
-    return max(hard, STEPPED * step.apart) if step.cells >= FINE else hard
+    return max(hard, STEPPED * step.surely) if step.cells >= FINE else hard
 
 
 def directions(speeds: Speeds) -> tuple[int, int]:
@@ -160,7 +164,7 @@ def mass_ratio(
 
     value = raw(speeds.v)
     share, both = loss(speeds, step, outcome), directions(speeds)
-    shift = 0.5 * share * (both[0] + both[1])
+    shift = 0.5 * LIKELY * share * (both[0] + both[1])
     parts = spread(speeds, slopes_of(raw, speeds.v)) / abs(value), share / HALF
     sd = math.hypot(*parts, SCALES / HALF if two else 0.0)
     value *= 1.0 - shift

@@ -6,6 +6,7 @@ cart does at the time. Speeds are compared with the cart's greatest one.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
@@ -13,7 +14,6 @@ from typing import TYPE_CHECKING, Literal
 from sim.measured.events.change_points import SHORTEST, change_points
 from sim.measured.events.contacts import Contact
 from sim.measured.events.grid import Grid
-import itertools
 
 if TYPE_CHECKING:
     import numpy as np

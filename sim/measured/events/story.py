@@ -9,7 +9,7 @@ from sim.measured.events.contacts import Contact, chosen, contacts
 from sim.measured.events.frames import Axis, Frames, frames_of, moved, turned
 from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import Step, in_step
-from sim.measured.events.outcome import Outcome, check_push, outcome_of
+from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
 from sim.measured.events.segments import Segment, segments
 from sim.measured.events.sides import Speeds, sides_of, speeds_of
 from sim.measured.refusal import FitError
@@ -65,7 +65,10 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         axis = measured if plain else moved(measured, frames)
         story = replace(story, frames=frames, speeds=speeds, measured=axis)
         check_push(speeds, step, contact, _frame(measured), measured.names)
-        return replace(story, outcome=outcome_of(speeds))
+        outcome = outcome_of(speeds)
+        if measured.own and outcome == "bounce":
+            check_seen(speeds, measured.names)
+        return replace(story, outcome=outcome)
     except FitError as error:
         return replace(story, refused=error)
 

@@ -10,6 +10,7 @@ there is no position, the velocity is summed up (trapezoids).
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Sequence
 
@@ -18,7 +19,6 @@ from sim.measured.refusal import refuse, shown
 from sim.measured.table import Column, Table, read_table
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Units, factor
-import itertools
 
 _QUANTITY = re.compile(
     r"\W*(?P<what>position|distance|displacement|velocity|speed|acceleration|x|v|a|pos|vel|acc)"
