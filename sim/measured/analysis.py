@@ -160,10 +160,11 @@ def _white(made: Fit, story: Story) -> bool:
 def _same(story: Story, made: Fit, wanted: Wanted) -> bool:
     """Whether the model's mass ratio lies in the interval of the velocities; else white residuals
     deceive. An effect that the reader asks for is the reader's to judge."""
+    if story.frames is not None and story.frames.joined:
+        return False  # one model of both places cannot know that two sensors have two scales
     if wanted.effect is not None or not (story.outcome and story.speeds and story.step):
         return True
-    two = story.frames is not None and story.frames.joined
-    ratio = mass_ratio(story.speeds, story.step, story.outcome, story.measured.names, two)
+    ratio = mass_ratio(story.speeds, story.step, story.outcome, story.measured.names)
     if isinstance(ratio, Untold):
         return True
     half = made.factor * made.sd("ln_ratio")

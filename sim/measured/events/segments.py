@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from sim.measured.events.change_points import SHORTEST, change_points
@@ -70,6 +70,10 @@ def segments(grid: Grid, found: Sequence[Contact]) -> list[Segment]:
         listed: list[Segment] = []
         for low, high in cuts:
             one = _named(grid, cart, low, high, greatest, found)
+            if listed and (push := _sudden(listed[-1], one, greatest, 1.5 * grid.step * wide)):
+                last = listed.pop()
+                listed += [replace(last, end=push.begin), push]
+                one = replace(one, begin=push.end)
             if listed and listed[-1].kind == one.kind:
                 last = listed.pop()
                 one = Segment(last.begin, one.end, cart, one.kind, (last.speeds[0], one.speeds[1]))
@@ -91,6 +95,17 @@ def _cut(grid: Grid, edges: list[int], found: Sequence[Contact]) -> list[tuple[i
     kept |= {k for span in spans for k in span} | {0, len(grid.t) - 1}
     ordered = sorted(kept)
     return list(itertools.pairwise(ordered))
+
+
+def _sudden(last: Segment, one: Segment, greatest: float, near: float) -> Segment | None:
+    """A push too short for a segment of its own: a jump of the velocity, widened by `near` s."""
+    change = one.speeds[0] - last.speeds[1]
+    if "contact" in (last.kind, one.kind) or abs(change) < PUSHED * greatest:
+        return None
+    near = min(near, 0.4 * (last.end - last.begin), 0.4 * (one.end - one.begin))
+    kind: Kind = "hand" if abs(one.speeds[0]) > abs(last.speeds[1]) else "stop"
+    speeds = last.speeds[1], one.speeds[0]
+    return Segment(one.begin - near, one.begin + near, one.cart, kind, speeds)
 
 
 def _named(

@@ -44,6 +44,9 @@ JUMP = 0.25
 SHARES = (1.0, 0.75, 0.5)
 """Of each side's window: how far the velocities depend on it is part of their uncertainty."""
 
+AS_GOOD = 1.08
+"""A step that predicts nearly as well might be the true one: its velocities count too."""
+
 UNSEEN = 0.7
 """Of what brakes a cart from the edge of a contact to its middle: taken as a standard deviation,
 for a brake that is seen outside of the contact need not be the same inside of it."""
@@ -126,12 +129,16 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     for step, error in errors:
         if error < BETTER * dict(errors)[best]:
             best = step
+    least = dict(errors)[best]
     found = [_solved([_nearest(side, share) for side in sides], best) for share in SHARES]
     whole, covariance, alike = found[0]
     v = np.array([one[0][1:8:2] for one in found])
     spread = v - v.mean(axis=0)
     mean = v.mean(axis=0)
+    others = [step for step, error in errors if step != best and error < AS_GOOD * least]
+    apart = np.array([_solved(sides, step)[0][1:8:2] - whole[1:8:2] for step in others])
     total = covariance[1:8:2, 1:8:2] + spread.T @ spread / (len(SHARES) - 1)
+    total += 0.25 * apart.T @ apart / len(others) if others else 0.0  # as likely as the best
     total[np.diag_indices(4)] += (UNSEEN * _braked(sides, best, whole)) ** 2
     return Speeds(
         v=tuple(map(float, mean)),  # type: ignore[arg-type]
