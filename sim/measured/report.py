@@ -16,6 +16,7 @@ from sim.measured.motion import Motion
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
 from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_pair
+from sim.measured.words_of_phones import of_clocks, of_phones
 
 FORMAT = 1
 FENCE_ID = "our-own-carts"
@@ -90,10 +91,13 @@ def span(measured: Measured) -> tuple[float, float]:
 
 
 def forces_report(measured: Measured, pair: Pair) -> dict[str, Any]:
-    """What two force sensors say."""
+    """What two force sensors or two phones say."""
+    phones = measured.kind == "acceleration"
+    said = (of_phones if phones else of_pair)(pair, measured.names)
+    said += [of_clocks(pair.set)] if pair.set is not None else []
     return {
         "format": FORMAT,
-        "kind": "forces",
+        "kind": "accelerations" if measured.kind == "acceleration" else "forces",
         "names": list(measured.names),
         "read": list(measured.notes),
         "readings": [len(track.t) for track in measured.tracks],
@@ -105,7 +109,8 @@ def forces_report(measured: Measured, pair: Pair) -> dict[str, Any]:
         "zeros": list(pair.zeros),
         "noise": list(pair.noise),
         "lag": pair.lag,
-        "sentences": of_pair(pair, measured.names),
+        "set": pair.set,
+        "sentences": said,
     }
 
 
