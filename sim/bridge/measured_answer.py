@@ -72,6 +72,9 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
         "read": list(measured.notes),
         "tracks": [{"t": list(track.t), "value": list(track.value)} for track in measured.tracks],
     }
+    if measured.kind == "acceleration":
+        raise FitError("the accelerations of two phones are not shown here",
+                       "`carts fit` compares them, on the command line")  # fmt: skip
     if measured.kind == "force":
         pair = third_law(measured)
         return answer | {

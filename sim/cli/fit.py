@@ -10,12 +10,12 @@ from typing import Any, NoReturn, cast
 import click
 
 from sim.cli.tables import table
+from sim.cli.zipped import texts_of
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.cells import MOST_BYTES
 from sim.measured.events.story import Hints
 from sim.measured.events.words import strip
 from sim.measured.fit import Effect, Fit
-from sim.measured.readers.zipped import texts_of
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law

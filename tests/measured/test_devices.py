@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
+from sim.cli.zipped import texts_of
 from sim.measured.analysis import Analysis, Wanted, analysed
 from sim.measured.events.story import Hints, story_of
-from sim.measured.readers.zipped import texts_of
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
 from tests.measured.devices import Motion, motion_capture, phone, sensor_carts, tracker_project

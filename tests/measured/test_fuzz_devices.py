@@ -9,9 +9,9 @@ from random import Random
 
 import pytest
 
+from sim.cli.zipped import texts_of
 from sim.measured.analysis import analysed
 from sim.measured.cells import decoded
-from sim.measured.readers.zipped import texts_of
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import read_measured
 from sim.measured.units import Units

@@ -82,7 +82,11 @@ def read(text: str, units: Units) -> Reading:
 
 
 def _parsed(text: str) -> _Node:
-    from xml.parsers import expat
+    try:
+        from xml.parsers import expat
+    except ImportError:  # a page carries the modules that it needs at its start, and not this one
+        hint = "use `carts fit`, or in Tracker File → Export → Data file"
+        raise refuse(1, "a Tracker project cannot be read in this page", hint) from None
 
     parser = expat.ParserCreate()
     root = _Node("", "", 1)
