@@ -9,6 +9,7 @@ from typing import Any, NoReturn, cast
 
 import click
 
+from sim.cli.of_names import named, of_names, quantity, weighed
 from sim.cli.tables import table
 from sim.cli.zipped import texts_of
 from sim.measured.analysis import Wanted, analysed
@@ -21,7 +22,7 @@ from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import OFFERED, Units
-from sim.scene.quantity import LENGTH, MASS, TIME, Dimension, QuantityError, read_quantity
+from sim.scene.quantity import LENGTH, TIME
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 
@@ -122,12 +123,12 @@ def command(
         raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
     units = Units(time=time, length=length, force=force)
     measured = _read(files, units)
-    measured = _cut(measured, _quantity("--from", begin, TIME), _quantity("--until", end, TIME))
+    measured = _cut(measured, quantity("--from", begin, TIME), quantity("--until", end, TIME))
     hints = Hints(
-        at=_quantity("--contact", contact, TIME),
-        flips=_named("--flip", flips, measured.names),
-        zeros=_of_names("--zero", zeros, measured.names, LENGTH, "A=12.5cm"),
-        distance=_quantity("--touch", touch, LENGTH),
+        at=quantity("--contact", contact, TIME),
+        flips=named("--flip", flips, measured.names),
+        zeros=of_names("--zero", zeros, measured.names, LENGTH, "A=12.5cm"),
+        distance=quantity("--touch", touch, LENGTH),
     )
     refused: FitError | None = None
     made: Fit | None = None
@@ -135,9 +136,14 @@ def command(
         report = _forces(files[0], measured)
     else:
         effect: Effect | None = "friction" if friction else "tilt" if tilt else None
-        weighed = _weighed(masses, measured.names)
         found = analysed(
-            measured, Wanted(law=cast(Any, law), effect=effect, masses=weighed, hints=hints)
+            measured,
+            Wanted(
+                law=cast(Any, law),
+                effect=effect,
+                masses=weighed(masses, measured.names),
+                hints=hints,
+            ),
         )
         report, made, refused = found.report, found.fit, found.refused
         report["strip"] = strip(found.story.segments, measured.names)
@@ -215,52 +221,6 @@ def _bytes(name: str) -> bytes:
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or error
         raise click.UsageError(f"“{name}” cannot be read: {why}.") from None
-
-
-def _quantity(option: str, text: str | None, dimension: Dimension) -> float | None:
-    if text is None:
-        return None
-    try:
-        return float(read_quantity(text, dimension))
-    except QuantityError as error:
-        raise click.UsageError(f"{option} {text}: {error.message}; {error.hint}.") from None
-
-
-def _named(option: str, given: tuple[str, ...], names: tuple[str, str]) -> tuple[str, ...]:
-    for name in given:
-        if name not in names:
-            known = " and ".join(names)
-            raise click.UsageError(
-                f"{option} {name}: there is no cart “{name}”; there are {known}."
-            )
-    return given
-
-
-def _of_names(
-    option: str, texts: tuple[str, ...], names: tuple[str, str], dimension: Dimension, sample: str
-) -> dict[str, float]:
-    """NAME=VALUE, read into SI."""
-    found: dict[str, float] = {}
-    for text in texts:
-        name, equals, value = text.partition("=")
-        number = _quantity(option, value, dimension) if equals else None
-        if number is None:
-            what = "MASS" if dimension is MASS else "LENGTH"
-            raise click.UsageError(f"{option} {text}: write NAME={what}, for example {sample}.")
-        if name.strip() not in names:
-            known = " and ".join(names)
-            reason = f"there is no cart “{name.strip()}”; there are {known}."
-            raise click.UsageError(f"{option} {text}: {reason}")
-        found[name.strip()] = number
-    return found
-
-
-def _weighed(texts: tuple[str, ...], names: tuple[str, str]) -> dict[str, float]:
-    found = _of_names("--mass", texts, names, MASS, "A=0.5kg")
-    for name, mass in found.items():
-        if mass <= 0.0:
-            raise click.UsageError(f"--mass {name}={mass:g} kg: a mass is more than 0.")
-    return found
 
 
 def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
