@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from sim.scene.quantity import MASS, Dimension, QuantityError
+from sim.scene.quantity import MASS, Dimension, QuantityError, read_quantity
 
 
 def quantity(option: str, text: str | None, dimension: Dimension) -> float | None:
