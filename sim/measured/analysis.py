@@ -74,7 +74,7 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
             rows = []
     made = _chosen(rows, wanted) if rows else None
     white = made is not None and any(_white(row.fit, story) for row in rows)
-    bounces = made is not None and PERHAPS < made.parameters.e <= 1.02
+    bounces = made is not None and _bounces(made)
     if refused and not (overruled and white and bounces):
         return Analysis(story, base_report(measured, story, None, refused), None, refused)
     if made is not None and white and (refused or _same(story, made, wanted)):
@@ -82,6 +82,12 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     else:
         report = by_velocities(measured, story, made, rows, wanted.masses)
     return Analysis(story, report, made)
+
+
+def _bounces(made: Fit) -> bool:
+    """Whether the model's e is clearly more than that of a stick, and can be 1 or less."""
+    e = made.parameters.e
+    return e > PERHAPS and e - made.factor * made.sd("e") <= 1.0
 
 
 def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
