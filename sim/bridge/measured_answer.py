@@ -16,13 +16,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
+from sim.measured.analysis import Analysis, Wanted, analysed
 from sim.measured.contact import Law
-from sim.measured.effects import compare
-from sim.measured.fit import EFFECTS, Asked, Fit, fit, warm_up
+from sim.measured.events.story import Hints, Story
+from sim.measured.fit import Effect, warm_up
 from sim.measured.motion import Parameters
 from sim.measured.overlay import Overlay, by_hand, first_try, frequency, overlay
 from sim.measured.refusal import FitError, ReadingError
-from sim.measured.report import forces_report, model_as_tracker, motion_report
+from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import Units
@@ -71,6 +72,9 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
         "read": list(measured.notes),
         "tracks": [{"t": list(track.t), "value": list(track.value)} for track in measured.tracks],
     }
+    if measured.kind == "acceleration":
+        raise FitError("the accelerations of two phones are not shown here",
+                       "`carts fit` compares them, on the command line")  # fmt: skip
     if measured.kind == "force":
         pair = third_law(measured)
         return answer | {
@@ -100,34 +104,53 @@ def _model(request: Mapping[str, Any]) -> dict[str, Any]:
     return _drawn(by_hand(measured, _parameters(request["hand"], start, law), law))
 
 
-def _fitted(request: Mapping[str, Any]) -> tuple[Measured, Fit, dict[str, Any]]:
+def _analysed(request: Mapping[str, Any]) -> tuple[Measured, Analysis]:
     measured = _measured(request)
     if measured.kind != "length":
-        raise FitError("these are forces: the model is fitted to positions")
-    asked = Asked(law=_law(request), distance=request.get("distance"))
-    effect = request.get("effect") or "none"
-    # All effects are compared on request only: which one is missing is for the reader to find.
-    every = bool(request.get("compare"))
-    effects = [one for one in EFFECTS if one != "none" and (every or one == effect)]
-    compared = compare(measured, fit(measured, asked), effects)
-    made = next((row.fit for row in compared if row.effect == effect), None)
-    if made is None:
-        raise FitError(f"the fit with {effect} finds no values", "try without it")
+        raise FitError("these are no positions: the model is fitted to positions")
+    effect: Effect = request.get("effect") or "none"
     weighed = request.get("masses") or {}
     masses = {name: float(weighed[name]) for name in measured.names if weighed.get(name)}
-    return measured, made, motion_report(measured, made, compared, masses)
+    # All effects are compared on request only: which one is missing is for the reader to find.
+    every = bool(request.get("compare"))
+    hints = Hints(distance=request.get("distance"))
+    found = analysed(measured, Wanted(
+        law=_law(request), effect=effect, every=every, masses=masses, hints=hints,
+    ))  # fmt: skip
+    if found.refused:
+        raise found.refused
+    return measured, found
 
 
 def _fit(request: Mapping[str, Any]) -> dict[str, Any]:
-    measured, made, report = _fitted(request)
-    if not request.get("compare"):
-        report |= {"calls_for": None}
-    return {"report": report} | _drawn(overlay(measured, made.parameters, made.asked.law))
+    measured, found = _analysed(request)
+    report = found.report if request.get("compare") else found.report | {"calls_for": None}
+    law = _law(request)
+    if found.fit is not None:
+        drawn = overlay(found.story.measured, found.fit.parameters, law)
+    else:
+        drawn = by_hand(measured, first_try(measured, law), law)
+        return {"report": report} | _drawn(drawn)
+    return {"report": report} | _drawn(_as_read(drawn, found.story))
+
+
+def _as_read(made: Overlay, story: Story) -> Overlay:
+    """Curves and residuals on the axes on which the sensors read."""
+    if story.frames is None or not story.frames.joined:
+        return made
+    axes = story.frames.axes
+    x = [tuple(axis.sign * v + axis.zero for v in values)
+         for axis, values in zip(axes, made.x, strict=True)]  # fmt: skip
+    left = [tuple(axis.sign * r for r in values)
+            for axis, values in zip(axes, made.residuals, strict=True)]  # fmt: skip
+    return replace(made, x=(x[0], x[1]), residuals=(left[0], left[1]))
 
 
 def _tracker(request: Mapping[str, Any]) -> dict[str, Any]:
-    measured, made, _ = _fitted(request)
-    return {"text": model_as_tracker(measured, made)}
+    _, found = _analysed(request)
+    if found.fit is None:
+        raise FitError("the model's run is written for a bounce only")
+    return {"text": model_as_tracker(found.story.measured, found.fit)}
 
 
 def _ready(_: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""`carts fit`: what a class's own carts did, from Tracker's export or two force sensors."""
+"""`carts fit`: what a class's own carts did, from films, motion capture, sensors or phones."""
 
 from __future__ import annotations
 
@@ -9,16 +9,20 @@ from typing import Any, NoReturn, cast
 
 import click
 
+from sim.cli.of_names import named, of_names, quantity, weighed
 from sim.cli.tables import table
-from sim.measured.cells import MOST_BYTES, decoded
-from sim.measured.effects import compare
-from sim.measured.fit import Asked, Effect, Fit, fit
+from sim.cli.zipped import texts_of
+from sim.measured.analysis import Wanted, analysed
+from sim.measured.cells import MOST_BYTES
+from sim.measured.events.story import Hints
+from sim.measured.events.words import strip
+from sim.measured.fit import Effect, Fit
 from sim.measured.refusal import FitError, ReadingError
-from sim.measured.report import forces_report, model_as_tracker, motion_report
+from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured, between, read_measured
 from sim.measured.units import OFFERED, Units
-from sim.scene.quantity import LENGTH, MASS, TIME, Dimension, QuantityError, read_quantity
+from sim.scene.quantity import LENGTH, TIME
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 
@@ -33,14 +37,35 @@ FILE = click.Path(dir_okay=False, path_type=Path)
     show_default=True,
     help="Which contact law the overlap follows while the carts touch.",
 )
-@click.option("--friction", is_flag=True, help="Fit a deceleration of each cart by friction too.")
-@click.option("--tilt", is_flag=True, help="Fit the tilt of the track too.")
+@click.option(
+    "--friction",
+    is_flag=True,
+    help="Fit a deceleration of each cart by friction, even if the readings do not call for it.",
+)
+@click.option("--tilt", is_flag=True, help="Fit the tilt of the track, called for or not.")
+@click.option(
+    "--contact", metavar="TIME", help="Of several contacts, take the one nearest to this time."
+)
+@click.option(
+    "--flip",
+    "flips",
+    multiple=True,
+    metavar="NAME",
+    help="This sensor counts the other way round: its readings change their sign.",
+)
+@click.option(
+    "--zero",
+    "zeros",
+    multiple=True,
+    metavar="NAME=LENGTH",
+    help="What this sensor reads at the place that is to be 0.",
+)
 @click.option(
     "--mass",
     "masses",
     multiple=True,
     metavar="NAME=MASS",
-    help="A weighed cart: then k and the other mass are printed. Twice: both are compared.",
+    help="A weighed cart: then k and the other mass are printed. Twice: momentum is compared too.",
 )
 @click.option(
     "--touch",
@@ -66,6 +91,9 @@ def command(
     law: str,
     friction: bool,
     tilt: bool,
+    contact: str | None,
+    flips: tuple[str, ...],
+    zeros: tuple[str, ...],
     masses: tuple[str, ...],
     touch: str | None,
     begin: str | None,
@@ -78,10 +106,12 @@ def command(
 ) -> None:
     """Fit the model to the motion of two real carts, or compare two force sensors.
 
-    FILES: one text with the readings of both carts, or one for each; - reads standard input.
-    Tracker's export, CSV and sensor logs are read as they are: tab, semicolon, comma or spaces,
-    decimal point or comma. Every number is printed with its 95 % interval; what the readings
-    cannot tell is not printed.
+    FILES: one file with the readings of both carts, or one for each; - reads standard input.
+    Tracker's export and projects (.trk), motion capture (Qualisys TSV), logs of sensor carts,
+    phyphox's CSV (zipped too) and any CSV are read as they are. What happened is found first
+    (rest, hand, coasting, contact, stop), then what the contact was: a bounce, a stick or an
+    explosion. Every number is printed with its 95 % interval; what the readings cannot tell is
+    not printed, and readings that tell nothing are refused with the reason.
 
     \b
     carts fit two-carts.csv
@@ -93,42 +123,53 @@ def command(
         raise click.UsageError("--friction or --tilt: one film does not tell both apart.")
     units = Units(time=time, length=length, force=force)
     measured = _read(files, units)
-    measured = _cut(measured, _quantity("--from", begin, TIME), _quantity("--until", end, TIME))
-    try:
-        if measured.kind == "force":
-            report: dict[str, Any] = forces_report(measured, third_law(measured))
-            made = None
-        else:
-            made, report = _fitted(measured, law, friction, tilt, touch, masses)
-    except FitError as error:
-        _fail(f"{files[0]}: error: {error.reason}", error.hint)
-    if made is None and (scene_file or tracker_file):
-        raise click.UsageError("--scene and --tracker need positions, not forces.")
-    if scene_file:
+    measured = _cut(measured, quantity("--from", begin, TIME), quantity("--until", end, TIME))
+    hints = Hints(
+        at=quantity("--contact", contact, TIME),
+        flips=named("--flip", flips, measured.names),
+        zeros=of_names("--zero", zeros, measured.names, LENGTH, "A=12.5cm"),
+        distance=quantity("--touch", touch, LENGTH),
+    )
+    refused: FitError | None = None
+    made: Fit | None = None
+    if measured.kind != "length":
+        report = _forces(files[0], measured)
+    else:
+        effect: Effect | None = "friction" if friction else "tilt" if tilt else None
+        found = analysed(
+            measured,
+            Wanted(
+                law=cast(Any, law),
+                effect=effect,
+                masses=weighed(masses, measured.names),
+                hints=hints,
+            ),
+        )
+        report, made, refused = found.report, found.fit, found.refused
+        report["strip"] = strip(found.story.segments, measured.names)
+        measured = found.story.measured
+    if made is None and (scene_file or tracker_file) and not refused:
+        raise click.UsageError("--scene and --tracker need a bounce, seen in positions.")
+    if scene_file and made:
         scene_file.write_text(report["scene"], encoding="utf-8")
     if tracker_file and made:
         tracker_file.write_text(model_as_tracker(measured, made), encoding="utf-8")
+    lines = report.pop("strip", [])
     if as_json:
         click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
-        return
-    click.echo(_as_text(report))
-    for path in filter(None, (scene_file, tracker_file)):
+    else:
+        click.echo(_as_text(report, lines))
+    if refused:
+        _fail(f"{files[0]}: error: {refused.reason}", refused.hint)
+    for path in filter(None, (scene_file, tracker_file)) if not as_json else ():
         click.echo(f"Written: {path}")
 
 
-def _fitted(
-    measured: Measured, law: str, friction: bool, tilt: bool, touch: str | None,
-    masses: tuple[str, ...],
-) -> tuple[Fit, dict[str, Any]]:  # fmt: skip
-    effect: Effect = "friction" if friction else "tilt" if tilt else "none"
-    asked = Asked(law=cast(Any, law), distance=_quantity("--touch", touch, LENGTH))
-    weighed = _weighed(masses, measured.names)
-    plain = fit(measured, asked)
-    compared = compare(measured, plain)
-    made = next((row.fit for row in compared if row.effect == effect), None)
-    if made is None:
-        raise FitError(f"the fit with {effect} finds no values", "try without it")
-    return made, motion_report(measured, made, compared, weighed)
+def _forces(name: str, measured: Measured) -> dict[str, Any]:
+    try:
+        return forces_report(measured, third_law(measured))
+    except FitError as error:
+        _fail(f"{name}: error: {error.reason}", error.hint)
 
 
 def _read(files: tuple[str, ...], units: Units) -> Measured:
@@ -136,7 +177,7 @@ def _read(files: tuple[str, ...], units: Units) -> Measured:
     texts = []
     for name in files:
         try:
-            texts.append(decoded(_bytes(name)))
+            texts += texts_of(_bytes(name))
         except ReadingError as error:
             _refuse(name, error)
     try:
@@ -182,37 +223,12 @@ def _bytes(name: str) -> bytes:
         raise click.UsageError(f"“{name}” cannot be read: {why}.") from None
 
 
-def _quantity(option: str, text: str | None, dimension: Dimension) -> float | None:
-    if text is None:
-        return None
-    try:
-        return float(read_quantity(text, dimension))
-    except QuantityError as error:
-        raise click.UsageError(f"{option} {text}: {error.message}; {error.hint}.") from None
-
-
-def _weighed(texts: tuple[str, ...], names: tuple[str, str]) -> dict[str, float]:
-    found: dict[str, float] = {}
-    for text in texts:
-        name, equals, value = text.partition("=")
-        mass = _quantity("--mass", value, MASS) if equals else None
-        if mass is None:
-            raise click.UsageError(f"--mass {text}: write NAME=MASS, for example A=0.5kg.")
-        if mass <= 0.0:
-            raise click.UsageError(f"--mass {text}: a mass is more than 0.")
-        name = name.strip()
-        if name not in names:
-            known = " and ".join(names)
-            raise click.UsageError(f"--mass {text}: there is no cart “{name}”; there are {known}.")
-        found[name] = mass
-    return found
-
-
-def _as_text(report: dict[str, Any]) -> str:
+def _as_text(report: dict[str, Any], strip_lines: list[str]) -> str:
     names, counts = report["names"], report["readings"]
     head = ", ".join(f"{name}: {n} readings" for name, n in zip(names, counts, strict=True))
     lines = [f"{head}; {'; '.join(report['read'])}", ""]
-    if report["kind"] == "motion":
+    lines += [*strip_lines, ""] if strip_lines else []
+    if report["kind"] == "motion" and report["known"]:
         lines += [f"Fitted with {report['law_words']}.", ""]
         rows = [(one["name"], one["text"].removeprefix(f"{one['name']}: ")) for one in
                 report["known"]]  # fmt: skip

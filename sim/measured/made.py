@@ -10,7 +10,8 @@ from random import Random
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
-from sim.measured.tracks import Measured, Track
+from sim.measured.track import Track
+from sim.measured.tracks import Measured
 from sim.scene import Scene
 
 

@@ -30,11 +30,14 @@ class ReadingError(ValueError):
 
 
 class FitError(ValueError):
-    """Good readings that this model cannot be fitted to; `hint` says what would help."""
+    """Good readings that this model cannot be fitted to; `hint` says what would help.
 
-    def __init__(self, reason: str, hint: str = "") -> None:
+    `code`: the reason for programs, `no-fit` where there is no better one.
+    """
+
+    def __init__(self, reason: str, hint: str = "", code: str = "no-fit") -> None:
         super().__init__(reason)
-        self.reason, self.hint = reason, hint
+        self.reason, self.hint, self.code = reason, hint, code
 
 
 def refuse(line: int, reason: str, hint: str = "") -> ReadingError:

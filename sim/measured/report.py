@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
+from sim.measured.believable import believable
 from sim.measured.effects import Compared, called_for
 from sim.measured.fit import Fit
 from sim.measured.known import Known, told
@@ -15,6 +16,7 @@ from sim.measured.motion import Motion
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
 from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_pair
+from sim.measured.words_of_phones import of_clocks, of_phones
 
 FORMAT = 1
 FENCE_ID = "our-own-carts"
@@ -30,7 +32,7 @@ def motion_report(
     masses = masses or {}
     names = measured.names
     mass = next(iter(masses.items()), None)
-    known, untold = told(fit, names, mass)
+    known, untold = believable(*told(fit, names, mass))
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
     said = [*of_effects(compared), *of_fit(fit, names, compared)]
     if balance := of_balance(ratio, masses, names):
@@ -46,7 +48,7 @@ def motion_report(
         "law": fit.asked.law,
         "law_words": LAWS[fit.asked.law],
         "effect": fit.asked.effect,
-        "known": [_row(one) for one in known],
+        "known": [row_of(one) for one in known],
         "untold": [{"key": o.key, "name": o.name, "reason": o.reason} for o in untold],
         "noise": fit.noise,
         "compared": [
@@ -65,7 +67,8 @@ def motion_report(
     }
 
 
-def _row(one: Known) -> dict[str, Any]:
+def row_of(one: Known) -> dict[str, Any]:
+    """A quantity as plain values."""
     return {
         "key": one.key,
         "name": one.name,
@@ -88,10 +91,13 @@ def span(measured: Measured) -> tuple[float, float]:
 
 
 def forces_report(measured: Measured, pair: Pair) -> dict[str, Any]:
-    """What two force sensors say."""
+    """What two force sensors or two phones say."""
+    phones = measured.kind == "acceleration"
+    said = (of_phones if phones else of_pair)(pair, measured.names)
+    said += [of_clocks(pair.set)] if pair.set is not None else []
     return {
         "format": FORMAT,
-        "kind": "forces",
+        "kind": "accelerations" if measured.kind == "acceleration" else "forces",
         "names": list(measured.names),
         "read": list(measured.notes),
         "readings": [len(track.t) for track in measured.tracks],
@@ -103,7 +109,8 @@ def forces_report(measured: Measured, pair: Pair) -> dict[str, Any]:
         "zeros": list(pair.zeros),
         "noise": list(pair.noise),
         "lag": pair.lag,
-        "sentences": of_pair(pair, measured.names),
+        "set": pair.set,
+        "sentences": said,
     }
 
 

@@ -13,8 +13,10 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from sim.measured.aligned import aligned, push
 from sim.measured.refusal import FitError
-from sim.measured.tracks import Measured, Track
+from sim.measured.track import Track
+from sim.measured.tracks import Measured
 
 QUIET = 0.1
 """Share of the greatest force below which a sensor counts as not pushed."""
@@ -40,17 +42,31 @@ class Pair:
     ratio_half: float  # half of its 95 % interval
     worst: tuple[float, float]  # t and sum where the sum is farthest from zero
     lag: float  # s, how much later B's readings are
+    set: float | None = None  # s, by which B's clock was set by the contact
 
 
 def third_law(measured: Measured) -> Pair:
-    """Both sensors compared; raises FitError if they saw no push."""
+    """Both sensors compared; raises FitError if they saw no push.
+
+    Two phones, and sensors whose clocks do not overlap, are set by the contact; of phones only the
+    common push is compared, for hands push them too.
+    """
+    moved = None
+    phones = measured.kind == "acceleration"
     first, second = measured.tracks
+    if phones or second.t[0] > first.t[-1] or first.t[0] > second.t[-1]:
+        measured, moved = aligned(measured)
+        first, second = measured.tracks
     t = tuple(time for time in first.t if second.t[0] <= time <= second.t[-1])
     if len(t) < 8:
         raise FitError("the two sensors did not read at the same time", "one log with both")
     raw = tuple(_at(first, t)), tuple(_at(second, t))
     zeros = _zero(raw[0]), _zero(raw[1])
     a, b = ([value - zero for value in values] for values, zero in zip(raw, zeros, strict=True))
+    if phones:
+        low, high = push(a, b)
+        low, high = (low, high) if high - low >= 8 else (0, len(t) - 1)
+        t, a, b = t[low : high + 1], a[low : high + 1], b[low : high + 1]
     peaks = max(map(abs, a)), max(map(abs, b))
     noise = _noise(a, peaks[0]), _noise(b, peaks[1])
     for peak, sd, name in zip(peaks, noise, measured.names, strict=True):
@@ -78,6 +94,7 @@ def third_law(measured: Measured) -> Pair:
         ratio_half=half,
         worst=(t[worst], sums[worst]),
         lag=_lag(t, a, b),
+        set=moved,
     )
 
 

@@ -38,7 +38,7 @@ def places_for(half: float) -> int:
     """Decimals that show an uncertainty with two digits."""
     if not (math.isfinite(half) and half > 0.0):
         return 6
-    return min(9, max(0, 1 - math.floor(math.log10(half))))
+    return min(15, max(0, 1 - math.floor(math.log10(half))))
 
 
 def with_half(value: float, half: float, unit: str) -> str:
@@ -49,6 +49,9 @@ def with_half(value: float, half: float, unit: str) -> str:
 
 def of_known(one: Known) -> str:
     """One line."""
+    if one.key == "e" and (one.high >= 1.0 or one.low <= 0.0):  # cut off at what is possible
+        places = places_for(one.half)
+        return f"{one.name}: from {number(one.low, places)} to {number(one.high, places)}"
     text = f"{one.name}: {with_half(one.value, one.half, one.unit)}"
     middle = 0.5 * (one.low + one.high)
     if abs(middle - one.value) > 0.1 * one.half:  # a lopsided interval is told by its ends

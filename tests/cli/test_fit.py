@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim.cli import main
+from tests.measured.devices import Motion, motion_capture, phone, tracker_project
 from tests.measured.makers import as_text, film, truth
 from tests.measured.test_third_law import sensors
 
@@ -123,3 +125,72 @@ def test_a_span_without_enough_readings_is_refused(tracker: Path) -> None:
     result = carts("fit", tracker, "--until", "0.02 s")
     assert result.exit_code == 1
     assert "choose a longer span" in result.stderr
+
+
+@pytest.fixture
+def capture(tmp_path: Path) -> Path:
+    path = tmp_path / "capture.tsv"
+    path.write_text(motion_capture(Motion(e=0.0, v=(0.2, 0.0))), encoding="utf-8")
+    return path
+
+
+def test_carts_that_stick_are_told_so_with_their_segments(capture: Path) -> None:
+    told = json.loads(carts("fit", capture, "--json").stdout)
+    assert told["outcome"] == "stick"
+    assert told["sensors"]["New 0000"] == {"sign": 1, "zero": 0.0}
+    assert {"from", "until", "cart", "kind"} == set(told["segments"][0])
+    assert all(one["low"] < one["high"] for one in told["known"])
+    assert "refused" not in told
+    said = carts("fit", capture).stdout
+    assert "The carts stick" in said
+    assert "New 0000: coasting 0.00" in said or "New 0000: friction 0.00" in said
+    assert carts("fit", capture, "--scene", capture.parent / "no.yml").exit_code == 2
+
+
+def test_a_refusal_has_a_code_a_sentence_and_what_was_seen(tmp_path: Path) -> None:
+    path = tmp_path / "alone.tsv"
+    path.write_text(motion_capture(Motion(touch=99.0)), encoding="utf-8")
+    result = carts("fit", path, "--json")
+    assert result.exit_code == 1
+    told = json.loads(result.stdout)
+    assert told["outcome"] is None
+    assert told["refused"]["code"]
+    assert told["refused"]["sentence"] in result.stderr
+    assert told["segments"]
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (("--flip", "C"), "there is no cart “C”"),
+        (("--zero", "C=1cm"), "there is no cart “C”"),
+        (("--zero", "New 0000"), "write NAME=LENGTH"),
+        (("--contact", "soon"), "not a number"),
+    ],
+)
+def test_a_wrong_axis_says_how_it_should_look(
+    capture: Path, words: tuple[str, ...], reason: str
+) -> None:
+    result = carts("fit", capture, *words)
+    assert result.exit_code == 2
+    assert reason in result.stderr
+
+
+def test_a_zip_and_a_project_are_read_as_they_are(tmp_path: Path) -> None:
+    project, packed = tmp_path / "film.trk", tmp_path / "film.trz"
+    project.write_text(tracker_project(Motion(v=(0.5, -0.1), touch=1.0, until=2.0)), "utf-8")
+    with zipfile.ZipFile(packed, "w") as pack:
+        pack.write(project, "film.trk")
+    first, second = (carts("fit", path, "--json").stdout for path in (project, packed))
+    assert json.loads(first)["outcome"] == "bounce"
+    assert first == second
+
+
+def test_two_phones_are_compared(tmp_path: Path) -> None:
+    made = Motion(v=(0.6, 0.0), ratio=1.5, touch=1.2, lasts=0.2, until=2.5)
+    paths = [tmp_path / f"{k}.csv" for k in (0, 1)]
+    for k, path in enumerate(paths):
+        path.write_text(phone(made, k, seed=k, clock=2.0 * k), encoding="utf-8")
+    said = carts("fit", *paths).stdout
+    assert "Acceleration of phone 2 ÷ acceleration of phone 1: 0.6" in said
+    assert "set by the contact itself" in said

@@ -12,7 +12,9 @@ from sim.dynamics.result.trajectory import trajectory
 from sim.measured.refusal import FitError
 from sim.measured.report import forces_report
 from sim.measured.third_law import third_law
-from sim.measured.tracks import Measured, Track
+from sim.measured.track import Track
+from sim.measured.tracks import Measured, read_measured
+from tests.measured.devices import Motion, phone
 from tests.measured.makers import truth
 
 NOISE = 0.05  # N
@@ -98,3 +100,31 @@ def test_noise_alone_is_refused() -> None:
     ]
     with pytest.raises(FitError):
         third_law(Measured("force", (tracks[0], tracks[1]), ()))
+
+
+@pytest.mark.parametrize("late", [-40.0, 0.0, 3.7])
+def test_two_phones_are_set_by_the_contact_and_their_ratio_is_that_of_the_masses(
+    late: float,
+) -> None:
+    made = Motion(v=(0.6, 0.0), ratio=1.5, touch=1.2, lasts=0.2, until=2.5, push=0.6, brake=0.0)
+    texts = [phone(made, 0, seed=1), phone(made, 1, seed=2, clock=late)]
+    measured = read_measured(texts)
+    found = third_law(measured)
+    assert found.set == pytest.approx(late, abs=0.01)
+    assert found.ratio == pytest.approx(1 / 1.5, abs=0.03)
+    changes = [after - before for before, after in zip(made.v, made.after, strict=True)]
+    assert [abs(one) for one in found.impulses] == pytest.approx(
+        [abs(one) for one in changes], abs=0.03
+    )
+    told = forces_report(measured, found)
+    assert told["kind"] == "accelerations"
+    assert any("do not test that both pushes act at the same time" in s for s in told["sentences"])
+
+
+def test_two_force_sensors_whose_clocks_do_not_meet_are_set_by_the_contact() -> None:
+    one, two = sensors().tracks
+    other = Track(two.name, tuple(t + 100.0 for t in two.t), two.value, two.lines)
+    found = third_law(Measured("force", (one, other), ()))
+    assert found.set == pytest.approx(100.0, abs=0.002)
+    assert abs(found.ratio - 1.0) <= 2 * found.ratio_half
+    assert third_law(sensors()).set is None

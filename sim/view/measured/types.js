@@ -11,7 +11,7 @@
  * @typedef {{key: string, name: string, value: number, low: number, high: number, unit: string, text: string}} Known
  * @typedef {{kind: string, names: string[], read: string[], law_words: string, effect: string, known: Known[],
  *   untold: {key: string, name: string, reason: string}[], noise: number, sentences: string[], scene: string,
- *   fence: string, calls_for: string | null}} Report
+ *   fence: string, calls_for: string | null, segments?: {from: number, until: number, cart: string, kind: string}[]}} Report
  * @typedef {{refused: Fault[], source?: number}} Refused
  * @typedef {{length: string, time: string, force: string}} Units an empty one: not chosen yet
  *

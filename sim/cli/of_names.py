@@ -1,0 +1,56 @@
+"""Options that name a cart or hold a quantity: read into SI, or told how they should look."""
+
+from __future__ import annotations
+
+import click
+
+from sim.scene.quantity import MASS, Dimension, QuantityError, read_quantity
+
+
+def quantity(option: str, text: str | None, dimension: Dimension) -> float | None:
+    """The quantity in SI; raises click's usage error."""
+    if text is None:
+        return None
+    try:
+        return float(read_quantity(text, dimension))
+    except QuantityError as error:
+        raise click.UsageError(f"{option} {text}: {error.message}; {error.hint}.") from None
+
+
+def named(option: str, given: tuple[str, ...], names: tuple[str, str]) -> tuple[str, ...]:
+    """The names given, all of them carts."""
+    for name in given:
+        if name not in names:
+            known = " and ".join(names)
+            raise click.UsageError(
+                f"{option} {name}: there is no cart “{name}”; there are {known}."
+            )
+    return given
+
+
+def of_names(
+    option: str, texts: tuple[str, ...], names: tuple[str, str], dimension: Dimension, sample: str
+) -> dict[str, float]:
+    """NAME=VALUE, read into SI."""
+    found: dict[str, float] = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        number = quantity(option, value, dimension) if equals else None
+        if number is None:
+            what = "MASS" if dimension is MASS else "LENGTH"
+            raise click.UsageError(f"{option} {text}: write NAME={what}, for example {sample}.")
+        if name.strip() not in names:
+            known = " and ".join(names)
+            reason = f"there is no cart “{name.strip()}”; there are {known}."
+            raise click.UsageError(f"{option} {text}: {reason}")
+        found[name.strip()] = number
+    return found
+
+
+def weighed(texts: tuple[str, ...], names: tuple[str, str]) -> dict[str, float]:
+    """Masses by name, in kg."""
+    found = of_names("--mass", texts, names, MASS, "A=0.5kg")
+    for name, mass in found.items():
+        if mass <= 0.0:
+            raise click.UsageError(f"--mass {name}={mass:g} kg: a mass is more than 0.")
+    return found

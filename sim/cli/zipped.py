@@ -1,0 +1,46 @@
+"""Bytes of a file to texts: a text, or what lies in a zip.
+
+phyphox zips its CSV with notes on the device; Tracker zips a project with its film. Taken is the
+one member that holds readings; nothing is unpacked beyond MOST_BYTES.
+"""
+
+from __future__ import annotations
+
+from sim.measured.cells import MOST_BYTES, decoded
+from sim.measured.refusal import refuse
+
+SUFFIXES = (".csv", ".txt", ".tsv", ".trk")
+ASIDE = ("meta/", "__MACOSX/")
+
+
+def texts_of(content: bytes) -> list[str]:
+    """One text; raises ReadingError."""
+    if content[:4] != b"PK\x03\x04":
+        return [decoded(content)]
+    return [decoded(_unzipped(content))]
+
+
+def _unzipped(content: bytes) -> bytes:
+    import io
+    import zipfile
+    import zlib
+
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as pack:
+            names = [
+                name
+                for name in pack.namelist()
+                if name.lower().endswith(SUFFIXES) and not name.startswith(ASIDE)
+            ]
+            # A project before its exported table, else the first table.
+            names.sort(key=lambda name: not name.lower().endswith(".trk"))
+            if not names:
+                raise refuse(1, "no table is in this zip", "export as CSV")
+            with pack.open(names[0]) as member:
+                return member.read(MOST_BYTES + 1)
+    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError) as error:
+        if hasattr(error, "faults"):
+            raise
+        raise refuse(1, "this zip is damaged or locked", "export it anew") from None
+    except NotImplementedError:
+        raise refuse(1, "this zip is packed in a way that is not read", "unpack it") from None

@@ -1,0 +1,169 @@
+"""One recording to one report: what happened, the fit that can be believed, or why there is none.
+
+The velocities beside the contact give every outcome's quantities (sim.measured.events). For a
+bounce the whole model is fitted too. Where its residuals are white, it is the sharper instrument,
+and its numbers are told; where they are not, its intervals would be too narrow, and those of the
+velocities stand. A scene comes from the model in both cases.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from sim.measured.contact import Law
+from sim.measured.effects import ALIKE, Compared, called_for, compare, neighbours
+from sim.measured.events.outcome import PERHAPS
+from sim.measured.events.quantities import mass_ratio
+from sim.measured.events.sides import window
+from sim.measured.events.story import Hints, Story, story_of
+from sim.measured.fit import EFFECTS, Asked, Effect, Fit, fit
+from sim.measured.known import Untold
+from sim.measured.refusal import FitError, ReadingError
+from sim.measured.story_report import base_report, by_model, by_velocities
+from sim.measured.tracks import Measured, between
+
+MOST_FITTED = 700
+"""Readings of a cart that the whole model is fitted to; of more, every second or third is taken."""
+
+MOST_SKETCHED = 120
+"""The same where only a scene comes of it."""
+
+ROUNDING = 1e-6
+"""Noise as a share of the range below which residuals are rounding, and alike without harm."""
+
+DOUBTFUL = ("no-contact", "before-too-short", "after-too-short", "no-change", "no-fit",
+            "not-in-step", "lost-after")  # fmt: skip
+"""Refusals that the whole model may overrule in one frame, if it leaves white residuals."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wanted:
+    """How to look. `effect`: None takes what the readings call for; `masses` in kg by name."""
+
+    law: Law = "bumper"
+    effect: Effect | None = None
+    every: bool = True  # compare all effects
+    masses: Mapping[str, float] = field(default_factory=dict)
+    hints: Hints = field(default_factory=Hints)
+
+
+@dataclass(frozen=True, slots=True)
+class Analysis:
+    """`report` is plain values; `refused` where no fit is given; `fit`: of the whole model."""
+
+    story: Story
+    report: dict[str, Any]
+    fit: Fit | None = None
+    refused: FitError | None = None
+
+
+def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
+    """The report of two carts; never raises FitError."""
+    story = story_of(measured, wanted.hints)
+    refused, rows = story.refused, list[Compared]()
+    overruled = refused is not None and refused.code in DOUBTFUL and not measured.own
+    if story.outcome == "bounce" or overruled:
+        try:
+            rows = _whole_model(story, wanted)
+        except (FitError, ReadingError) as error:
+            if refused and isinstance(error, FitError) and refused.code in ("no-contact", "no-fit"):
+                refused = FitError(error.reason, error.hint, refused.code)
+            rows = []
+    made = _chosen(rows, wanted) if rows else None
+    white = made is not None and any(_white(row.fit, story) for row in rows)
+    bounces = made is not None and _bounces(made)
+    if refused and not (overruled and white and bounces):
+        return Analysis(story, base_report(measured, story, None, refused), None, refused)
+    if made is not None and white and (refused or _same(story, made, wanted)):
+        report = by_model(measured, story, made, rows, wanted.masses, wanted.every)
+    else:
+        report = by_velocities(measured, story, made, rows, wanted.masses)
+    return Analysis(story, report, made)
+
+
+def _bounces(made: Fit) -> bool:
+    """Whether the model's e is clearly more than that of a stick, and can be 1 or less."""
+    e = made.parameters.e
+    return e > PERHAPS and e - made.factor * made.sd("e") <= 1.0
+
+
+def _whole_model(story: Story, wanted: Wanted) -> list[Compared]:
+    """The model with the effects that are asked for; more only if none leaves white residuals."""
+    smooth = _smooth(story)
+    cut = _thinned(_free(story), MOST_SKETCHED if smooth else MOST_FITTED)
+    plain = fit(cut, Asked(law=wanted.law, distance=wanted.hints.distance))
+    if smooth:  # for the scene alone
+        return compare(cut, plain, [])
+    effects = [one for one in EFFECTS if one != "none"]
+    if wanted.every or wanted.effect is None:
+        return compare(cut, plain, effects)
+    rows = compare(cut, plain, [one for one in effects if one == wanted.effect])
+    if not any(_white(row.fit, story) for row in rows):
+        rows += compare(cut, plain, [one for one in effects if one != wanted.effect])[1:]
+    return rows
+
+
+def _free(story: Story) -> Measured:
+    """The readings around the contact in which nobody holds a cart."""
+    if story.contact is None:
+        return story.measured
+    low, high = float("-inf"), float("inf")
+    for cart in (0, 1):
+        named = [one for one in story.segments if one.cart == cart]
+        low = max(low, window(story.contact, named, False, float("inf"))[0])
+        high = min(high, window(story.contact, named, True, float("inf"))[1])
+    ends = [one.end for one in story.segments]
+    begins = [one.begin for one in story.segments]
+    # A span that reaches the first or last segment reaches all readings.
+    first = None if not begins or low <= min(begins) + 1e-9 else low
+    last = None if not ends or high >= max(ends) - 1e-9 else high
+    return between(story.measured, first, last)
+
+
+def _smooth(story: Story) -> bool:
+    """Whether a device read so often that its readings are alike, model or not."""
+    often = max(len(track.t) for track in story.measured.tracks) > MOST_FITTED
+    return often and story.speeds is not None and story.speeds.alike > ALIKE
+
+
+def _thinned(measured: Measured, readings: int) -> Measured:
+    most = max(len(track.t) for track in measured.tracks)
+    k = -(-most // readings)
+    if k == 1:
+        return measured
+    tracks = [
+        replace(one, t=one.t[::k], value=one.value[::k], lines=one.lines[::k])
+        for one in measured.tracks
+    ]
+    return replace(measured, tracks=(tracks[0], tracks[1]))
+
+
+def _chosen(rows: list[Compared], wanted: Wanted) -> Fit | None:
+    effect = called_for(rows) if wanted.effect is None else wanted.effect
+    return next((row.fit for row in rows if row.effect == effect), rows[0].fit)
+
+
+def _white(made: Fit, story: Story) -> bool:
+    """Whether the residuals are chance, or nothing but rounding."""
+    reach = max(max(track.value) - min(track.value) for track in story.measured.tracks)
+    if made.noise < ROUNDING * reach:
+        return True
+    return neighbours(made) <= ALIKE and not _smooth(story)
+
+
+def _same(story: Story, made: Fit, wanted: Wanted) -> bool:
+    """Whether the model's mass ratio lies in the interval of the velocities; else white residuals
+    deceive. An effect that the reader asks for is the reader's to judge."""
+    if story.frames is not None and story.frames.joined:
+        return False  # one model of both places cannot know that two sensors have two scales
+    if wanted.effect is not None or not (story.outcome and story.speeds and story.step):
+        return True
+    ratio = mass_ratio(story.speeds, story.step, story.outcome, story.measured.names)
+    if isinstance(ratio, Untold):
+        return True
+    half = made.factor * made.sd("ln_ratio")
+    low, high = math.log(ratio.low) - half, math.log(ratio.high) + half
+    return low <= math.log(made.parameters.ratio) <= high

@@ -1,0 +1,38 @@
+"""What may be printed: finite, with a width, and possible.
+
+An interval that is infinite, empty or none is not printed; the bounciness of two carts lies between
+0 and 1, and what of its interval lies outside is cut off (all of it: not printed).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+
+from sim.measured.known import Known, Untold
+
+OPEN = "the readings leave it open"
+ABOVE = "it comes out above 1: the carts would gain energy"
+
+
+def believable(
+    known: Iterable[Known], untold: Iterable[Untold]
+) -> tuple[list[Known], list[Untold]]:
+    """The same without what cannot be."""
+    kept: list[Known] = []
+    left = list(untold)
+    for given in known:
+        one = given
+        numbers = (one.value, one.low, one.high, one.sd)
+        if one.key == "e" and all(map(math.isfinite, numbers)):
+            low, high = max(one.low, 0.0), min(one.high, 1.0)
+            if not low < high:
+                left.append(Untold("e", one.name, ABOVE))
+                continue
+            one = replace(one, low=low, high=high, value=min(max(one.value, low), high))
+        if all(map(math.isfinite, numbers)) and one.low < one.high:
+            kept.append(one)
+        else:
+            left.append(Untold(one.key, one.name, OPEN))
+    return kept, left

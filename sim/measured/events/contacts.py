@@ -1,0 +1,127 @@
+"""When the carts pushed each other: both change their velocity at one time.
+
+A hand or an end stop changes one cart; a contact changes both. Its trace is √|a_A a_B|, whatever
+signs and zeros the sensors have. A candidate is where this stands out, and its strength
+√|Δv_A Δv_B|; jitter has a trace and no strength.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from sim.measured.events.grid import Grid
+from sim.measured.events.in_step import in_step
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+EDGE = 0.07
+"""Share of the greatest trace at which a contact begins and ends."""
+
+STANDS_OUT = 0.04
+"""Share of the greatest trace of all that a candidate must reach."""
+
+COMPARABLE = 0.4
+"""Share of the greatest strength from which the earlier one is taken: later ones may be stops."""
+
+LOUDER, FADED = 5.0, 1.5
+"""Times the lower quartile of the trace: a candidate is louder, and ends where it is no more."""
+
+DIP = 0.05
+"""s. A trace that comes back so soon belongs to the same contact."""
+
+WEAKEST = 0.1
+"""Share of the greatest strength from which a candidate is offered."""
+
+SEPARATE = 0.2
+"""How far apart both carts' changes may run: two stops that overlap in time are no contact."""
+
+NEAR = 0.35
+"""s. Velocities for the strength are means over at most this long."""
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """A candidate: from, middle and until in s, strength in m/s."""
+
+    begin: float
+    middle: float
+    end: float
+    strength: float
+
+
+def contacts(grid: Grid) -> list[Contact]:
+    """All of them in order of time; strength at least WEAKEST of the strongest."""
+    import numpy as np
+
+    trace = np.sqrt(np.abs(grid.a[0] * grid.a[1]))
+    left = trace.copy()
+    left[: grid.half + 1] = left[-grid.half - 1 :] = 0.0
+    usual = float(np.percentile(trace, 25))
+    whole, spans = max(float(left.max()) * STANDS_OUT, LOUDER * usual), list[tuple[int, int]]()
+    ahead = max(grid.half, min(2 * grid.half, round(DIP / grid.step)))
+    for _ in range(12):
+        peak = int(np.argmax(left))
+        if left[peak] <= whole:
+            break
+        low, high = _edges(left, peak, ahead, max(EDGE * left[peak], FADED * usual))
+        left[max(0, low - grid.half) : high + grid.half + 1] = 0.0
+        if high > low:
+            spans.append((low, high))
+    spans.sort()
+    found = [_candidate(grid, trace, spans, k) for k in range(len(spans))]
+    strongest = max((one.strength for one in found), default=0.0)
+    kept = [
+        one
+        for one in found
+        if one.strength == strongest
+        or (one.strength > WEAKEST * strongest
+            and in_step(grid, one.begin, one.end).apart < SEPARATE)
+    ]  # fmt: skip
+    return sorted(kept, key=lambda one: one.begin)
+
+
+def _edges(trace: Floats, peak: int, ahead: int, level: float) -> tuple[int, int]:
+    """Where the trace has faded; a dip of a few cells (a sign that turns) is no end."""
+    ends = []
+    for way in (-1, 1):
+        k = peak
+        while (
+            0 < k < len(trace) - 1
+            and max(trace[max(0, min(k + way * i, len(trace) - 1))] for i in range(1, ahead + 1))
+            > level
+        ):
+            k += way
+        ends.append(k)
+    return ends[0], ends[1]
+
+
+def _candidate(grid: Grid, trace: Floats, spans: list[tuple[int, int]], k: int) -> Contact:
+    """Its strength by the velocities beside it, up to the next candidates."""
+    import numpy as np
+
+    low, high = spans[k]
+    near, n = max(2, round(NEAR / grid.step)), len(grid.t)
+    since = max(low - near, spans[k - 1][1] if k else 0)
+    until = min(high + near, spans[k + 1][0] if k + 1 < len(spans) else n - 1)
+    first = slice(min(since, low - 1) if low else 0, max(low, 1))
+    last = slice(min(high, n - 2) + 1, max(until, high + 1) + 1)
+    change = [float(np.median(v[last]) - np.median(v[first])) for v in grid.v]
+    weight = trace[low : high + 1]
+    middle = float(weight @ grid.t[low : high + 1] / weight.sum())
+    strength = abs(change[0] * change[1]) ** 0.5
+    return Contact(float(grid.t[low]), middle, float(grid.t[high]), strength)
+
+
+def chosen(found: list[Contact], at: float | None = None) -> Contact | None:
+    """The one nearest to `at`; else the first of those that are comparable with the strongest."""
+    if not found:
+        return None
+    if at is not None:
+        return min(found, key=lambda one: abs(one.middle - at))
+    strongest = max(one.strength for one in found)
+    return next(one for one in found if one.strength >= COMPARABLE * strongest)

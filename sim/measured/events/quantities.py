@@ -1,0 +1,195 @@
+"""What each outcome tells, with intervals.
+
+By the third law m_A Δv_A = −m_B Δv_B, so the ratio of the masses is −Δv_A/Δv_B. A track takes a
+part of the push away while the carts touch: a bumper that hits above or below the centre of mass
+tips its cart, and the cart rubs. Such friction is against each cart's motion, and at most a share
+LOSS of the push itself (more in a hard push, and where both changes do not run in step). It is not
+seen; the ratio is put right by what is likely, and its interval counts all of it:
+
+    m_B/m_A = −Δv_A/Δv_B (1 − f (s_A + s_B)) ,   0 ≤ f ≤ LOSS ,   s the direction of motion
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+from sim.measured.events.contacts import Contact
+from sim.measured.events.in_step import Step
+from sim.measured.events.outcome import AT_REST, HALF, Outcome, spread
+from sim.measured.events.sides import Speeds
+from sim.measured.known import Known, Untold
+
+LOSS = 0.018
+"""Share of the push that friction in the contact takes at most. From nine weighed collisions on an
+air track: 0.3 to 1.5 % where the push was soft, up to 4 % where it was hard."""
+
+HARD = 0.05
+"""Times (1 − e)²: what a bounce that loses most of its energy may take beside."""
+
+LIKELY = 0.7
+"""Of what friction may take, the share by which the ratio is put right; the interval reaches from
+a little below none to more than all of it."""
+
+SCALES = 0.04
+"""Half of a 95 % interval: two sensors may read lengths that differ by so much (three weighed
+explosions differ by 2 to 4 %). One film cannot."""
+
+STEPPED = 3.0
+"""Times the distance between both changes' curves: what a hard push takes."""
+
+FINE = 12
+"""Cells of a contact in which that distance can be judged."""
+
+WIDEST = 0.5
+"""Relative half-width above which a ratio is not printed."""
+
+Values = Sequence[float]
+
+
+def slopes_of(function: Callable[[Values], float], v: Values) -> list[float]:
+    """Derivatives by the four velocities."""
+    size = 1e-6 * max(1e-3, *map(abs, v))
+    found = []
+    for k in range(4):
+        up, down = list(v), list(v)
+        up[k], down[k] = up[k] + size, down[k] - size
+        found.append((function(up) - function(down)) / (2.0 * size))
+    return found
+
+
+def loss(speeds: Speeds, step: Step, outcome: Outcome) -> float:
+    """Share of the push that friction may take in this contact."""
+    if outcome != "bounce":
+        return LOSS
+    v = speeds.v
+    e = min(max((v[3] - v[2]) / (v[0] - v[1]), 0.0), 1.0)
+    hard = LOSS + HARD * (1.0 - e) ** 2
+    return max(hard, STEPPED * step.surely) if step.cells >= FINE else hard
+
+
+def directions(speeds: Speeds) -> tuple[int, int]:
+    """Of both carts while they touch: −1, 0, 1."""
+    v, greatest = speeds.v, max(map(abs, speeds.v))
+    means = [0.5 * (v[k] + v[k + 2]) for k in (0, 1)]
+    first, second = (0 if abs(m) < AT_REST * greatest else 1 if m > 0 else -1 for m in means)
+    return first, second
+
+
+def told_of(
+    outcome: Outcome,
+    speeds: Speeds,
+    contact: Contact,
+    step: Step,
+    names: tuple[str, str],
+    masses: Mapping[str, float] | None = None,
+    two: bool = False,
+) -> tuple[list[Known], list[Untold]]:
+    """Known and untold quantities; every interval is finite and has a width."""
+    known: list[Known] = []
+    untold: list[Untold] = []
+
+    def add(key: str, name: str, function: Callable[[Values], float], unit: str) -> None:
+        known.append(_plain(speeds, key, name, function, unit))
+
+    if outcome == "bounce":
+        untold += _bounciness(speeds, known)
+    ratio = mass_ratio(speeds, step, outcome, names, two)
+    (known if isinstance(ratio, Known) else untold).append(ratio)  # type: ignore[arg-type]
+    if outcome != "explosion":
+        for k, name in enumerate(names):
+            add(f"v_{'ab'[k]}", f"velocity of {name} before", _velocity(k), "m/s")
+    if outcome == "stick":
+        add("v_common", "common velocity after", lambda v: 0.5 * (v[2] + v[3]), "m/s")
+        add("energy_lost", "energy lost per reduced mass", lambda v: 0.5 * (v[0] - v[1]) ** 2,
+            "J/kg")  # fmt: skip
+        untold.append(Untold("e", "bounciness e", "the carts stay together: there is no rebound"))
+    else:
+        for k, name in enumerate(names):
+            add(f"v_{'ab'[k]}_after", f"velocity of {name} after", _velocity(k + 2), "m/s")
+    if outcome == "explosion":
+        add("parting", "the carts part at", lambda v: v[3] - v[2], "m/s")
+        add("energy_released", "energy released per reduced mass",
+            lambda v: 0.5 * ((v[3] - v[2]) ** 2 - (v[1] - v[0]) ** 2), "J/kg")  # fmt: skip
+        reason = "the carts were together before: nothing is thrown back"
+        untold.append(Untold("e", "bounciness e", reason))
+    half = 0.5 * (contact.end - contact.begin)
+    known.append(
+        Known(
+            "touch",
+            "middle of the contact at t",
+            contact.middle,
+            contact.middle - half,
+            contact.middle + half,
+            half / HALF,
+            "s",
+        )
+    )
+    untold += _weighed(ratio, names, masses or {}, known)
+    return known, untold
+
+
+def _velocity(k: int) -> Callable[[Values], float]:
+    return lambda v: v[k]
+
+
+def _plain(
+    speeds: Speeds, key: str, name: str, function: Callable[[Values], float], unit: str
+) -> Known:
+    value, sd = function(speeds.v), spread(speeds, slopes_of(function, speeds.v))
+    sd = max(sd, 1e-9 * max(map(abs, speeds.v)))  # readings without any noise
+    return Known(key, name, value, value - HALF * sd, value + HALF * sd, sd, unit)
+
+
+def _bounciness(speeds: Speeds, known: list[Known]) -> list[Untold]:
+    """e within 0 and 1; the best value is the nearest possible one."""
+    one = _plain(speeds, "e", "bounciness e", lambda v: (v[3] - v[2]) / (v[0] - v[1] or 1e-12), "")
+    low, high = max(one.low, 0.0), min(one.high, 1.0)
+    if not low < high:
+        return [Untold("e", "bounciness e", "it comes out above 1: the carts would gain energy")]
+    if high - low > WIDEST:
+        return [Untold("e", "bounciness e", "the readings leave it open: the interval is too wide")]
+    known.append(Known("e", one.name, min(max(one.value, low), high), low, high, one.sd, ""))
+    return []
+
+
+def mass_ratio(
+    speeds: Speeds, step: Step, outcome: Outcome, names: tuple[str, str], two: bool = False
+) -> Known | Untold:
+    """B ÷ A, with what friction in the contact may take; `two` sensors, each with its scale."""
+    name = f"mass of {names[1]} ÷ mass of {names[0]}"
+
+    def raw(v: Values) -> float:
+        return -(v[2] - v[0]) / ((v[3] - v[1]) or 1e-12)
+
+    value = raw(speeds.v)
+    share, both = loss(speeds, step, outcome), directions(speeds)
+    shift = 0.5 * LIKELY * share * (both[0] + both[1])
+    parts = spread(speeds, slopes_of(raw, speeds.v)) / abs(value), share / HALF
+    sd = math.hypot(*parts, SCALES / HALF if two else 0.0)
+    value *= 1.0 - shift
+    if not (value > 0.0 and HALF * sd < WIDEST):
+        return Untold("mass_ratio", name, "the readings leave it open: the interval is too wide")
+    factor = math.exp(HALF * sd)
+    return Known("mass_ratio", name, value, value / factor, value * factor, value * sd, "")
+
+
+def _weighed(
+    ratio: Known | Untold, names: tuple[str, str], masses: Mapping[str, float], known: list[Known]
+) -> list[Untold]:
+    """The other mass where one is weighed."""
+    if not masses:
+        reason = (
+            "a motion does not show it: with both masses twice as large, the same film comes out. "
+            "Weigh one cart and give its mass"
+        )
+        return [Untold("mass", "mass of each cart in kg", reason)]
+    if isinstance(ratio, Untold) or len(masses) > 1:
+        return []
+    ((name, kg),) = masses.items()
+    other = 1 - names.index(name)
+    ends = [ratio.value, ratio.low, ratio.high]
+    value, *sides = [kg * q if other else kg / q for q in ends]
+    sd = ratio.sd / ratio.value * value
+    known.append(Known("mass", f"mass of {names[other]}", value, min(sides), max(sides), sd, "kg"))
+    return []

@@ -1,0 +1,144 @@
+"""A film in words: rest, hand, coasting, friction, contact, stop, for each cart.
+
+Change points split each cart's motion; a segment is named by its velocities and by what the other
+cart does at the time. Speeds are compared with the cart's greatest one.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
+
+from sim.measured.events.change_points import SHORTEST, change_points
+from sim.measured.events.contacts import Contact
+from sim.measured.events.grid import Grid
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+Kind = Literal["rest", "hand", "coasting", "friction", "contact", "stop"]
+KINDS: tuple[Kind, ...] = ("rest", "hand", "coasting", "friction", "contact", "stop")
+MOST_JUDGED = 170
+STILL = 0.04
+"""Share of the greatest speed below which a cart rests."""
+
+STEADY = 0.04
+"""Share of the greatest speed by which a coasting cart's velocity changes at most."""
+
+SUDDEN = 0.35
+"""Of the greatest speed, per s: a change slower than this is friction or a tilt."""
+
+
+PUSHED = 0.15
+"""Of the greatest speed: what a hand adds at least."""
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """From and until in s; `cart` 0 or 1; velocities in m/s where it begins and ends."""
+
+    begin: float
+    end: float
+    cart: int
+    kind: Kind
+    speeds: tuple[float, float]
+
+
+def coarse(grid: Grid) -> tuple[Floats, int]:
+    """Places in cells so wide that there are at most MOST_JUDGED, and how many of the grid's each
+    holds."""
+    wide = -(-len(grid.t) // MOST_JUDGED)
+    count = len(grid.t) // wide
+    return grid.x[:, : count * wide].reshape(2, count, wide).mean(axis=2), wide
+
+
+def segments(grid: Grid, found: Sequence[Contact]) -> list[Segment]:
+    """Both carts' segments in order of time, cart after cart; neighbours of one kind are joined."""
+    import numpy as np
+
+    x, wide = coarse(grid)
+    every: list[Segment] = []
+    for cart in (0, 1):
+        greatest = float(np.percentile(np.abs(grid.v[cart]), 98))
+        edges = [min(k * wide, len(grid.t) - 1) for k in change_points(x[cart])]
+        cuts = _cut(grid, edges, found)
+        listed: list[Segment] = []
+        for low, high in cuts:
+            one = _named(grid, cart, low, high, greatest, found)
+            if listed and (push := _sudden(listed[-1], one, greatest, 1.5 * grid.step * wide)):
+                last = listed.pop()
+                listed += [replace(last, end=push.begin), push]
+                one = replace(one, begin=push.end)
+            if listed and listed[-1].kind == one.kind:
+                last = listed.pop()
+                one = Segment(last.begin, one.end, cart, one.kind, (last.speeds[0], one.speeds[1]))
+            listed.append(one)
+        every += listed
+    return every
+
+
+def _cut(grid: Grid, edges: list[int], found: Sequence[Contact]) -> list[tuple[int, int]]:
+    """Change points with those inside of contacts replaced by where these begin and end."""
+    import numpy as np
+
+    spans = [
+        (int(np.searchsorted(grid.t, one.begin)), int(np.searchsorted(grid.t, one.end)))
+        for one in found
+    ]
+    near = max(2, grid.half)
+    kept = {k for k in edges if not any(low - near <= k <= high + near for low, high in spans)}
+    kept |= {k for span in spans for k in span} | {0, len(grid.t) - 1}
+    ordered = sorted(kept)
+    return list(itertools.pairwise(ordered))
+
+
+def _sudden(last: Segment, one: Segment, greatest: float, near: float) -> Segment | None:
+    """A push too short for a segment of its own: a jump of the velocity, widened by `near` s."""
+    change = one.speeds[0] - last.speeds[1]
+    if "contact" in (last.kind, one.kind) or abs(change) < PUSHED * greatest:
+        return None
+    near = min(near, 0.4 * (last.end - last.begin), 0.4 * (one.end - one.begin))
+    kind: Kind = "hand" if abs(one.speeds[0]) > abs(last.speeds[1]) else "stop"
+    speeds = last.speeds[1], one.speeds[0]
+    return Segment(one.begin - near, one.begin + near, one.cart, kind, speeds)
+
+
+def _named(
+    grid: Grid, cart: int, low: int, high: int, greatest: float, found: Sequence[Contact]
+) -> Segment:
+    import numpy as np
+
+    t = grid.t
+    middle, last = 0.5 * (t[low] + t[high]), high if high < len(t) - 1 else high + 1
+    inside = slice(low, max(last, low + 1))
+    tau, x = t[inside] - middle, grid.x[cart][inside]
+    bend, slope = 0.0, float(np.median(grid.v[cart][inside]))
+    if len(tau) >= SHORTEST:
+        bend, slope = (float(one) for one in np.polyfit(tau, x, 2)[:2])
+    elif len(tau) > 1:
+        slope = float(np.polyfit(tau, x, 1)[0])
+    reach = t[high] - t[low]
+    speeds = slope - bend * reach, slope + bend * reach
+    kind = _kind(speeds, 2.0 * bend, greatest)
+    if any(one.begin <= middle <= one.end for one in found):
+        kind = "contact"
+    return Segment(float(t[low]), float(t[high]), cart, kind, speeds)
+
+
+def _kind(speeds: tuple[float, float], slope: float, greatest: float) -> Kind:
+    first, last = abs(speeds[0]), abs(speeds[1])
+    middle = abs(speeds[0] + speeds[1]) / 2
+    if greatest <= 0.0 or (middle < STILL * greatest and max(first, last) < 4 * STILL * greatest):
+        return "rest"
+    if abs(speeds[1] - speeds[0]) < STEADY * greatest:
+        return "coasting"
+    if abs(slope) < SUDDEN * greatest:
+        return "friction" if last < first else "coasting"
+    if last > first:
+        return "hand" if last - first > PUSHED * greatest else "coasting"
+    return "stop" if last < 0.5 * first else "friction"

@@ -1,0 +1,82 @@
+"""All that is found out about one recording, in the order in which it is found."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from sim.measured.events.contacts import Contact, chosen, contacts
+from sim.measured.events.frames import Axis, Frames, frames_of, moved, turned
+from sim.measured.events.grid import grid_of
+from sim.measured.events.in_step import Step, in_step
+from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of
+from sim.measured.events.segments import Segment, segments
+from sim.measured.events.sides import Speeds, sides_of, speeds_of
+from sim.measured.refusal import FitError
+from sim.measured.tracks import Measured
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hints:
+    """What a reader says: which contact, which axes. `distance`: m, of the marks at the touch."""
+
+    at: float | None = None  # s
+    flips: tuple[str, ...] = ()
+    zeros: Mapping[str, float] = field(default_factory=dict)
+    distance: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Story:
+    """As far as it goes; `refused` says why it does not go on. `measured` is on the common axis."""
+
+    measured: Measured
+    contacts: tuple[Contact, ...] = ()
+    contact: Contact | None = None
+    segments: tuple[Segment, ...] = ()
+    frames: Frames | None = None
+    speeds: Speeds | None = None
+    step: Step | None = None
+    outcome: Outcome | None = None
+    refused: FitError | None = None
+
+
+def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
+    """Everything about two carts; never raises FitError."""
+    story = Story(measured)
+    try:
+        grid = grid_of(measured.tracks)
+        found = contacts(grid)
+        contact = chosen(found, hints.at)
+        named = segments(grid, found)
+        story = replace(story, contacts=tuple(found), contact=contact, segments=tuple(named))
+        if contact is None:
+            raise FitError(
+                "no contact is found: at no time do both carts change their velocity together",
+                "choose the seconds around one contact in which nobody holds a cart",
+                "no-contact",
+            )
+        step = in_step(grid, contact.begin, contact.end)
+        story = replace(story, step=step)
+        raw = speeds_of(sides_of(measured.tracks, contact, named))
+        frames = frames_of(measured, raw, hints.flips, hints.zeros, hints.distance)
+        speeds = turned(raw, frames)
+        plain = frames.axes == (Axis(1, 0.0), Axis(1, 0.0))
+        axis = measured if plain else moved(measured, frames)
+        story = replace(story, frames=frames, speeds=speeds, measured=axis)
+        check_push(speeds, step, contact, _frame(measured), measured.names)
+        outcome = outcome_of(speeds)
+        if measured.own and outcome == "bounce":
+            check_seen(speeds, measured.names)
+        return replace(story, outcome=outcome)
+    except FitError as error:
+        return replace(story, refused=error)
+
+
+def _frame(measured: Measured) -> float:
+    """s. From one reading to the next, of the slower sensor."""
+    steps = []
+    for track in measured.tracks:
+        gaps = sorted(b - a for a, b in zip(track.t[:-1], track.t[1:], strict=True))
+        steps.append(gaps[len(gaps) // 2])
+    return max(steps)

@@ -1,0 +1,72 @@
+"""What happened, in sentences."""
+
+from __future__ import annotations
+
+from sim.measured.events.momentum import Momentum
+from sim.measured.events.segments import Segment
+from sim.measured.events.story import Story
+from sim.measured.words import number, places_for, with_half
+
+OUTCOMES = {
+    "bounce": "The carts bounce: they come together, push each other and part.",
+    "stick": "The carts stick: after the contact they move on together. There is no bounciness.",
+    "explosion": "An explosion: the carts were together and push each other apart. There is no "
+    "bounciness.",
+}
+STEPS = {"nothing": "nothing", "friction": "friction", "tilt": "a tilt", "drag": "drag"}
+
+
+def of_story(story: Story, names: tuple[str, str]) -> list[str]:
+    """Outcome, axes, other contacts, what brakes."""
+    said = [OUTCOMES[story.outcome]] if story.outcome else []
+    said += story.frames.said if story.frames else ()
+    others = [one for one in story.contacts if one != story.contact]
+    if others and story.contact:
+        listed = ", ".join(f"{one.middle:.2f} s" for one in others)
+        said.append(
+            f"The contact at {story.contact.middle:.2f} s is taken; both carts also change their "
+            f"velocity at {listed}: choose one with --contact TIME."
+        )
+    if story.speeds and story.outcome:
+        rows = [
+            f"with {STEPS[step]} {number(1e3 * error, 2)} mm"
+            for step, error in story.speeds.held_out
+        ]
+        said.append(
+            "Readings next to the contact, predicted from those farther away, are missed by "
+            f"{', '.join(rows)} (root mean square). Taken: {STEPS[story.speeds.step]}."
+        )
+    return said
+
+
+def of_momentum(found: Momentum) -> str:
+    """Before, after, and whether they agree."""
+    sides = (
+        f"Momentum before: {with_half(found.before, found.before_half, 'kg m/s')}, after: "
+        f"{with_half(found.after, found.after_half, 'kg m/s')}. "
+    )
+    places = places_for(found.change_half + found.friction)
+    limit = number(found.change_half + found.friction, places)
+    change = f"the change of {number(found.change, places)} kg m/s is"
+    if found.agree:
+        return (
+            f"{sides}They agree: {change} within {limit} kg m/s, which counts the "
+            "velocities' uncertainty and what friction may take while the carts touch."
+        )
+    return (
+        f"{sides}They do not agree: {change} more than {limit} kg m/s, the velocities' "
+        "uncertainty and what friction may take while the carts touch. Something else pushed, or a "
+        "mass or a scale is wrong."
+    )
+
+
+def strip(segments: tuple[Segment, ...], names: tuple[str, str]) -> list[str]:
+    """A line for each cart: rest 0.00–0.78 s, hand …"""
+    lines = []
+    for cart, name in enumerate(names):
+        parts = [
+            f"{one.kind} {one.begin:.2f}–{one.end:.2f} s" for one in segments if one.cart == cart
+        ]
+        if parts:
+            lines.append(f"{name}: {', '.join(parts)}")
+    return lines

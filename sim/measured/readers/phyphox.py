@@ -1,0 +1,61 @@
+"""phyphox: the acceleration of a phone that rides on a cart, as its CSV.
+
+    Time (s), Linear Acceleration x (m/s^2), … y …, … z …, Absolute acceleration (m/s^2)
+
+The phone lies as it lies: the direction of the track is that in which it is pushed most (the first
+principal axis of the accelerations), + along its largest part.
+"""
+
+from __future__ import annotations
+
+import re
+
+from sim.measured.readers.qualisys import axis_of
+from sim.measured.refusal import refuse
+from sim.measured.table import Column, read_table
+from sim.measured.track import FEWEST, Reading, Track
+from sim.measured.units import Units, factor
+
+_AXIS = re.compile(r"(?:linear\s+)?acceleration[\s_]*(?P<axis>[xyz])", re.I)
+_HEAD = re.compile(r"acceleration[\s_]*x\b[^\n]*acceleration[\s_]*y\b", re.I)
+
+
+def claims(text: str) -> bool:
+    """Heads with accelerations along x and y, and no position."""
+    head = next((line for line in text[:4000].splitlines() if _HEAD.search(line)), "")
+    return bool(head) and "position" not in head.lower()
+
+
+def read(text: str, units: Units) -> Reading:
+    """One phone, along the track; raises ReadingError."""
+    table = read_table(text)
+    time = next((one for one in table.columns if factor(one.unit, "time")), table.columns[0])
+    found: dict[str, Column] = {}
+    for column in table.columns:
+        if match := _AXIS.fullmatch(column.name):
+            found.setdefault(match["axis"].lower(), column)
+    if len(found) < 2:
+        raise refuse(table.heads_line, "no acceleration along x and y", "export all columns")
+    listed = list(found.values())
+    rows: list[tuple[float, tuple[float, float, float], int]] = []
+    repeated = 0
+    for k, line in enumerate(table.lines):
+        t, parts = time.values[k], [column.values[k] for column in listed]
+        if t is None or any(part is None for part in parts):
+            continue
+        if rows and t <= rows[-1][0]:
+            repeated += 1
+            continue
+        three = [float(part or 0.0) for part in parts] + [0.0] * (3 - len(parts))
+        rows.append((t, (three[0], three[1], three[2]), line))
+    if len(rows) < FEWEST:
+        raise refuse(table.lines[-1], f"{len(rows)} readings: at least {FEWEST} are needed")
+    axis = axis_of([point for _, point, _ in rows])
+    notes = ["acceleration of a phone, m/s²", "direction of the track, from the motion: ("
+             + ", ".join(f"{part:.3f}" for part in axis) + ")"]  # fmt: skip
+    if repeated:
+        notes.append(f"{repeated} rows whose time does not go on, left out")
+    a = tuple(sum(u * x for u, x in zip(axis, p, strict=True)) for _, p, _ in rows)
+    seconds = factor(time.unit or units.time, "time") or 1.0
+    track = Track("phone", tuple(seconds * t for t, _, _ in rows), a, tuple(r[2] for r in rows))
+    return Reading("acceleration", (track,), tuple(notes))

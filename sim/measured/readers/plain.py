@@ -1,0 +1,164 @@
+"""Tables as Tracker, spreadsheets and loggers write them: columns of time, places or forces.
+
+time      t, time, Zeit, temps, tiempo, or a unit of time; else the first column
+position  x of each track; x_A, xA, x1, A.x; other columns (y, v_x …) are left out
+force     F_A, force 2, or a unit of force
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from sim.measured.refusal import Fault, ReadingError, refuse, shown
+from sim.measured.table import MOST_FAULTS, Column, Table, read_table
+from sim.measured.track import FEWEST, Reading, Track
+from sim.measured.units import OFFERED, Kind, Units, factor, kind_of_unit
+
+_TIME = re.compile(r"(t|time|zeit|temps|tiempo|tempo|tid|czas)", re.I)
+_FORCE = re.compile(r"(.*\b)?(f|force|kraft|fuerza|forza)[\s_.-]*([a-z0-9]{0,8})", re.I)
+_POSITION = re.compile(
+    r"(?:x|pos|position|place|ort)[\s_.-]*(?:of\s+)?(?P<after>[a-z0-9]{0,8})"
+    r"|(?P<before>[a-z][a-z0-9]{0,8})[\s_.-]+(?:x|pos|position)",
+    re.I,
+)
+_COUNTS = re.compile(r"frame|step|n|nr|no|#|bild", re.I)
+_NOT_POSITION = re.compile(r"xx|x\W?(speed|vel)", re.I)
+
+
+def claims(text: str) -> bool:
+    """Whatever no other reader knows."""
+    return True
+
+
+def read(text: str, units: Units) -> Reading:
+    """The tracks of a table; raises ReadingError."""
+    kind, tracks, said = _of_table(read_table(text), units)
+    return Reading("force" if kind == "force" else "length", tuple(tracks), tuple(said))
+
+
+def _of_table(table: Table, units: Units) -> tuple[Kind, list[Track], list[str]]:
+    time = _time_column(table)
+    wanted, kind = _wanted(table, time)
+    if not wanted:
+        names = ", ".join(shown(c.name) for c in table.columns[:8]) or "none"
+        raise refuse(
+            table.heads_line,
+            f"no column holds positions or forces (columns: {names})",
+            "name them x_A and x_B, or F_A and F_B",
+        )
+    (time_factor,), time_note = _unit(table, [time], "time", units)
+    value_factors, value_note = _unit(table, wanted, kind, units)
+    tracks = [
+        _track(table, name, time, column, (time_factor, si))
+        for name, column, si in zip(_names(wanted), wanted, value_factors, strict=True)
+    ]
+    said = [f"{table.separator} between the columns, decimal {table.decimal}"]
+    return kind, tracks, [time_note, value_note, *said]
+
+
+def _time_column(table: Table) -> Column:
+    for column in table.columns:
+        if _TIME.fullmatch(column.name) or kind_of_unit(column.unit) == "time":
+            return column
+    first = table.columns[0]
+    if _COUNTS.fullmatch(first.name):
+        reason = f"no column holds the time (“{shown(first.name)}” counts frames)"
+        raise refuse(table.heads_line, reason, "export t as well")
+    return first
+
+
+def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
+    """The columns with forces, else those with positions."""
+    others = [column for column in table.columns if column is not time]
+    others = [c for c in others if not _TIME.fullmatch(c.name) and kind_of_unit(c.unit) != "time"]
+    forces = [c for c in others if _FORCE.fullmatch(c.name) or kind_of_unit(c.unit) == "force"]
+    if len(forces) >= 2:
+        return _not_three(table, forces, "force sensors"), "force"
+    places = [c for c in others if _POSITION.fullmatch(c.name) and not _NOT_POSITION.match(c.name)]
+    if not places and len(others) == 2 and not forces:
+        places = [c for c in others if kind_of_unit(c.unit) in (None, "length")]
+    return _not_three(table, places, "carts"), "length"
+
+
+def _not_three(table: Table, columns: list[Column], what: str) -> list[Column]:
+    if len(columns) > 2:
+        names = ", ".join(shown(f"{c.track} {c.name}") for c in columns[:6])
+        raise refuse(
+            table.heads_line, f"{len(columns)} {what}: {names}", "leave two of them in the file"
+        )
+    return columns
+
+
+def _names(columns: Sequence[Column]) -> list[str]:
+    """What the carts are called: by their track, by their column, or A and B."""
+    found = []
+    for k, column in enumerate(columns):
+        match = _POSITION.fullmatch(column.name) or _FORCE.fullmatch(column.name)
+        parts = [part for part in (match.groups() if match else ()) if part]
+        label = column.track or (parts[-1] if parts else "" if match else column.name) or "AB"[k]
+        found.append(label.strip() or "AB"[k])
+    if len(found) == 2 and found[0] == found[1]:
+        found = [f"{name} {k}" for k, name in enumerate(found, 1)]
+    return found
+
+
+def _unit(
+    table: Table, columns: Sequence[Column], kind: Kind, units: Units
+) -> tuple[list[float], str]:
+    """SI factors of the columns, and a note for the reader."""
+    own = [column.unit for column in columns]
+    if kind != "time" and len(own) == 2 and bool(own[0]) != bool(own[1]):
+        raise refuse(
+            table.heads_line,
+            "one column names its unit and the other does not",
+            f"write both heads with a unit, for example x_A ({OFFERED[kind][0]})",
+        )
+    factors = []
+    for column in columns:
+        unit = column.unit or units.of(kind)
+        found = factor(unit, kind)
+        if found is None:
+            offered = ", ".join(OFFERED[kind])
+            reason = f"“{shown(unit)}” is not a unit of {kind} (column {shown(column.name)})"
+            raise refuse(table.heads_line, reason, f"{kind} is in {offered}")
+        factors.append(found)
+    said = " and ".join(dict.fromkeys(column.unit or units.of(kind) for column in columns))
+    how = "as the file says" if own[0] else "as you say"
+    letter = {"time": "t", "length": "x", "force": "F"}[kind]
+    return factors, f"{letter} in {said} ({how})"
+
+
+def _track(
+    table: Table, name: str, time: Column, column: Column, factors: tuple[float, float]
+) -> Track:
+    """One track in SI; times must rise."""
+    faults: list[Fault] = []
+    kept: list[tuple[float, float, int]] = []
+    for t, value, line in zip(time.values, column.values, table.lines, strict=True):
+        if value is None:
+            continue
+        if t is None:
+            faults.append(Fault(line, "this row has a reading and no time", "fill the time in"))
+        elif kept and t <= kept[-1][0]:
+            same = t == kept[-1][0]
+            reason = (
+                f"the time {t:g} stands in line {kept[-1][2]} already"
+                if same
+                else f"the time goes back from {kept[-1][0]:g} to {t:g}"
+            )
+            faults.append(Fault(line, reason, "one row for each frame, in the order of time"))
+        else:
+            kept.append((t, value, line))
+    if faults:
+        raise ReadingError(faults[:MOST_FAULTS])
+    if len(kept) < FEWEST:
+        line = kept[-1][2] if kept else table.lines[-1]
+        count = f"{len(kept)} readings of “{shown(name)}”: at least {FEWEST} are needed"
+        raise refuse(line, count, "mark the cart in every frame, also before and after the contact")
+    return Track(
+        name,
+        tuple(t * factors[0] for t, _, _ in kept),
+        tuple(value * factors[1] for _, value, _ in kept),
+        tuple(line for _, _, line in kept),
+    )

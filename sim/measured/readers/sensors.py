@@ -1,0 +1,183 @@
+"""Logs of sensor carts and motion sensors: position, velocity and acceleration of each cart.
+
+    Time (s), Position 1 (m), Velocity 1 (m/s), Acceleration 1 (m/s²), Position 2 (m), …
+
+Each sensor has a zero and a direction of its own. Runs stand side by side (“Run 1: Time (s)”,
+“Position 1 (m) Run #2”) or below each other, where the time starts anew: the first run with both
+carts is read, the others are named. A sensor may have a time column of its own, to its left. Where
+there is no position, the velocity is summed up (trapezoids).
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Sequence
+
+from sim.measured.readers import plain
+from sim.measured.refusal import refuse, shown
+from sim.measured.table import Column, Table, read_table
+from sim.measured.track import FEWEST, Reading, Track
+from sim.measured.units import Units, factor
+
+_QUANTITY = re.compile(
+    r"\W*(?P<what>position|distance|displacement|velocity|speed|acceleration|x|v|a|pos|vel|acc)"
+    r"(?:[\s_.-]*(?P<who>[A-Za-z0-9]{1,12}))?\W*", re.I,
+)  # fmt: skip
+_RUN = re.compile(r"\brun\s*#?\s*(\d+)|\b(latest)\b", re.I)
+_TIME = re.compile(r"\W*time[\s_.-]*\w{0,8}\W*", re.I)
+SPEEDS = {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001}
+_HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}\(", re.I)
+
+
+def claims(text: str) -> bool:
+    """Heads with a velocity or an acceleration beside a time, or with several runs of positions."""
+    head = next((line for line in text[:20_000].splitlines() if _TIMES.search(line)), "")
+    if re.search(r"force|\bF_", head, re.I):
+        return False
+    return bool(_HEAD.search(head)) or len({m.group(0) for m in _RUN.finditer(head)}) > 1
+
+
+_TIMES = re.compile(r"\btime\b", re.I)
+
+
+def read(text: str, units: Units) -> Reading:
+    """Both carts of one run, or one; raises ReadingError."""
+    runs = _runs(text)
+    table = read_table(text)
+    notes: list[str] = []
+    if len(runs) > 1:
+        table, left = _one_run(table, text, runs)
+        if left:
+            notes.append(f"run {runs[0]} is read; other runs in the file: {', '.join(left)}")
+    tracks = _tracks(table, units, notes)
+    if not tracks:
+        return plain.read(text, units)
+    notes.append(f"{table.separator} between the columns, decimal {table.decimal}")
+    return Reading("length", tuple(tracks), tuple(notes), own=len(tracks) == 2)
+
+
+def _runs(text: str) -> list[str]:
+    head = next((line for line in text.splitlines() if _TIMES.search(line)), "")
+    found = [m.group(1) or m.group(2) for m in _RUN.finditer(head)]
+    return list(dict.fromkeys(found))
+
+
+def _one_run(table: Table, text: str, runs: Sequence[str]) -> tuple[Table, list[str]]:
+    """The columns of the first run; heads have lost its label, so the order of times tells it."""
+    cuts = [k for k, one in enumerate(table.columns) if _TIME.fullmatch(one.name)]
+    if len(cuts) < len(runs):
+        return table, []
+    per = len(cuts) // len(runs)
+    end = cuts[per] if per < len(cuts) else len(table.columns)
+    columns = table.columns[:end]
+    return Table(columns, table.lines, table.heads_line, table.separator, table.decimal), [
+        *runs[1:]
+    ]
+
+
+def _tracks(table: Table, units: Units, notes: list[str]) -> list[Track]:
+    """A track for each cart, by position or else by velocity."""
+    time: Column | None = None
+    carts: dict[str, dict[str, tuple[Column, Column]]] = {}
+    for column in table.columns:
+        if _TIME.fullmatch(column.name) or (time is None and factor(column.unit, "time")):
+            time = column
+            continue
+        match = _QUANTITY.fullmatch(column.name)
+        if match and time is not None:
+            what = match["what"].lower()[:3].replace("dis", "pos").replace("spe", "vel")
+            who = column.track or match["who"] or ""
+            kept = carts.setdefault(who, {})
+            if what in kept and not who:
+                kept = carts.setdefault(str(len(carts) + 1), {})
+            kept.setdefault({"x": "pos", "v": "vel", "a": "acc"}.get(what, what), (time, column))
+    places = {who: kept["pos"] for who, kept in carts.items() if "pos" in kept}
+    by_speed = not places
+    if by_speed:
+        places = {who: kept["vel"] for who, kept in carts.items() if "vel" in kept}
+    if len(places) > 2:
+        names = ", ".join(shown(column.name) for _, column in places.values())
+        raise refuse(table.heads_line, f"{len(places)} carts: {names}", "leave two of them")
+    tracks = []
+    for k, (who, (clock, column)) in enumerate(places.items()):
+        name = who or ("AB"[k] if len(places) > 1 else "cart")
+        tracks.append(_track(table, name, (clock, column), units, notes, by_speed))
+    if by_speed and tracks:
+        notes.append("positions are the velocities summed up")
+    return tracks
+
+
+def _track(
+    table: Table,
+    name: str,
+    columns: tuple[Column, Column],
+    units: Units,
+    notes: list[str],
+    by_speed: bool,
+) -> Track:
+    clock, column = columns
+    seconds = factor(clock.unit or units.time, "time")
+    metres = SPEEDS.get(column.unit or "m/s") if by_speed else factor(
+        column.unit or units.length, "length")  # fmt: skip
+    if seconds is None or metres is None:
+        wrong = clock if seconds is None else column
+        reason = f"“{shown(wrong.unit)}” is no unit that fits {shown(wrong.name)}"
+        raise refuse(table.heads_line, reason, "time in s or ms, length in m, cm or mm")
+    rows = [
+        (t * seconds, x * metres, line)
+        for t, x, line in zip(clock.values, column.values, table.lines, strict=True)
+        if t is not None and x is not None
+    ]
+    rows = _first_run(rows, name, notes)
+    missing = sum(t is not None for t in clock.values) - len(rows)
+    if missing > 0 and len(rows) >= FEWEST and not any("starts anew" in note for note in notes):
+        notes.append(f"{name}: {missing} rows without a reading, left out")
+    if len(rows) < FEWEST:
+        line = rows[-1][2] if rows else table.lines[-1]
+        reason = f"{len(rows)} readings of “{shown(name)}”: at least {FEWEST} are needed"
+        raise refuse(line, reason, "let both sensors run during the whole contact")
+    _gaps(rows, name, notes)
+    x = _summed(rows) if by_speed else tuple(value for _, value, _ in rows)
+    return Track(name, tuple(t for t, _, _ in rows), x, tuple(line for _, _, line in rows))
+
+
+Rows = list[tuple[float, float, int]]
+
+
+def _first_run(rows: Rows, name: str, notes: list[str]) -> Rows:
+    """Up to where the time starts anew; repeated times are left out. All named."""
+    runs: list[Rows] = [[]]
+    repeated = 0
+    for row in rows:
+        last = runs[-1][-1][0] if runs[-1] else None
+        if last is not None and row[0] == last:
+            repeated += 1
+        elif last is not None and row[0] < last:
+            runs.append([row])
+        else:
+            runs[-1].append(row)
+    kept = next((run for run in runs if len(run) >= FEWEST), max(runs, key=len))
+    if len(runs) > 1:
+        starts = ", ".join(str(run[0][2]) for run in runs[1:6] if run)
+        note = f"the time starts anew in line {starts}: {len(kept)} readings of one run are taken"
+        notes += [note] if note not in notes else []
+    if repeated:
+        notes.append(f"{name}: {repeated} repeated times, left out")
+    return kept
+
+
+def _gaps(rows: Rows, name: str, notes: list[str]) -> None:
+    steps = sorted(b[0] - a[0] for a, b in itertools.pairwise(rows))
+    usual = steps[len(steps) // 2]
+    wide = [(a, b) for a, b in itertools.pairwise(rows) if b[0] - a[0] > 3.5 * usual]
+    for a, b in wide[:3]:
+        notes.append(f"{name}: no reading from {a[0]:.2f} to {b[0]:.2f} s (line {b[2]})")
+
+
+def _summed(rows: Rows) -> tuple[float, ...]:
+    """m. The velocity summed up by trapezoids, from 0."""
+    x = [0.0]
+    for (t, v, _), (s, w, _) in itertools.pairwise(rows):
+        x.append(x[-1] + 0.5 * (v + w) * (s - t))
+    return tuple(x)

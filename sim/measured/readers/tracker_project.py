@@ -1,0 +1,197 @@
+"""Tracker's project files (.trk): XML with the marks of point masses in pixels of the film.
+
+A mark of frame n at (x, y) pixels, y downwards, with origin (x0, y0), angle a (anticlockwise) and
+scale s pixels per unit of length:
+
+    t = start + (n − first frame) Δt ,   X = ((x − x0) cos a − (y − y0) sin a)/s
+
+Frames without a mark are left out. Nothing of the file is run and no entity of it is resolved.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from sim.measured.refusal import refuse, shown
+from sim.measured.track import FEWEST, Reading, Track
+from sim.measured.units import Units, factor
+
+DEEPEST = 60
+LARGEST = 1e9
+
+
+@dataclass(slots=True)
+class _Node:
+    """An element: its name or class, the line it begins on, text and children."""
+
+    name: str
+    kind: str
+    line: int
+    text: str = ""
+    inside: list[_Node] = field(default_factory=list)
+
+    def get(self, name: str) -> _Node | None:
+        """The property of this name: of the node or of the object in it."""
+        for one in self.inside:
+            if one.name == name:
+                return one
+            if one.name == "" and (found := one.get(name)):
+                return found
+        return None
+
+
+def claims(text: str) -> bool:
+    """An XML object of Tracker's."""
+    start = text[:2000]
+    return start.lstrip().startswith("<") and "cabrillo.tracker" in start
+
+
+def read(text: str, units: Units) -> Reading:
+    """All point masses of the project; raises ReadingError."""
+    root = _parsed(text)
+    panels = [one for one in _all(root) if one.kind.endswith(".TrackerPanel")]
+    if not panels:
+        raise refuse(root.line, "no film panel is in this project", "save one tab with the film")
+    panel = panels[0]
+    masses = [one for one in _all(panel) if one.kind.endswith(".PointMass")]
+    if not masses:
+        raise refuse(
+            panel.line, "no point mass is marked", "Track → New → Point mass, for each cart"
+        )
+    first = int(_number(panel, ("videoclip", "startframe"), 0.0))
+    begin = 1e-3 * _number(panel, ("videoclip", "starttime"), 0.0)
+    step = 1e-3 * _number(panel, ("clipcontrol", "delta_t"), 0.0)
+    if not 0.0 < step < 1e3:
+        raise refuse(panel.line, "the time from frame to frame is not in it", "set the frame rate")
+    axes, notes = _axes(panel, units)
+    tracks = []
+    for mass in masses:
+        track = _track(mass, (first, begin, step), axes)
+        if len(track.t) < FEWEST:
+            notes.append(f"{shown(track.name)}: {len(track.t)} marks, left out")
+        else:
+            tracks.append(track)
+    if not tracks:
+        raise refuse(masses[0].line, f"no point mass has {FEWEST} marks", "mark every frame")
+    if len(tracks) > 2:
+        names = ", ".join(shown(one.name) for one in tracks)
+        raise refuse(panel.line, f"{len(tracks)} point masses: {names}", "leave two in the project")
+    notes.insert(0, f"Tracker's project, {1.0 / step:.4g} frames per second")
+    return Reading("length", tuple(tracks), tuple(notes))
+
+
+def _parsed(text: str) -> _Node:
+    try:
+        from xml.parsers import expat
+    except ImportError:  # a page carries the modules that it needs at its start, and not this one
+        hint = "use `carts fit`, or in Tracker File → Export → Data file"
+        raise refuse(1, "a Tracker project cannot be read in this page", hint) from None
+
+    parser = expat.ParserCreate()
+    root = _Node("", "", 1)
+    stack = [root]
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        line = parser.CurrentLineNumber
+        if len(stack) > DEEPEST:
+            raise refuse(line, "objects in objects without end", "is this Tracker's project?")
+        one = _Node(attributes.get("name", ""), attributes.get("class", ""), line)
+        stack[-1].inside.append(one)
+        stack.append(one)
+
+    def end(tag: str) -> None:
+        stack.pop()
+
+    def characters(content: str) -> None:
+        stack[-1].text += content
+
+    def doctype(*_: object) -> None:
+        raise refuse(parser.CurrentLineNumber, "a document type: Tracker writes none", "")
+
+    parser.StartElementHandler, parser.EndElementHandler = start, end
+    parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = characters, doctype
+    try:
+        parser.Parse(text.replace(' encoding="UTF-16"', ""), True)
+    except expat.ExpatError as error:
+        lines = text.count("\n") + 1
+        reason = f"the XML breaks off or is damaged ({expat.ErrorString(error.code)})"
+        raise refuse(min(error.lineno, lines), reason, "save the project anew") from None
+    except (ValueError, UnicodeError) as error:
+        if hasattr(error, "faults"):
+            raise
+        raise refuse(1, "this is no XML text", "save the project anew") from None
+    return root
+
+
+def _all(node: _Node) -> list[_Node]:
+    found = [node]
+    for one in node.inside:
+        found += _all(one)
+    return found
+
+
+def _number(node: _Node, path: tuple[str, ...], usual: float) -> float:
+    """A number inside; `usual` where it is not there."""
+    found: _Node | None = node
+    for name in path:
+        found = found.get(name) if found else None
+    if found is None:
+        return usual
+    try:
+        value = float(found.text.strip())
+    except ValueError:
+        value = math.nan
+    if not abs(value) <= LARGEST:
+        reason = f"{path[-1]} is “{shown(found.text)}”, which is no number here"
+        raise refuse(found.line, reason, "save the project anew")
+    return value
+
+
+def _axes(panel: _Node, units: Units) -> tuple[tuple[float, float, float, float], list[str]]:
+    """Origin in pixels, angle in radians, metres per pixel; and notes."""
+    coords = panel.get("coords")
+    frames = [one for one in _all(coords) if one.kind.endswith("ImageCoordSystem$FrameData")
+              ] if coords else []  # fmt: skip
+    node = frames[0] if frames else panel
+    scale = _number(node, ("xscale",), 0.0)
+    if scale <= 0.0 or scale == 1.0:
+        line = coords.line if coords else panel.line
+        raise refuse(line, "the film has no length scale", "Calibration stick along a ruler")
+    unit_node = panel.get("length_unit")
+    unit = unit_node.text.strip() if unit_node else units.length
+    metres = factor(unit, "length")
+    if metres is None:
+        line = unit_node.line if unit_node else panel.line
+        raise refuse(line, f"“{shown(unit)}” is not a unit of length", "m, cm or mm")
+    notes = [f"x in {unit}, {scale:.4g} pixels for each"]
+    scales = {round(_number(one, ("xscale",), scale), 6) for one in frames}
+    if len(scales) > 1:
+        notes.append("the scale changes during the film: that of its first frame is taken")
+    angle = math.radians(_number(node, ("angle",), 0.0))
+    origin = _number(node, ("xorigin",), 0.0), _number(node, ("yorigin",), 0.0)
+    return (*origin, angle, metres / scale), notes
+
+
+def _track(
+    mass: _Node, clock: tuple[int, float, float], axes: tuple[float, float, float, float]
+) -> Track:
+    name_node, data = mass.get("name"), mass.get("framedata")
+    name = (name_node.text.strip() if name_node else "") or "cart"
+    x0, y0, angle, metres = axes
+    first, begin, step = clock
+    marks: dict[int, tuple[float, int]] = {}
+    for one in data.inside if data else ():
+        index = one.name.strip("[]")
+        if not (index.isascii() and index.isdigit() and len(index) < 8) or one.get("x") is None:
+            continue
+        x, y = _number(one, ("x",), 0.0), _number(one, ("y",), 0.0)
+        along = (x - x0) * math.cos(angle) - (y - y0) * math.sin(angle)
+        marks[int(index)] = along * metres, one.line
+    frames = sorted(marks)
+    return Track(
+        name,
+        tuple(begin + (n - first) * step for n in frames),
+        tuple(marks[n][0] for n in frames),
+        tuple(marks[n][1] for n in frames),
+    )

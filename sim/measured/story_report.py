@@ -1,0 +1,156 @@
+"""What happened as plain values: by the whole model, by the velocities alone, or refused."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from sim.measured.believable import believable
+from sim.measured.effects import Compared
+from sim.measured.events.momentum import Momentum, momentum_of
+from sim.measured.events.quantities import told_of
+from sim.measured.events.story import Story
+from sim.measured.events.words import of_momentum, of_story
+from sim.measured.fit import Fit
+from sim.measured.known import Untold
+from sim.measured.refusal import FitError
+from sim.measured.report import FORMAT, motion_report, row_of
+from sim.measured.tracks import Measured
+from sim.measured.words import LAWS, PROGRAM, of_balance
+
+Masses = Mapping[str, float]
+"""kg, by the name of the cart."""
+
+NOT_WHITE = (
+    "the model of one bumper leaves residuals that are not random, so it does not tell this: "
+    "friction, a tilt, a second push or the device's own smoothing is in them"
+)
+
+
+def by_model(
+    measured: Measured, story: Story, made: Fit, rows: list[Compared], masses: Masses, every: bool
+) -> dict[str, Any]:
+    """The report of the whole model, with what happened beside it."""
+    asked = {row.effect: row for row in rows}
+    kept = rows if every else [asked["none"], *(r for r in rows if r.fit is made)][:2]
+    if len(kept) == 2 and kept[0] is kept[1]:
+        kept = kept[:1]
+    report = motion_report(story.measured, made, kept, masses)
+    base = base_report(measured, story, "bounce", None)
+    sentences = [*base["sentences"], *_momentum_said(story, masses), *report["sentences"]]
+    return base | report | {
+        "outcome": "bounce", "momentum": _momentum(story, masses), "sentences": sentences,
+        "readings": base["readings"],
+    }  # fmt: skip
+
+
+def by_velocities(
+    measured: Measured, story: Story, made: Fit | None, rows: list[Compared], masses: Masses
+) -> dict[str, Any]:
+    """The report of the velocities beside the contact."""
+    assert story.outcome and story.speeds and story.contact and story.step and story.frames
+    names = measured.names
+    known, untold = believable(*told_of(
+        story.outcome, story.speeds, story.contact, story.step, names, masses,
+        story.frames.joined,
+    ))  # fmt: skip
+    base = base_report(measured, story, story.outcome, None)
+    ratio = next((one for one in known if one.key == "mass_ratio"), None)
+    said = [*base["sentences"], *_momentum_said(story, masses)]
+    said += [of_balance(ratio, masses, names)] if len(masses) == 2 and ratio else []
+    model: dict[str, Any] = {}
+    if made is not None:
+        told = {one.key: one for one in known}
+        better = replace(made, parameters=replace(
+            made.parameters,
+            e=told["e"].value if "e" in told else min(max(made.parameters.e, 0.0), 1.0),
+            ratio=told["mass_ratio"].value if "mass_ratio" in told else made.parameters.ratio,
+        ))  # fmt: skip
+        model = motion_report(story.measured, better, rows, masses)
+        untold += [
+            Untold(key, name, NOT_WHITE)
+            for key, name in (("duration", "the contact lasts"), ("w0", "√(k/μ)"),
+                              ("k", "stiffness k in N/m"))
+        ]  # fmt: skip
+    kept = {key: model[key] for key in _FROM_MODEL if key in model}
+    return base | kept | {
+        "known": [row_of(one) for one in known],
+        "untold": [{"key": o.key, "name": o.name, "reason": o.reason} for o in untold],
+        "momentum": _momentum(story, masses),
+        "sentences": [*said, PROGRAM],
+    }  # fmt: skip
+
+
+_FROM_MODEL = ("effect", "noise", "compared", "calls_for", "scene", "fence")
+
+
+def base_report(
+    measured: Measured, story: Story, outcome: str | None, refused: FitError | None
+) -> dict[str, Any]:
+    """What every report has, refused or not."""
+    names = measured.names
+    frames = story.frames
+    axes = frames.axes if frames else None
+    base: dict[str, Any] = {
+        "format": FORMAT,
+        "kind": "motion",
+        "outcome": outcome,
+        "names": list(names),
+        "read": list(measured.notes),
+        "readings": [len(track.t) for track in measured.tracks],
+        "sensors": {
+            name: {"sign": axes[k].sign if axes else 1, "zero": axes[k].zero if axes else 0.0}
+            for k, name in enumerate(names)
+        },
+        "segments": [
+            {"from": s.begin, "until": s.end, "cart": names[s.cart], "kind": s.kind}
+            for s in story.segments
+        ],
+        "contacts": [
+            {"from": c.begin, "until": c.end, "at": c.middle, "chosen": c == story.contact}
+            for c in story.contacts
+        ],
+        "ladder": [
+            {"step": step, "held_out": error, "taken": step == story.speeds.step}
+            for step, error in story.speeds.held_out
+        ] if story.speeds else [],
+        "law": "bumper", "law_words": _WORDS.get(outcome or "", LAWS["bumper"]), "effect": "none",
+        "known": [], "untold": [], "noise": None, "compared": [], "calls_for": None,
+        "momentum": None, "sentences": of_story(story, names), "scene": "", "fence": "",
+    }  # fmt: skip
+    if refused:
+        base["refused"] = {"code": refused.code, "sentence": refused.reason, "hint": refused.hint}
+    return base
+
+
+_WORDS = {
+    "bounce": "straight lines beside the contact, bent by what brakes the carts",
+    "stick": "straight lines beside the contact, bent by what brakes the carts",
+    "explosion": "straight lines beside the contact, bent by what brakes the carts",
+}
+
+
+def _balance(story: Story, masses: Masses) -> Momentum | None:
+    names = story.measured.names
+    if len(masses) < 2 or not (story.speeds and story.step and story.outcome):
+        return None
+    both = masses[names[0]], masses[names[1]]
+    return momentum_of(story.speeds, both, story.step, story.outcome)
+
+
+def _momentum(story: Story, masses: Masses) -> dict[str, Any] | None:
+    found = _balance(story, masses)
+    if found is None:
+        return None
+    return {
+        "before": found.before, "before_half": found.before_half,
+        "after": found.after, "after_half": found.after_half,
+        "change": found.change, "change_half": found.change_half,
+        "friction": found.friction, "agree": found.agree,
+    }  # fmt: skip
+
+
+def _momentum_said(story: Story, masses: Masses) -> list[str]:
+    found = _balance(story, masses)
+    return [of_momentum(found)] if found else []

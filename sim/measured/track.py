@@ -1,0 +1,32 @@
+"""One cart, one sensor or one phone over time, in SI."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Content = Literal["length", "force", "acceleration"]
+"""What a track holds: m, N or m/s²."""
+
+FEWEST = 8
+"""Readings of one cart. The model has eight unknowns for two."""
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """One cart, or one force sensor: SI, times rising."""
+
+    name: str
+    t: tuple[float, ...]  # s
+    value: tuple[float, ...]  # m, N or m/s²
+    lines: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What one file holds. `own`: each sensor may have its own zero and direction."""
+
+    kind: Content
+    tracks: tuple[Track, ...]
+    notes: tuple[str, ...]
+    own: bool = False
