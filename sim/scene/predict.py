@@ -38,13 +38,14 @@ class Predict:
 def read_predict(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
     """The prediction, or None and a problem. Exactly one of the kinds is named."""
     found = _read_kind(value, scene, problems)
-    wishes = {key: value.get(key, False) if isinstance(value, dict) else False for key in WISHES}
-    for key, wish in wishes.items():
-        if not isinstance(wish, bool):
+    table = value if isinstance(value, dict) else {}
+    for key in WISHES:
+        if not isinstance(table.get(key, False), bool):
             path: Path = ("predict", key)
             message = f"{key} is true or false"
             problems.append(Problem(path, "not-a-choice", message, f"{key}: true"))
-    return found and replace(found, **{key: wish is True for key, wish in wishes.items()})
+    talk, numbers, sure = (table.get(key) is True for key in WISHES)
+    return found and replace(found, talk=talk, numbers=numbers, sure=sure)
 
 
 def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:

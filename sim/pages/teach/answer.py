@@ -72,8 +72,8 @@ def _look(request: Mapping[str, Any]) -> dict[str, Any]:
 
 def lesson_of(told: Mapping[str, Any]) -> Lesson:
     """Where the lesson comes from, with folders counted from the site's root."""
-    folders = [tuple(Path(f) for f in told.get(kind) or ()) for kind in ("scenes", "banks")]
-    return Lesson(str(told["file"]), *folders, watch="first")
+    scenes, banks = (tuple(map(Path, told.get(kind) or ())) for kind in ("scenes", "banks"))
+    return Lesson(str(told["file"]), scenes, banks, watch="first")
 
 
 def _set(request: Mapping[str, Any]) -> dict[str, Any]:
