@@ -21,7 +21,7 @@ FIRST_LAW = {
 }
 THIRD_LAW = {
     "bigger-pushes-more": "The heavier or larger one of the two pushes harder.",
-    "own-mass-own-force": "The force on a thing goes with its own mass: the more mass, the more force.",
+    "own-mass-own-force": "The force on a thing goes with its own mass.",
     "mover-pushes-more": "The one that moves or acts pushes harder.",
     "stiffer-pushes-more": "The harder or springier one of the two pushes harder.",
     "passive-cannot-push": "A wall, a floor or a table cannot push: it is only in the way.",
