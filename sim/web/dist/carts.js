@@ -6219,17 +6219,37 @@ ${lines2.join("\n")}
     values = new Values();
     #generation = 0;
     // of resets: what was asked for before one is not shown after it
-    /** @param {object} owner whose newest request counts @param {import("../runtime/client.js").Client} client @param {() => object | undefined} scene as its author wrote it */
-    constructor(owner, client2, scene) {
+    /**
+     * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
+     * @param {{scene: () => object | undefined, draw: (run: Run) => unknown, say: (message: string) => void}} acts
+     *   `scene` as its author wrote it; `draw` resolves when the run is on the page; `say`: a message for the reader
+     */
+    constructor(owner, client2, acts) {
       this.owner = owner;
       this.client = client2;
-      this.scene = scene;
+      this.acts = acts;
+    }
+    /** Draws the run of changed values. @param {Settings} changes to be given up if they are refused @param {number} at time of the input, for the measure */
+    async compute(changes2, at2) {
+      const run = await this.ask(changes2);
+      if (!run) return;
+      await this.acts.draw(run);
+      await drawn(this.owner, at2, { ...this.values.good });
+    }
+    undo() {
+      this.values.undo();
+      this.compute({}, performance.now()).catch((error) => this.acts.say(error.message));
+    }
+    /** Several values at once, from the scene as the lesson has it. @param {Settings} changes */
+    preset(changes2) {
+      this.values.replace(changes2);
+      this.compute(changes2, performance.now()).catch((error) => this.acts.say(error.message));
     }
     /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
     async ask(changes2 = {}) {
       const generation = this.#generation;
       const { header, numbers, sent } = await this.client.ask(this.owner, () => {
-        return { kind: "run", scene: this.scene(), set: { ...this.values.wanted } };
+        return { kind: "run", scene: this.acts.scene(), set: { ...this.values.wanted } };
       });
       if (!header.ok) {
         this.values.giveUp(changes2);
@@ -8728,7 +8748,11 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #predict = null;
       /** @type {Run | null} the run that “reset” goes back to */
       #lesson = null;
-      #runs = new Runs(this, client2, () => this.#baked?.fence.scene);
+      #runs = new Runs(this, client2, {
+        scene: () => this.#baked?.fence.scene,
+        draw: (run) => this.#draw(run),
+        say: (message) => this.#say(message)
+      });
       /** @type {ReturnType<typeof wireInside> | null} */
       #inside = null;
       /** @type {Watch | null} */
@@ -8773,8 +8797,12 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#view = view;
         const inside = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
-          undo: () => this.#undo(),
-          preset: (changes2) => this.#preset(changes2),
+          undo: () => this.#runs.undo(),
+          preset: (changes2) => {
+            view.player.pause();
+            view.player.seek(0);
+            this.#runs.preset(changes2);
+          },
           found: () => void this.#showForces(),
           settings: () => this.#values.good,
           told: () => this.#told && this.#free,
@@ -8817,8 +8845,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#adopt();
         await this.#restored;
         if (!this.#told) return;
-        if (Object.keys(values).length) await this.#compute({}, performance.now()).catch(() => {
-        });
+        if (Object.keys(values).length)
+          await this.#runs.compute({}, performance.now()).catch(() => {
+          });
         this.time = t3;
       }
       /** Resolves when Python has answered for this scene; rejects when it cannot start. */
@@ -8848,14 +8877,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       async set(changes2, at2 = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
         this.#values.ask(changes2);
-        await this.#compute(changes2, at2);
-      }
-      /** @param {Settings} changes to be given up if they are refused @param {number} at */
-      async #compute(changes2, at2) {
-        const run = await this.#runs.ask(changes2);
-        if (!run) return;
-        await this.#draw(run);
-        await drawn(this, at2, { ...this.#values.good });
+        await this.#runs.compute(changes2, at2);
       }
       get #values() {
         return this.#runs.values;
@@ -8866,17 +8888,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       /** Whether the reader may change values: after a prediction its run is watched first. */
       get #free() {
         return !this.#predict || Boolean(this.#watch?.over);
-      }
-      #undo() {
-        this.#values.undo();
-        this.#compute({}, performance.now()).catch((error) => this.#say(error.message));
-      }
-      /** Several values at once, from the scene as the lesson has it. @param {Settings} changes */
-      #preset(changes2) {
-        this.#view?.player.pause();
-        this.#view?.player.seek(0);
-        this.#values.replace(changes2);
-        this.#compute(changes2, performance.now()).catch((error) => this.#say(error.message));
       }
       /** @param {string} message for the reader; empty: none */
       #say(message) {

@@ -3,7 +3,6 @@
 import { told } from "../../../view/language.js";
 import { showForces } from "../predict/find-forces.js";
 import { need, say } from "../shared/dom.js";
-import { drawn } from "../shared/waiting.js";
 import { readBaked } from "./baked.js";
 import * as words from "./element-words.js";
 import { askFirst, wireInside } from "./inside.js";
@@ -27,7 +26,11 @@ export function sceneElement(client) {
     #predict = null;
     /** @type {Run | null} the run that “reset” goes back to */
     #lesson = null;
-    #runs = new Runs(this, client, () => this.#baked?.fence.scene);
+    #runs = new Runs(this, client, {
+      scene: () => this.#baked?.fence.scene,
+      draw: (run) => this.#draw(run),
+      say: (message) => this.#say(message),
+    });
     /** @type {ReturnType<typeof wireInside> | null} */
     #inside = null;
     /** @type {Watch | null} */
@@ -74,8 +77,12 @@ export function sceneElement(client) {
       this.#view = view;
       const inside = wireInside(this, baked, view, client, {
         reset: () => this.#reset(),
-        undo: () => this.#undo(),
-        preset: (changes) => this.#preset(changes),
+        undo: () => this.#runs.undo(),
+        preset: (changes) => {
+          view.player.pause();
+          view.player.seek(0);
+          this.#runs.preset(changes);
+        },
         found: () => void this.#showForces(),
         settings: () => this.#values.good,
         told: () => this.#told && this.#free,
@@ -121,7 +128,8 @@ export function sceneElement(client) {
       this.#adopt();
       await this.#restored;
       if (!this.#told) return;
-      if (Object.keys(values).length) await this.#compute({}, performance.now()).catch(() => {});
+      if (Object.keys(values).length)
+        await this.#runs.compute({}, performance.now()).catch(() => {});
       this.time = t;
     }
 
@@ -157,15 +165,7 @@ export function sceneElement(client) {
     async set(changes, at = performance.now()) {
       if (!this.#told) throw new Error(words.ASK_FIRST);
       this.#values.ask(changes);
-      await this.#compute(changes, at);
-    }
-
-    /** @param {Settings} changes to be given up if they are refused @param {number} at */
-    async #compute(changes, at) {
-      const run = await this.#runs.ask(changes);
-      if (!run) return;
-      await this.#draw(run);
-      await drawn(this, at, { ...this.#values.good });
+      await this.#runs.compute(changes, at);
     }
 
     get #values() {
@@ -179,19 +179,6 @@ export function sceneElement(client) {
     /** Whether the reader may change values: after a prediction its run is watched first. */
     get #free() {
       return !this.#predict || Boolean(this.#watch?.over);
-    }
-
-    #undo() {
-      this.#values.undo();
-      this.#compute({}, performance.now()).catch((error) => this.#say(error.message));
-    }
-
-    /** Several values at once, from the scene as the lesson has it. @param {Settings} changes */
-    #preset(changes) {
-      this.#view?.player.pause();
-      this.#view?.player.seek(0);
-      this.#values.replace(changes);
-      this.#compute(changes, performance.now()).catch((error) => this.#say(error.message));
     }
 
     /** @param {string} message for the reader; empty: none */
