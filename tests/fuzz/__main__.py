@@ -46,7 +46,9 @@ def main() -> int:
             seen[found.word] += 1
             if found.word not in GOOD:
                 wrong.append((kind, seed, plain, found))
-        print(f"{kind:18}" + "".join(f"{seen[w]:9}" for w in WORDS) + f"{slowest:11.2f}", flush=True)
+        print(
+            f"{kind:18}" + "".join(f"{seen[w]:9}" for w in WORDS) + f"{slowest:11.2f}", flush=True
+        )
         total += seen
     print(f"{'all':18}" + "".join(f"{total[word]:9}" for word in WORDS))
     for kind, seed, plain, found in wrong:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 
-from sim.dynamics.loop import contacts, impacts, release, synchronise, transitions
+from sim.dynamics.loop import collapse, contacts, impacts, release, synchronise, transitions
 from sim.dynamics.loop.calendar import Calendar
 from sim.dynamics.loop.detect import no_approach, resting
 from sim.dynamics.loop.predictions import Predictions
@@ -18,6 +18,7 @@ from sim.dynamics.loop.select_solver import select_solvers
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
+from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import Chain, component, moved, velocity
 from sim.dynamics.state.clock import ZERO, Time, elapsed
@@ -41,6 +42,7 @@ class Simulation:
         self.end: Time = (scene.until, 0.0)
         self.predictions = Predictions(self.chain, self.calendar, self.end)
         self.fastest = 0.0  # m/s, greatest approach so far
+        self.instant = flips.AT_ONE_INSTANT * scene.until
         self.happened = 0
         self.steps = 0
 
@@ -102,7 +104,11 @@ class Simulation:
         self.solvers[gap.contact.law] += 1
         if not gap.contact.joins:
             self.fastest = max(self.fastest, -gap.rate)
+            flips.note(gap, now, self.instant)
+            over = not stays and collapse.is_over(self.chain, gap, now, self.instant)
             impacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
+            if over:
+                collapse.together(self.chain, gap, now, self.instant, self.ledger)
             return
         impacts.join(self.chain, gap, now, self.record, self.ledger)
         for other in self.chain.neighbours(gap):
@@ -132,6 +138,7 @@ class Simulation:
         self.fastest = max(self.fastest, -gap.rate)
         gaps = [*gaps, gap]
         if gap.law is not None:
+            flips.note(gap, now, self.instant)
             contacts.touch(gap, now, self.record, self.ledger)
         else:
             bodies = self.strike(gap, bodies, gaps, now, in_contact=in_contact)
@@ -177,7 +184,7 @@ class Simulation:
         motion = body.motion
         assert motion is not None
         bodies, gaps = self.settle([body], now)
-        self.happened += transitions.leave(motion, now, self.record, self.ledger)
+        self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
         for gap in transitions.struck(motion):
             self.happened += 1
             self.fastest = max(self.fastest, -gap.rate)

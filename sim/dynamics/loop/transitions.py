@@ -11,18 +11,22 @@ from __future__ import annotations
 from sim.dynamics.loop import contacts
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
+from sim.dynamics.state import flips
 from sim.dynamics.state.body import Gap, Motion
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Cause
 
 
-def leave(motion: Motion, now: Time, record: Record, ledger: Ledger) -> int:
+def leave(motion: Motion, now: Time, record: Record, ledger: Ledger, instant: float) -> int:
     """Carry out all that ended a settled motion, but for touches without a duration (`struck`).
 
-    Returns the number of events that it told.
+    Changes that are closer together than `instant` [s] happen at once. Returns the number of events
+    that it told.
     """
     happened = 0
     for end in motion.ends:
+        of_body = end.cause in ("halt", "slip")
+        flips.note(motion.bodies[end.k] if of_body else motion.members[end.k], now, instant)
         if end.cause == "halt":
             _halt(motion, end.k)
         elif end.cause == "slip":
