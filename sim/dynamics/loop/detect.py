@@ -30,6 +30,9 @@ SAME_SPEED = 1e-13
 KNOWN = 1e-15
 """Of the way that the faster one goes up to the horizon. Less room than that has no sign."""
 
+CLEARLY = 1e4
+"""Times that. From so much room on the search for the next touch is not led astray by rounding."""
+
 
 def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
     """Seconds from `now` to the touch of two free neighbours; inf if there is none in sight."""
@@ -103,11 +106,16 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
     """
     fastest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
     noise = KNOWN * fastest * horizon
+    opened = 0.0
     for probe in PROBES:
         then = rest + room_at(gap, now, probe * horizon)
-        if abs(then) > noise:
-            return probe * horizon if then > 0.0 else 0.0
-    return math.inf
+        if then < -noise:
+            return opened  # 0: it has closed from the beginning
+        if then > noise:
+            opened = probe * horizon
+        if then > CLEARLY * noise:
+            return opened
+    return opened or math.inf
 
 
 def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:

@@ -140,7 +140,7 @@ class Simulation:
         if gap.law is not None:
             flips.note(gap, now, self.instant)
             contacts.touch(gap, now, self.record, self.ledger)
-        else:
+        elif gap.rate <= 0.0:  # the search met them, but they part: no impact pulls
             bodies = self.strike(gap, bodies, gaps, now, in_contact=in_contact)
         self.form_again(bodies, gaps, now)
 
