@@ -126,7 +126,7 @@ class Simulation:
     def join(self, gap: Gap, now: Time) -> None:
         """A touch of bodies that are not both free: everything that moves them forms anew."""
         rest = resting(gap)
-        if not transitions.is_push(gap):
+        if now != ZERO and not transitions.is_push(gap):
             gap.room = -rest  # rounding of the search left: that is what a touch is
         motions = (gap.left.motion, gap.right.motion)
         in_contact = any(motion is not None and motion.tier > 0 for motion in motions)
