@@ -150,14 +150,22 @@ def _integrated(
 
 
 def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
-    """Absolute ones, from the greatest speed and the time of a contact at that speed."""
+    """Absolute ones, from the greatest speed and the time of a contact at that speed.
+
+    What is stored counts as the speed that it can give: where all turn back together nothing moves
+    for a moment, and the tolerances would shrink to nought with the speeds.
+    """
     count = len(gaps)
     lightest = min(body.mass for body in bodies if body.mass < math.inf)
-    speed = max([abs(v) for v in (*row.speeds, *row.rates)], default=0.0) or SLOWEST
+    stored = [
+        math.sqrt(2.0 * law.stored(-gap.room, 0.0, 0.0) / gap.mu)
+        for gap in gaps
+        if (law := curved(gap)) is not None
+    ]
+    speed = max([abs(v) for v in (*row.speeds, *row.rates, *stored)], default=0.0) or SLOWEST
     laws = [gap.law for gap in gaps if gap.law is not None and not gap.law.linear]
     stiff = max([law.stiffness for law in laws], default=1.0)
     way = speed * (lightest**2 / (stiff**2 * speed)) ** 0.2
-    way = max([way, *(abs(o) for o in row.overlaps if abs(o) < way)])
     return (
         [SMALL * way] * count
         + [SMALL * speed] * (count + len(bodies))
