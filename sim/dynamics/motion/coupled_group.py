@@ -16,7 +16,8 @@ from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.friction_shares import share
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
 from sim.dynamics.motion.polynomial import integral, size, slope, value, value_and_slope
-from sim.dynamics.motion.series import Expansion, Row, converged_step, expand, step_length
+from sim.dynamics.motion.rest import at_rest
+from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
 from sim.dynamics.motion.step import Step
 from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.motion.work_accounting import book_step
@@ -144,13 +145,36 @@ def coupled_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) 
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
-    step = _converged(bodies, gaps, branches, limit)
+    step, resting = _step(bodies, gaps, branches, limit)
+    if resting:
+        return _group(step, [], limit, now, "at-rest")
     sizes = [size(force, step.length) for force in step.contact]
     ends, duration = first_ends(step, sizes)
+    return _group(step, ends, duration, now, "power-series")
+
+
+def _group(step: Step, ends: list[End], duration: float, now: Time, name: str) -> CoupledGroup:
+    bodies, gaps = step.bodies, step.gaps
     touched = [gap.touching is not None for gap in gaps]
-    return CoupledGroup(
-        bodies, gaps, now, duration, ends, step, touched, [body.load for body in bodies]
-    )
+    loads = [body.load for body in bodies]
+    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, name)
+
+
+def _step(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float
+) -> tuple[Step, bool]:
+    """Rest where the row is at rest, and whether it is; else its series."""
+    if limit > 0.0 and gaps and _slow(gaps):
+        row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+        rest = at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
+        if rest is not None:
+            return rest, True
+    return _converged(bodies, gaps, branches, limit), False
+
+
+def _slow(gaps: list[Gap]) -> bool:
+    """Do all overlaps change so little that the row may be at rest?"""
+    return all(gap.touching is not None for gap in gaps)
 
 
 def _converged(bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float) -> Step:
