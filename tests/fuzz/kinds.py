@@ -6,6 +6,7 @@ parts, when a rattle ends, what rounding means at another scale.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from random import Random
 from typing import Any
@@ -57,7 +58,7 @@ def dead_bumpers(dice: Random) -> Plain:
     plain = row(dice, least=2, laws=FINITE, rooms=(0.0, 0.0, 0.05))
     names = bodies(plain)
     pairs = plain["contact"].setdefault("pairs", {})
-    for a, b in zip(names, names[1:], strict=False):
+    for a, b in itertools.pairwise(names):
         if dice.random() < 0.6:
             e = dice.choice([0, 0, 1e-9, 1e-3])
             pairs[f"{a}-{b}"] = contact(dice, law="bumper", restitution=e)

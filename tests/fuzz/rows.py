@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from random import Random
 from typing import Any
 
@@ -97,7 +98,7 @@ def pair(dice: Random, plain: Plain, *, walls: bool = True, room: float = -1.0) 
     names = bodies(plain)
     found = [
         [a, b]
-        for a, b in zip(names, names[1:], strict=False)
+        for a, b in itertools.pairwise(names)
         if (walls or {a, b} <= set(plain["carts"])) and room_of(plain, a, b) >= room
     ]
     return dice.choice(found) if found else None

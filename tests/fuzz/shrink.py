@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from copy import deepcopy
 
@@ -72,7 +73,7 @@ def _prune(plain: Plain) -> None:
     track = plain.get("track", {})
     row = [*(["left"] if track.get("left") == "wall" else []), *carts]
     row += ["right"] if track.get("right") == "wall" else []
-    beside = {f"{a}-{b}" for a, b in zip(row, row[1:], strict=False)}
+    beside = {f"{a}-{b}" for a, b in itertools.pairwise(row)}
     pairs = {k: v for k, v in plain["contact"].get("pairs", {}).items() if k in beside}
     plain["contact"].pop("pairs", None)
     if pairs:

@@ -87,7 +87,7 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
             return 0.0
         if alike:
             begin = _open_from(gap, now, rest, horizon)
-            if begin == 0.0 or begin == math.inf:
+            if begin in (0.0, math.inf):
                 return begin
     found = _first_fall(gap, now, begin, horizon, rest, +1.0)
     return math.inf if found is None else found

@@ -9,6 +9,7 @@ belongs together forms anew, by the cheapest solver that is exact.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -173,8 +174,17 @@ def _step(
 
 
 def _slow(gaps: list[Gap]) -> bool:
-    """Do all overlaps change so little that the row may be at rest?"""
-    return all(gap.touching is not None for gap in gaps)
+    """Do all overlaps change so little that it pays to ask whether the row is at rest?"""
+    if any(gap.touching is None for gap in gaps):
+        return False
+    stiff = max((gap.law.steepest / gap.mu for gap in gaps if gap.law is not None), default=0.0)
+    deepest = max(abs(gap.room) for gap in gaps)
+    swing = LOOK_CLOSER * math.sqrt(stiff) * deepest
+    return all(abs(gap.rate) <= swing for gap in gaps)
+
+
+LOOK_CLOSER = 1e-9
+"""Of the speed at which an overlap as great as the greatest would swing."""
 
 
 def _converged(bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float) -> Step:

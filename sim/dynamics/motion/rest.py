@@ -17,6 +17,7 @@ that static friction holds) the row's common acceleration is taken out first.
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 
@@ -162,7 +163,7 @@ def _is_quiet(
 ) -> bool:
     """Is nothing left of the motion?"""
     rates = max(abs(gap.rate) for gap in gaps)
-    ways = max(abs(a - b) for a, b in zip(moved, moved[1:], strict=False)) * fastest
+    ways = max(abs(a - b) for a, b in itertools.pairwise(moved)) * fastest
     speeds = max(abs(body.v) for body in bodies) if anchored else 0.0
     return max(rates, ways, speeds) <= quiet
 
