@@ -1,6 +1,7 @@
 """Tier 3: what has neither a closed form nor a power series is integrated, with located events.
 
-    y = overlaps, their rates, velocities, ways, impulses and losses of the contacts
+    y = overlaps, their rates, velocities, ways, impulses and losses of the contacts,
+        integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag
     y' = f(y) by an embedded Runge-Kutta method of order 8 (Dormand & Prince, scipy's DOP853)
 
 One accepted step at a time; its dense output (degree 7) serves for events and drawing as a power
@@ -47,6 +48,8 @@ class IntegratedStep(Step):
     impulses: list[Poly]  # N s
     losses: list[Poly]  # J
     laws: list[ContactLaw | None]  # those that are curved, of gaps that touch
+    rates: list[Poly]  # m²/s, integrals of o'²
+    drags: list[list[Poly]]  # of v², v|v|, |v|³ of each body, where there is drag
 
     def impulse(self, k: int, t: float) -> float:
         """N s."""
@@ -65,6 +68,17 @@ class IntegratedStep(Step):
         room = -value(self.over[k], t)
         linked = math.fsum(link.force(room, 0.0) for link in self.gaps[k].links)
         return self.contact_force(k, t) + linked, growth
+
+    def squares(self, i: int, t: float) -> tuple[float, float, float]:
+        """As they were integrated."""
+        if not self.drags[i]:
+            return 0.0, 0.0, 0.0
+        square, signed, cube = (value(p, t) for p in self.drags[i])
+        return square, signed, cube
+
+    def rate_square(self, k: int, t: float) -> float:
+        """As it was integrated."""
+        return value(self.rates[k], t)
 
     def dissipated(self, k: int, t: float) -> float:
         """J. What a bumper keeps follows from its law."""
@@ -118,7 +132,14 @@ def _slope(bodies: list[Body], gaps: list[Gap], row: Row, y: list[float]) -> lis
         for i, inv in enumerate(row.inverse)
     ]
     relative = [0.0 if branches[k].locked else a[k] - a[k + 1] for k in range(count)]
-    return [*rate, *relative, *a, *v, *push, *loss]
+    squares = [r * r for r in rate]
+    for i in _dragged(bodies):
+        squares += [v[i] * v[i], v[i] * abs(v[i]), abs(v[i]) ** 3]
+    return [*rate, *relative, *a, *v, *push, *loss, *squares]
+
+
+def _dragged(bodies: list[Body]) -> list[int]:
+    return [i for i, body in enumerate(bodies) if body.load.linear or body.load.quadratic]
 
 
 def _integrated(
@@ -126,7 +147,7 @@ def _integrated(
 ) -> IntegratedStep:
     """One accepted step, at most `limit` s, with its dense output."""
     start = [*row.overlaps, *row.rates, *row.speeds]
-    start += [0.0] * (len(bodies) + 2 * len(gaps))
+    start += [0.0] * (len(bodies) + 3 * len(gaps) + 3 * len(_dragged(bodies)))
     if limit <= 0.0:
         return _kept(bodies, gaps, row, [[y] for y in start], 0.0)
     numpy, dop853 = _scipy()
@@ -135,6 +156,7 @@ def _integrated(
         0.0,
         numpy.array(start),
         limit,
+        first_step=_stride(gaps, limit),
         rtol=RELATIVE,
         atol=numpy.array(_tolerances(bodies, gaps, row)),
     )
@@ -146,7 +168,16 @@ def _integrated(
             now[0],
             (),
         )
+    for gap in gaps:
+        gap.stride = float(solver.h_abs)
     return _kept(bodies, gaps, row, _polynomials(solver), float(solver.t))
+
+
+def _stride(gaps: list[Gap], limit: float) -> float | None:
+    """s. The first step to try: what the last one proposed, unless a contact has just begun."""
+    curved_gaps = [gap for gap in gaps if curved(gap) is not None]
+    stride = min(gap.stride for gap in curved_gaps)
+    return min(stride, limit) if stride > 0.0 else None
 
 
 def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
@@ -172,6 +203,9 @@ def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
         + [SMALL * way] * len(bodies)
         + [SMALL * lightest * speed] * count
         + [SMALL * lightest * speed * speed] * count
+        + [SMALL * way * speed] * count
+        + [SMALL * way * speed, SMALL * way * speed, SMALL * way * speed * speed]
+        * len(_dragged(bodies))
     )
 
 
@@ -181,14 +215,19 @@ def _kept(
     count, n = len(gaps), len(bodies)
     over, speed = dense[:count], dense[2 * count : 2 * count + n]
     path = dense[2 * count + n : 2 * count + 2 * n]
-    impulses, losses = dense[2 * count + 2 * n : 3 * count + 2 * n], dense[3 * count + 2 * n :]
+    first = 2 * count + 2 * n
+    impulses, losses, rates = (dense[first + j * count : first + (j + 1) * count] for j in range(3))
+    dragged, rest = _dragged(bodies), dense[first + 3 * count :]
+    drags: list[list[Poly]] = [[] for _ in bodies]
+    for j, i in enumerate(dragged):
+        drags[i] = rest[3 * j : 3 * j + 3]
     force = [slope_of(p) or [0.0] for p in impulses]
     branches: list[Branch] = row.branches
     nothing = [0.0] * max(len(p) for p in force) if force else [0.0]
     across = [list(nothing) for _ in over]
     return IntegratedStep(
         bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
-        impulses, losses, [curved(gap) for gap in gaps],
+        impulses, losses, [curved(gap) for gap in gaps], rates, drags,
     )  # fmt: skip
 
 

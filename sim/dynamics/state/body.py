@@ -193,6 +193,7 @@ class Gap:
     links: tuple[PairForce, ...] = ()  # springs and magnets across it
     solver: Motion | None = None  # what moves it, while it touches or is linked
     joined: bool = False
+    stride: float = 0.0  # s, of the next step that an adaptive method would take; 0: not known
     changed: Time = NEVER  # when its mode changed last
     flips: int = 0  # how often at that instant (`flips`)
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known
