@@ -26,7 +26,7 @@ from sim.dynamics.motion.step import Step, slope_of
 from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.clock import Time
+from sim.dynamics.state.clock import ZERO, Time
 from sim.effects.forces import resistance
 from sim.laws.branch import Branch
 from sim.laws.contact_law import ContactLaw
@@ -50,6 +50,17 @@ class IntegratedStep(Step):
     laws: list[ContactLaw | None]  # those that are curved, of gaps that touch
     rates: list[Poly]  # m²/s, integrals of o'²
     drags: list[list[Poly]]  # of v², v|v|, |v|³ of each body, where there is drag
+    row: Row
+
+    def cut(self, t: float) -> IntegratedStep:
+        """The step anew up to t s, so that the state there has the full order of the method."""
+        if not 0.0 < t < self.length:
+            return self
+        strides = [gap.stride for gap in self.gaps]
+        shorter = _integrated(self.bodies, self.gaps, self.row, ZERO, t, t)
+        for gap, stride in zip(self.gaps, strides, strict=True):
+            gap.stride = stride
+        return shorter if shorter.length == t else self
 
     def impulse(self, k: int, t: float) -> float:
         """N s."""
@@ -100,8 +111,7 @@ def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: floa
     row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
     step = _integrated(bodies, gaps, row, now, limit)
     ends, duration = first_ends(step, [math.inf] * len(gaps))  # none of these rows is long
-    if 0.0 < duration < step.length:
-        step = _integrated(bodies, gaps, row, now, duration)
+    step = step.cut(duration)
     touched = [gap.touching is not None for gap in gaps]
     loads = [body.load for body in bodies]
     return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, "adaptive", 3)
@@ -113,20 +123,23 @@ def _slope(bodies: list[Body], gaps: list[Gap], row: Row, y: list[float]) -> lis
     over, rate, v = y[:count], y[count : 2 * count], y[2 * count : 2 * count + len(bodies)]
     push, loss, across = [], [], []
     for k, gap in enumerate(gaps):
-        law, branch = curved(gap), branches[k]
+        law, d, s = curved(gap), over[k], rate[k]
         if law is not None:
-            push.append(law.force(gap.mu, over[k], rate[k]))
-            loss.append(law.dissipated(gap.mu, over[k], rate[k]))
+            mu = gap.mu
+            push.append(law.force(mu, d, s))
+            loss.append(law.dissipated(mu, d, s))
         else:
-            push.append(branch.force(over[k], rate[k]))
-            loss.append(branch.gamma * rate[k] * rate[k])
-        across.append(math.fsum(link.force(-over[k], -rate[k]) for link in gap.links))
+            push.append(branches[k].force(d, s))
+            loss.append(branches[k].gamma * s * s)
+        links = gap.links
+        across.append(math.fsum([link.force(-d, -s) for link in links]) if links else 0.0)
     outside = []
     for i, body in enumerate(bodies):
         force = row.steady[i] + resistance(body.load.linear, body.load.quadratic, v[i])
         force += across[i - 1] if i > 0 else 0.0
         outside.append(force - (across[i] if i < count else 0.0))
-    hold_now(branches, push, row.inverse, outside)
+    if any(branch.locked for branch in branches):
+        hold_now(branches, push, row.inverse, outside)
     a = [
         ((push[i - 1] if i > 0 else 0.0) - (push[i] if i < count else 0.0) + outside[i]) * inv
         for i, inv in enumerate(row.inverse)
@@ -143,9 +156,9 @@ def _dragged(bodies: list[Body]) -> list[int]:
 
 
 def _integrated(
-    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float, first: float = 0.0
 ) -> IntegratedStep:
-    """One accepted step, at most `limit` s, with its dense output."""
+    """One accepted step, at most `limit` s, with its dense output; `first` [s] is tried first."""
     start = [*row.overlaps, *row.rates, *row.speeds]
     start += [0.0] * (len(bodies) + 3 * len(gaps) + 3 * len(_dragged(bodies)))
     if limit <= 0.0:
@@ -156,7 +169,7 @@ def _integrated(
         0.0,
         numpy.array(start),
         limit,
-        first_step=_stride(gaps, limit),
+        first_step=first or _stride(gaps, limit),
         rtol=RELATIVE,
         atol=numpy.array(_tolerances(bodies, gaps, row)),
     )
@@ -227,7 +240,7 @@ def _kept(
     across = [list(nothing) for _ in over]
     return IntegratedStep(
         bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
-        impulses, losses, [curved(gap) for gap in gaps], rates, drags,
+        impulses, losses, [curved(gap) for gap in gaps], rates, drags, row,
     )  # fmt: skip
 
 

@@ -10,7 +10,7 @@ belongs together forms anew, by the cheapest solver that is exact.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from sim.dynamics.motion import stick_slip
@@ -62,6 +62,11 @@ class CoupledGroup:
     def marks(self, end: float) -> list[float]:
         """One formula holds for the whole step."""
         return []
+
+    def until(self, now: Time) -> CoupledGroup:
+        """The same up to now, as exactly as it can be had; made anew where it was integrated."""
+        cut = self.step.cut(elapsed(self.begun, now))
+        return self if cut is self.step else replace(self, step=cut)
 
     def time_left(self, now: Time) -> float:
         """s to the end of the step."""
