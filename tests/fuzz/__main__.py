@@ -17,7 +17,18 @@ from tests.fuzz.kinds import KINDS, scene_of
 from tests.fuzz.shrink import plainest
 from tests.fuzz.verdict import BUDGET, GOOD, judge
 
-WORDS = ("right", "unknown", "refused", "no scene", "crash", "slow", "many", "account", "end")
+WORDS = (
+    "right",
+    "unknown",
+    "refused",
+    "no scene",
+    "crash",
+    "slow",
+    "many",
+    "account",
+    "end",
+    "scale",
+)
 
 
 def main() -> int:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
+from decimal import Decimal, localcontext
 from random import Random
 from typing import Any
 
@@ -116,12 +117,12 @@ def scales(dice: Random) -> Plain:
 
 
 def scaled(plain: Plain, m: float, length: float, s: float) -> Plain:
-    """The scene in other units: exact where these are powers of 2. Hertz left out."""
+    """The scene in other units, powers of 2: every decimal is exact. Hertz left out."""
 
     def contact_scaled(c: Plain) -> Plain:
         found = dict(c)
         if "stiffness" in c:
-            found["stiffness"] = c["stiffness"] * m / s**2
+            found["stiffness"] = times(c["stiffness"], m / s**2)
         if "pairs" in c:
             found["pairs"] = {name: contact_scaled(own) for name, own in c["pairs"].items()}
         return found
@@ -140,33 +141,36 @@ def scaled(plain: Plain, m: float, length: float, s: float) -> Plain:
     }
     effects = [
         {
-            kind: {
-                key: value * units[key] if key in units and value is not None else value
-                for key, value in body.items()
-            }
+            kind: {k: times(v, units[k]) if k in units else v for k, v in body.items()}
+            for kind, body in entry.items()
         }
         for entry in plain.get("effects", [])
-        for kind, body in entry.items()
     ]
     carts = {
         name: {
-            "mass": cart["mass"] * m,
-            "position": cart["position"] * length,
-            "velocity": cart["velocity"] * length / s,
-            "length": cart.get("length", 0.2) * length,
+            "mass": times(cart["mass"], m),
+            "position": times(cart["position"], length),
+            "velocity": times(cart["velocity"], length / s),
+            "length": times(cart.get("length", 0.2), length),
         }
         for name, cart in plain["carts"].items()
     }
-    track = plain["track"] | {"length": plain["track"]["length"] * length}
-    gravity = plain.get("gravity", 9.81) * length / s**2
     return plain | {
         "carts": carts,
-        "track": track,
+        "track": plain["track"] | {"length": times(plain["track"]["length"], length)},
         "contact": contact_scaled(plain["contact"]),
         "effects": effects,
-        "gravity": gravity,
-        "until": plain["until"] * s,
+        "gravity": times(plain.get("gravity", 9.81), length / s**2),
+        "until": times(plain["until"], s),
     }
+
+
+def times(value: Any, power_of_two: float) -> Any:
+    """The decimal, multiplied exactly: a float where that has the same decimals, else a text."""
+    with localcontext() as exact:
+        exact.prec = 400
+        product = Decimal(str(value)) * Decimal(power_of_two)
+        return float(product) if Decimal(repr(float(product))) == product else f"{product:e}"
 
 
 def hertz(dice: Random) -> Plain:

@@ -7,6 +7,7 @@ agree within what the same run makes of inputs moved in the last figures.
 
 from __future__ import annotations
 
+import math
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -17,6 +18,7 @@ from typing import Any
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import SceneError, read_scene
+from tests.fuzz.kinds import scaled
 from tests.fuzz.rows import Plain
 from tests.reference.contact_branches import UnsupportedError
 from tests.reference.effects import integrate
@@ -65,6 +67,7 @@ class Verdict:
     """One word, and what is behind it.
 
     right · unknown (no oracle) · refused · no scene · crash · slow · many · account · end
+    scale: in other units, powers of 2, it is not the same run to the last bit
     """
 
     word: str
@@ -98,7 +101,19 @@ def judge(plain: Plain, *, oracle: bool = True, seconds: float = BUDGET) -> Verd
 
 
 def compared(plain: Plain, done: Any) -> Verdict:
-    """The end state beside the oracle's."""
+    """The end state beside the oracle's; in the units of a tabletop, where the scene has others."""
+    units = units_of(plain)
+    if units != (1.0, 1.0, 1.0):
+        m, length, s = units
+        plain = scaled(plain, 1.0 / m, 1.0 / length, 1.0 / s)
+        try:
+            with budget(BUDGET):
+                other = run(read_scene(plain))
+        except (SceneError, UnsolvedError, TooSlowError) as error:
+            return Verdict("unknown", f"in other units: {error}")
+        if tuple(v * length / s for v in other.v) != done.v:
+            return Verdict("scale", f"{done.v} for {tuple(v * length / s for v in other.v)}")
+        done = other
     try:
         with budget(ORACLE_BUDGET):
             expected = integrate(done.scene, most_steps=20_000)
@@ -114,10 +129,24 @@ def compared(plain: Plain, done: Any) -> Verdict:
     return Verdict("end", f"off by {off:.1e}: {done.v} for {tuple(map(float, expected.v))}")
 
 
+def units_of(plain: Plain) -> tuple[float, float, float]:
+    """kg, m, s, powers of 2 in which the scene is one of a tabletop; 1 where it is one."""
+    carts = list(plain["carts"].values())
+    length = max(float(cart.get("length", 0.2)) for cart in carts) / 0.2
+    mass = max(float(cart["mass"]) for cart in carts)
+    gravity = float(plain.get("gravity", 9.81)) / 9.81
+    powers = [math.log2(one) for one in (mass, length, math.sqrt(length / gravity))]
+    m, metre, s = (2.0 ** (5 * round(p / 5)) for p in powers)
+    return m, metre, s
+
+
 def distance(done: Any, x: Any, v: Any) -> float:
     """Of velocities and places, each relative to the greatest in the run."""
-    fastest = max([*map(abs, done.v), *(abs(c.velocity) for c in done.scene.carts)]) or 1e-300
-    way = max(fastest * done.t, *(abs(c.position) for c in done.scene.carts))
+    told = [abs(v) for e in done.record.events for v in (*e.before.values(), *e.after.values())]
+    begun = [abs(cart.velocity) for cart in done.scene.carts]
+    length = max(abs(c.position) + c.length for c in done.scene.carts)
+    fastest = max(*map(abs, done.v), *begun, *told, 1e-3 * length / done.t)
+    way = max(fastest * done.t, length)
     faster = max([fastest, *map(abs, v)])
     apart = max(abs(a - b) for a, b in zip(done.v, v, strict=True)) / faster
     return max(apart, max(abs(a - b) for a, b in zip(done.x, x, strict=True)) / way)
