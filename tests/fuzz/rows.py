@@ -1,4 +1,4 @@
-"""Rows of carts for the adversary: nice numbers and extreme ones, apart, in touch and overlapped."""
+"""Rows of carts for the adversary: plain numbers and extreme ones, apart, in touch, overlapped."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """What a run of the engine comes to, beside an oracle that shares no code with it.
 
 A run has `BUDGET` seconds of processor time (a virtual timer: other programs do not count). The
-oracle is the integration of `tests.reference`, with a budget of its own. Where both end, they are to
-agree within what the same run makes of inputs moved in the last figures.
+oracle is the integration of `tests.reference`, with a budget of its own. Where both end, they are
+to agree within what the same run makes of inputs moved in the last figures.
 """
 
 from __future__ import annotations

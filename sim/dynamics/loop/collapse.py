@@ -2,9 +2,10 @@
 
 Three or more bodies (a wall is one) that hit each other without a duration and with little
 restitution do so infinitely often before a certain time: each round of impacts leaves a fixed part
-q < 1 of their relative speeds and, with it, of the time to the next round. The sum of that geometric
-series is the time of collapse; after it they go on together, and rooms and relative speeds are
-nought. (McNamara & Young, Phys. Fluids A 4 (1992) 496; three equal bodies: e < 7 − 4 sqrt 3.)
+q < 1 of their relative speeds and, with it, of the time to the next round. The sum of that
+geometric series is the time of collapse; after it they go on together, and rooms and relative
+speeds are nought. (McNamara & Young, Phys. Fluids A 4 (1992) 496; three equal bodies: e < 7 − 4
+sqrt 3.)
 
 The rounds are followed as they are, until the speed of approach is rounding: the rest of the series
 is shorter than the last bit of the time, and every further impact would be one of rounding errors,

@@ -10,9 +10,9 @@ moving as one,
 a tridiagonal, positive definite system (Thomas's algorithm). A row counts as at rest when what is
 left of its motion, in rates and in ways still to go, is QUIET of the speed that the load itself
 would give it, and when every contact presses there: then this is the one solution of the
-complementarity problem of the row (all contacts carry), and it holds for as long as the load does.
-Springs and magnets across the gaps take part with their stiffness. Without an anchor (a wall, a cart
-that static friction holds) the row's common acceleration is taken out first.
+complementarity problem of the row (all contacts carry), and it holds as long as the load does.
+Springs and magnets across the gaps take part with their stiffness. Without an anchor (a wall, a
+cart that static friction holds) the row's common acceleration is taken out first.
 """
 
 from __future__ import annotations

@@ -2,9 +2,9 @@
 
 A contact is on or off, a bumper is pressed in or springs back, a cart slides or is held. The mode
 changes where a quantity (a force, an overlap, a rate) passes through nought. Every law here is
-continuous there, or its jump points back into the mode that holds (Filippov's sticking case): on the
-very edge both modes give the same motion to first order, so that either may hold, and only what is
-left of the quantity by rounding says otherwise. Taken at its word it makes the two alternate for
+continuous there, or its jump points back into the mode that holds (Filippov's sticking case): on
+the very edge both modes give the same motion to first order, so that either may hold, and only what
+is left of the quantity by rounding says otherwise. Taken at its word it makes the two alternate for
 ever at one instant.
 
 So a mode that was just left and is taken again, twice without motion, stays until its quantity has
@@ -25,7 +25,7 @@ AT_ONE_INSTANT = 1e-11
 """Of the length of the run. Changes of one mode that follow each other as closely are counted."""
 
 UNDECIDED = 2
-"""Changes at one instant from which on a mode stays. Fewer are what an event may well consist of."""
+"""Changes at one instant from which on a mode stays. Fewer are what one event may consist of."""
 
 MARGIN = 1e-14
 """Of a quantity's size over a step: what rounding leaves of nought, with room to spare."""
