@@ -76,13 +76,21 @@ class Simulation:
         if self.forces is not None or not free or (gap.law is not None and not gap.law.linear):
             self.join(gap, now)
             return
-        self.predictions.bring_around(gap, now)
-        self.place(gap.left, now)
-        self.place(gap.right, now)
+        run = collapse.run_of(self.chain, gap, now, self.instant)
+        if any(body.motion is not None for one in run for body in (one.left, one.right)):
+            self.join(gap, now)
+            return
+        for one in run or [gap]:
+            self.predictions.bring_around(one, now)
+            self.place(one.left, now)
+            self.place(one.right, now)
         if gap.law is None:
             self.at_once(gap, now, stays=False)
-            self.predictions.gap(gap, now)
-            self.predictions.around(gap, now)
+            if run:
+                collapse.together(run, now, self.ledger)
+            for one in run or [gap]:
+                self.predictions.gap(one, now)
+                self.predictions.around(one, now)
             return
         contacts.touch(gap, now, self.record, self.ledger)
         self.solvers["pair-contact"] += 1
@@ -105,10 +113,7 @@ class Simulation:
         if not gap.contact.joins:
             self.fastest = max(self.fastest, -gap.rate)
             flips.note(gap, now, self.instant)
-            over = not stays and collapse.is_over(self.chain, gap, now, self.instant)
             impacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
-            if over:
-                collapse.together(self.chain, gap, now, self.instant, self.ledger)
             return
         impacts.join(self.chain, gap, now, self.record, self.ledger)
         for other in self.chain.neighbours(gap):
@@ -149,7 +154,14 @@ class Simulation:
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
         stays = impacts.rests(gap, self.fastest, in_contact=in_contact)
+        run = [] if stays else collapse.run_of(self.chain, gap, now, self.instant)
+        if run:
+            more, between = self.settle([b for g in run for b in (g.left, g.right)], now)
+            bodies = list(dict.fromkeys([*bodies, *more]))
+            gaps += [g for g in dict.fromkeys([*between, *run]) if g not in gaps]
         self.at_once(gap, now, stays=stays)
+        if run:
+            collapse.together(run, now, self.ledger)
         if stays and not gap.joined:
             impacts.rest_together(self.chain, gap, self.ledger)
         for other in gaps:
