@@ -81,6 +81,9 @@ def cube_integral(p: Poly, h: float) -> float:
     return h * value(integral(cubed), 1.0)
 
 
+SMALL = 1e-3
+"""Relative to the step: a safe step that is shorter than that gets a second look while p rises."""
+
 CLOSE = 2e-16
 """Relative to the step: a zero nearer than this is here."""
 
@@ -115,9 +118,45 @@ def first_fall(p: Poly, h: float) -> float | None:
         if here <= 0.0:
             return t
         step = safe_step(here, falling, bound)
+        if step <= SMALL * h and falling > 0.0 and t < h:  # it rises, and the bound does not see it
+            step = max(step, clear_of_zero(shifted(q, t), h - t))
         if step <= CLOSE * h:
             return t
         t += step
         if t > h:
             return None
     return t
+
+
+HALVINGS = 80
+"""Of a step, down to 1e-24 of it."""
+
+
+def shifted(p: Poly, t: float) -> Poly:
+    """The coefficients about t: p(t + x) as a polynomial in x."""
+    q = list(p)
+    if t:
+        for first in range(len(q) - 1):
+            for n in range(len(q) - 2, first - 1, -1):
+                q[n] += t * q[n + 1]
+    return q
+
+
+def clear_of_zero(p: Poly, h: float) -> float:
+    """A time up to h before which p, whose first terms are positive, has no zero; 0: none is known.
+
+    For the bound on p'' over all of h does not see how small p and its slope may be at first: the
+    push that runs through a chain arrives as t^(2n). With m the first negative term, p is positive
+    up to x where some p_j >= sum of |p_n| x^(n − j) over the negative ones, j < m.
+    """
+    first = next((n for n, c in enumerate(p) if c < 0.0), None)
+    if first is None:
+        return h
+    negative = [(n, -c) for n, c in enumerate(p) if c < 0.0]
+    x = h
+    for _ in range(HALVINGS):
+        for j in range(first):
+            if p[j] > 0.0 and p[j] >= math.fsum([c * x ** (n - j) for n, c in negative]):
+                return x
+        x *= 0.5
+    return 0.0
