@@ -7,9 +7,9 @@ geometric series is the time of collapse; after it they go on together, and room
 speeds are nought. (McNamara & Young, Phys. Fluids A 4 (1992) 496; three equal bodies: e < 7 − 4
 sqrt 3.)
 
-Of three that touch, hit in turn by gaps a and b, the limit is known at once. With u the approach in
-a, x u the speed at which b opens, y = alpha − x, and alpha, beta what an impact in the one gap takes
-from the other's rate per approach speed, one round makes
+Of three that touch and are hit in turn in gaps a and b the limit is known at once. With u the
+approach in a, x u the speed at which b opens, y = alpha − x, and alpha, beta what an impact in the
+one gap takes from the other's rate per approach speed, one round makes
 
     u → (beta y − e_a) u ,     y → alpha − e_b y/(beta y − e_a)
 
@@ -18,10 +18,10 @@ repelling one; then they end at their common velocity whatever is between. Equal
 (1 + e)² >= 16 e, McNamara and Young's limit. Rounds of rounds (four that touch, five …) take a
 fifteenth of the impacts so.
 
-Otherwise the rounds are followed as they are, until the speed of approach is rounding: the rest of the series
-is shorter than the last bit of the time, and every further impact would be one of rounding errors,
-which have no end. Then all that touch and move alike get the velocity of their centre of mass at
-once, so that no two of them can differ by rounding and begin anew.
+Otherwise the rounds are followed as they are, until the speed of approach is rounding: the rest of
+the series is shorter than the last bit of the time, and every further impact would be one of
+rounding errors, which have no end. Then all that touch and move alike get the velocity of their
+centre of mass at once, so that no two of them can differ by rounding and begin anew.
 """
 
 from __future__ import annotations

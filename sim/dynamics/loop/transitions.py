@@ -12,7 +12,7 @@ from sim.dynamics.loop import contacts
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
-from sim.dynamics.state.body import Gap, Motion
+from sim.dynamics.state.body import Body, End, Gap, Motion
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Cause
 
@@ -24,9 +24,9 @@ def leave(motion: Motion, now: Time, record: Record, ledger: Ledger, instant: fl
     that it told.
     """
     happened = 0
+    for one in dict.fromkeys(_changing(motion, end) for end in motion.ends):
+        flips.note(one, now, instant)
     for end in motion.ends:
-        of_body = end.cause in ("halt", "slip")
-        flips.note(motion.bodies[end.k] if of_body else motion.members[end.k], now, instant)
         if end.cause == "halt":
             _halt(motion, end.k)
         elif end.cause == "slip":
@@ -34,6 +34,10 @@ def leave(motion: Motion, now: Time, record: Record, ledger: Ledger, instant: fl
         else:
             happened += _in_gap(end.cause, motion.members[end.k], now, record, ledger)
     return happened
+
+
+def _changing(motion: Motion, end: End) -> Body | Gap:
+    return motion.bodies[end.k] if end.cause in ("halt", "slip") else motion.members[end.k]
 
 
 def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:

@@ -194,7 +194,8 @@ def _first_ends(
     for guard in guards_of(gap, branch):
         t = _happens(gap, branch, between, guard)
         step = 1.0 / between.rate.w0
-        if t <= NO_MOTION * step and (part := margin(gap, gap.time, step)):
+        stays = guard.cause not in ("touch", "clear")  # a contact that is taken up again stays on
+        if stays and t <= NO_MOTION * step and (part := margin(gap, gap.time, step)):
             t = _happens(gap, branch, between, guard, part)
         if t <= duration:
             if t < duration:

@@ -30,7 +30,8 @@ def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
     duration = step.length
     for end, guarded in [*_in_gaps(step, sizes, noise), *_of_bodies(step)]:
         found = first_fall(guarded, duration)
-        if found is not None and found <= NO_MOTION * step.length:
+        stays = end.cause not in ("touch", "clear")  # a contact that is taken up again stays on
+        if found is not None and stays and found <= NO_MOTION * step.length:
             found = _when_decided(step, end, guarded, duration, found)
         if found is not None:
             if found < duration:
@@ -60,13 +61,14 @@ def _when_decided(
 
 def _least(step: Step, end: End) -> float:
     """What a speed that is known to rounding makes of the quantity that ends a mode of a gap."""
-    k, branch, law = end.k, step.branches[end.k], step.gaps[end.k].law
+    k, branch = end.k, step.branches[end.k]
     speed = max(abs(step.speed[k][0]), abs(step.speed[k + 1][0]))
     if end.cause == "turn":
-        return speed
-    stiff = branch.kappa or (law.stiffness if law is not None else 0.0)
-    of_force = stiff * step.length + branch.gamma
-    return speed * max(of_force, step.length if end.cause != "apart" else 0.0)
+        return speed  # m/s
+    law = step.gaps[k].law
+    if law is not None and all(guard.of == "overlap" for guard in guards_of(step.gaps[k], branch)):
+        return speed * step.length  # m
+    return speed * (branch.kappa * step.length + branch.gamma)  # N
 
 
 def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End, Poly]]:
