@@ -88,6 +88,9 @@ class Simulation:
             self.at_once(gap, now, stays=False)
             if run:
                 collapse.together(run, now, self.ledger)
+                for body in dict.fromkeys(b for one in run for b in (one.left, one.right)):
+                    if body.carts:
+                        self.record.piece(body)
             for one in run or [gap]:
                 self.predictions.gap(one, now)
                 self.predictions.around(one, now)

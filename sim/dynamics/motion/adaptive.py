@@ -169,7 +169,7 @@ def _integrated(
         0.0,
         numpy.array(start),
         limit,
-        first_step=first or _stride(gaps, limit),
+        first_step=first or _stride(bodies, gaps, limit),
         rtol=RELATIVE,
         atol=numpy.array(_tolerances(bodies, gaps, row)),
     )
@@ -186,8 +186,10 @@ def _integrated(
     return _kept(bodies, gaps, row, _polynomials(solver), float(solver.t))
 
 
-def _stride(gaps: list[Gap], limit: float) -> float | None:
-    """s. The first step to try: what the last one proposed, unless a contact has just begun."""
+def _stride(bodies: list[Body], gaps: list[Gap], limit: float) -> float | None:
+    """s. The first step to try: what the last one proposed, unless something has just begun."""
+    if any(body.sliding and body.v == 0.0 for body in bodies):
+        return None
     curved_gaps = [gap for gap in gaps if curved(gap) is not None]
     stride = min(gap.stride for gap in curved_gaps)
     return min(stride, limit) if stride > 0.0 else None

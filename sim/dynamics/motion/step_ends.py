@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from sim.dynamics.motion.guards import along, guards_of, reserves
 from sim.dynamics.motion.polynomial import Poly, first_fall, size
 from sim.dynamics.motion.step import Step
-from sim.dynamics.state.body import End
+from sim.dynamics.state.body import Body, End
 from sim.dynamics.state.flips import NO_MOTION, margin
 
 NEGLIGIBLE = 1e-13
@@ -87,4 +87,17 @@ def _of_bodies(step: Step) -> Iterator[tuple[End, Poly]]:
             for way, reserve in reserves(body, step.others(i)):
                 yield End("slip", i, way), reserve
         elif body.sliding and (body.load.static or body.load.quadratic):
-            yield End("halt", i), [body.sliding * c for c in step.speed[i]]
+            yield End("halt", i), _way(body, step.speed[i], step.length)
+
+
+ONSET = 1e-9
+"""Of the speed in a step. At the onset of sliding all forces balance: what an integration leaves of
+that acceleration has no sign."""
+
+
+def _way(body: Body, speed: Poly, length: float) -> Poly:
+    """A body's speed in the direction in which it slides."""
+    way = [body.sliding * c for c in speed]
+    if body.v == 0.0 and abs(way[1]) * length <= ONSET * size(way, length):
+        way[1] = 0.0
+    return way
