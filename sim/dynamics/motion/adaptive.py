@@ -23,7 +23,7 @@ from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
 from sim.dynamics.motion.series import Row, hold_now
 from sim.dynamics.motion.step import Step, slope_of
-from sim.dynamics.motion.step_ends import first_ends
+from sim.dynamics.motion.step_ends import first_ends, found_again
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import ZERO, Time
@@ -111,6 +111,9 @@ def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: floa
     row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
     step = _integrated(bodies, gaps, row, now, limit)
     ends, duration = first_ends(step, [math.inf] * len(gaps))  # none of these rows is long
+    if ends and 0.0 < duration < step.length:
+        better = found_again(step.cut(duration), [math.inf] * len(gaps), ends[0], duration)
+        duration = min(better, step.length)
     step = step.cut(duration)
     touched = [gap.touching is not None for gap in gaps]
     loads = [body.load for body in bodies]

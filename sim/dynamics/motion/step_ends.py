@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from sim.dynamics.motion.guards import along, guards_of, reserves
-from sim.dynamics.motion.polynomial import Poly, first_fall, size
+from sim.dynamics.motion.polynomial import Poly, first_fall, size, value_and_slope
 from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Body, End
 from sim.dynamics.state.flips import NO_MOTION, margin
@@ -39,6 +39,20 @@ def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
             ends.append(end)
             duration = found
     return ends, duration
+
+
+NEARBY = 1e-3
+"""Of a step. An end that is found again further off than that is another one."""
+
+
+def found_again(step: Step, sizes: list[float], end: End, duration: float) -> float:
+    """s. One step of Newton's method towards an end, on a step made anew up to about there."""
+    for other, guarded in [*_in_gaps(step, sizes, 0.0), *_of_bodies(step)]:
+        if other == end:
+            here, growth = value_and_slope(guarded, duration)
+            if growth < 0.0 and abs(here) <= NEARBY * duration * -growth:
+                return duration - here / growth
+    return duration
 
 
 def _when_decided(
