@@ -8,21 +8,19 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
-from decimal import Decimal, localcontext
 from random import Random
-from typing import Any
 
+from tests.fuzz.acting import a_friction, a_push, a_spring, any_effect
 from tests.fuzz.rows import (
     FINITE,
     Plain,
     bodies,
     contact,
-    log_uniform,
     overlapped,
     pair,
-    rounded,
     row,
 )
+from tests.fuzz.units import scaled
 
 
 def rest_on_slope(dice: Random) -> Plain:
@@ -31,7 +29,7 @@ def rest_on_slope(dice: Random) -> Plain:
     angle = dice.choice([2, -2, 5, -5, 0.1, -10])
     effects = [{"incline": {"angle": f"{angle} deg"}}]
     if dice.random() < 0.7:
-        effects.append(_friction(dice, plain))
+        effects.append(a_friction(dice, plain))
     return plain | {"effects": effects, "until": dice.choice([1, 3, 10])}
 
 
@@ -48,9 +46,9 @@ def chain(dice: Random) -> Plain:
 def pushes_at_edges(dice: Random) -> Plain:
     """Pushes that begin and end while carts touch, on carts that touch or do not."""
     plain = row(dice, rooms=(0.0, 0.0, 0.02))
-    effects = [_push(dice, plain) for _ in range(dice.randint(1, 3))]
+    effects = [a_push(dice, plain) for _ in range(dice.randint(1, 3))]
     if dice.random() < 0.4:
-        effects.append(_friction(dice, plain))
+        effects.append(a_friction(dice, plain))
     return plain | {"effects": effects}
 
 
@@ -64,14 +62,14 @@ def dead_bumpers(dice: Random) -> Plain:
             e = dice.choice([0, 0, 1e-9, 1e-3])
             pairs[f"{a}-{b}"] = contact(dice, law="bumper", restitution=e)
     if dice.random() < 0.5:
-        plain["effects"] = [_any(dice, plain, ("friction", "incline", "push", "spring"))]
+        plain["effects"] = [any_effect(dice, plain, ("friction", "incline", "push", "spring"))]
     return plain
 
 
 def touching_springs(dice: Random) -> Plain:
     """Springs, soft and hard, hold pairs together at the edge of contact."""
     plain = row(dice, least=2, rooms=(0.0, 0.0, 0.0, 0.01), speeds=(0.0, 0.0, 0.2, -0.2))
-    effects = [_spring(dice, plain) for _ in range(dice.randint(1, 2))]
+    effects = [a_spring(dice, plain) for _ in range(dice.randint(1, 2))]
     return plain | {"effects": effects, "until": dice.choice([1, 5])}
 
 
@@ -90,23 +88,23 @@ def magnets(dice: Random) -> Plain:
         if (between := pair(dice, plain, room=0.01))
     ]
     if dice.random() < 0.4:
-        effects.append(_any(dice, plain, ("friction", "incline", "push", "drag")))
+        effects.append(any_effect(dice, plain, ("friction", "incline", "push", "drag")))
     return plain | {"effects": effects}
 
 
 def springs(dice: Random) -> Plain:
     """Springs between carts apart: swings that run into bumpers and out again."""
     plain = row(dice, least=2, rooms=(0.05, 0.1, 0.2))
-    effects = [_spring(dice, plain) for _ in range(dice.randint(1, 3))]
+    effects = [a_spring(dice, plain) for _ in range(dice.randint(1, 3))]
     if dice.random() < 0.4:
-        effects.append(_any(dice, plain, ("friction", "incline", "push", "drag")))
+        effects.append(any_effect(dice, plain, ("friction", "incline", "push", "drag")))
     return plain | {"effects": effects}
 
 
 def long_runs(dice: Random) -> Plain:
     """Ten minutes of what comes to rest, swings or rattles."""
     plain = row(dice, most=3, walls=0.6)
-    effects = [_any(dice, plain) for _ in range(dice.randint(1, 2))]
+    effects = [any_effect(dice, plain) for _ in range(dice.randint(1, 2))]
     return plain | {"effects": effects, "until": dice.choice([60, 600])}
 
 
@@ -116,77 +114,23 @@ def scales(dice: Random) -> Plain:
     return scaled(plain, *(2.0 ** dice.choice([-30, -20, -10, 0, 10, 20]) for _ in range(3)))
 
 
-def scaled(plain: Plain, m: float, length: float, s: float) -> Plain:
-    """The scene in other units, powers of 2: every decimal is exact. Hertz left out."""
-
-    def contact_scaled(c: Plain) -> Plain:
-        found = dict(c)
-        if "stiffness" in c:
-            found["stiffness"] = times(c["stiffness"], m / s**2)
-        if "pairs" in c:
-            found["pairs"] = {name: contact_scaled(own) for name, own in c["pairs"].items()}
-        return found
-
-    units = {
-        "stiffness": m / s**2,
-        "length": length,
-        "damping": m / s,
-        "energy": m * length**2 / s**2,
-        "force": m * length / s**2,
-        "at": s,
-        "from": s,
-        "until": s,
-        "linear": m / s,
-        "quadratic": m / length,
-    }
-    effects = [
-        {
-            kind: {k: times(v, units[k]) if k in units else v for k, v in body.items()}
-            for kind, body in entry.items()
-        }
-        for entry in plain.get("effects", [])
-    ]
-    carts = {
-        name: {
-            "mass": times(cart["mass"], m),
-            "position": times(cart["position"], length),
-            "velocity": times(cart["velocity"], length / s),
-            "length": times(cart.get("length", 0.2), length),
-        }
-        for name, cart in plain["carts"].items()
-    }
-    return plain | {
-        "carts": carts,
-        "track": plain["track"] | {"length": times(plain["track"]["length"], length)},
-        "contact": contact_scaled(plain["contact"]),
-        "effects": effects,
-        "gravity": times(plain.get("gravity", 9.81), length / s**2),
-        "until": times(plain["until"], s),
-    }
-
-
-def times(value: Any, power_of_two: float) -> Any:
-    """The decimal, multiplied exactly: a float where that has the same decimals, else a text."""
-    with localcontext() as exact:
-        exact.prec = 400
-        product = Decimal(str(value)) * Decimal(power_of_two)
-        return float(product) if Decimal(repr(float(product))) == product else f"{product:e}"
-
-
 def hertz(dice: Random) -> Plain:
     """Spheres: pairs, rows, overlaps, with and without effects."""
     plain = row(dice, least=2, laws=("hertz",), rooms=(0.0, 0.01, 0.1))
     if "pairs" in plain["contact"] and dice.random() < 0.5:
         del plain["contact"]["pairs"]
     if dice.random() < 0.5:
-        plain["effects"] = [_any(dice, plain)]
+        plain["effects"] = [any_effect(dice, plain)]
     return overlapped(dice, plain) if dice.random() < 0.2 else plain
 
 
 def friction(dice: Random) -> Plain:
     """Dry friction on rows that are pushed, pulled and hit."""
     plain = row(dice)
-    effects = [_friction(dice, plain), _any(dice, plain, ("incline", "push", "spring", "drag"))]
+    effects = [
+        a_friction(dice, plain),
+        any_effect(dice, plain, ("incline", "push", "spring", "drag")),
+    ]
     return plain | {"effects": effects}
 
 
@@ -197,7 +141,7 @@ def releases(dice: Random) -> Plain:
     at = dice.choice([0, 0, 0.1, 0.5])
     effects = [{"release": {"between": between, "energy": dice.choice([0.1, 1]), "at": at}}]
     if dice.random() < 0.5:
-        effects.append(_any(dice, plain))
+        effects.append(any_effect(dice, plain))
     return plain | {"effects": effects}
 
 
@@ -205,7 +149,7 @@ def overlaps(dice: Random) -> Plain:
     """Bumpers that overlap when the run begins."""
     plain = overlapped(dice, row(dice, least=2, laws=FINITE))
     if dice.random() < 0.5:
-        plain["effects"] = [_any(dice, plain)]
+        plain["effects"] = [any_effect(dice, plain)]
     return plain
 
 
@@ -213,7 +157,9 @@ def instant_rows(dice: Random) -> Plain:
     """Impacts without a duration, between walls and in touch: collapse is near."""
     plain = row(dice, least=2, laws=("instant",), rooms=(0.0, 0.0, 0.1), walls=0.5)
     if dice.random() < 0.6:
-        plain["effects"] = [_any(dice, plain, ("incline", "push", "friction", "drag", "spring"))]
+        plain["effects"] = [
+            any_effect(dice, plain, ("incline", "push", "friction", "drag", "spring"))
+        ]
     return plain
 
 
@@ -254,49 +200,3 @@ KINDS: dict[str, Callable[[Random], Plain]] = {
 def scene_of(kind: str, seed: int) -> Plain:
     """Scene number `seed` of a kind, the same for ever."""
     return KINDS[kind](Random(f"{kind} {seed}"))
-
-
-def _friction(dice: Random, plain: Plain) -> Plain:
-    low = dice.choice([0, 0.02, 0.1, 0.3, 0.05])
-    body: Plain = {"coefficient": low}
-    if dice.random() < 0.5:
-        body["static"] = rounded(low * 1.5)
-    if dice.random() < 0.4:
-        body["carts"] = [dice.choice(list(plain["carts"]))]
-    return {"friction": body}
-
-
-def _push(dice: Random, plain: Plain) -> Plain:
-    body: Plain = {
-        "cart": dice.choice(list(plain["carts"])),
-        "force": dice.choice([1, -1, 0.1, -5, rounded(dice.uniform(-3, 3)) or 1]),
-    }
-    if dice.random() < 0.8:
-        body["from"] = dice.choice([0, 0.1, 0.5])
-        body["until"] = body["from"] + dice.choice([0.1, 0.3, 1])
-    return {"push": body}
-
-
-def _spring(dice: Random, plain: Plain) -> Plain:
-    return {
-        "spring": {
-            "between": pair(dice, plain),
-            "stiffness": log_uniform(dice, 1, 1000),
-            "length": dice.choice([0, 0, 0.05, 0.1, 0.3]),
-            "damping": dice.choice([0, 0, 0.3, 8]),
-        }
-    }
-
-
-def _any(dice: Random, plain: Plain, kinds: tuple[str, ...] = ()) -> Plain:
-    kind = dice.choice(kinds or ("friction", "incline", "push", "spring", "drag"))
-    if kind == "spring" and pair(dice, plain):
-        return _spring(dice, plain)
-    if kind == "friction":
-        return _friction(dice, plain)
-    if kind == "push":
-        return _push(dice, plain)
-    if kind == "drag":
-        body: dict[str, Any] = {dice.choice(["linear", "quadratic"]): dice.choice([0.05, 0.5, 3])}
-        return {"drag": body}
-    return {"incline": {"angle": f"{dice.choice([2, -2, 5, -10])} deg"}}

@@ -18,8 +18,8 @@ from typing import Any
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene import SceneError, read_scene
-from tests.fuzz.kinds import scaled
 from tests.fuzz.rows import Plain
+from tests.fuzz.units import scaled
 from tests.reference.contact_branches import UnsupportedError
 from tests.reference.effects import integrate
 

@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.coupled_group import CoupledGroup, row_of
+from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
 from sim.dynamics.motion.series import Row, hold_now
@@ -166,7 +166,7 @@ def _integrated(
     start += [0.0] * (len(bodies) + 3 * len(gaps) + 3 * len(_dragged(bodies)))
     if limit <= 0.0:
         return _kept(bodies, gaps, row, [[y] for y in start], 0.0)
-    numpy, dop853 = _scipy()
+    numpy, dop853 = scipy_method()
     solver = dop853(
         lambda _t, y: _slope(bodies, gaps, row, y.tolist()),
         0.0,
@@ -186,7 +186,7 @@ def _integrated(
         )
     for gap in gaps:
         gap.stride = float(solver.h_abs)
-    return _kept(bodies, gaps, row, _polynomials(solver), float(solver.t))
+    return _kept(bodies, gaps, row, polynomials(solver), float(solver.t))
 
 
 def _stride(bodies: list[Body], gaps: list[Gap], limit: float) -> float | None:
@@ -247,39 +247,3 @@ def _kept(
         bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
         impulses, losses, [curved(gap) for gap in gaps], rates, drags, row,
     )  # fmt: skip
-
-
-def _scipy() -> tuple[Any, Any]:
-    try:
-        import numpy
-        from scipy.integrate import DOP853
-    except ImportError as missing:
-        raise UnsolvedError(
-            "the contact law hertz needs the packages numpy and scipy, which this page does not "
-            "carry",
-            "write packages: [scipy] into the scene block",
-            0.0,
-            (),
-        ) from missing
-    return numpy, DOP853
-
-
-def _polynomials(solver: Any) -> list[Poly]:
-    """Dense output of the last step as coefficients of 1, t, t² …, one list per component.
-
-    scipy keeps y = y0 + x (F0 + (1 − x)(F1 + x (F2 + …))), x = t/h.
-    """
-    import numpy
-
-    dense = solver.dense_output()
-    total = numpy.zeros((len(dense.y_old), 1))
-    for place, term in enumerate(reversed(dense.F)):
-        total[:, 0] += term
-        longer = numpy.zeros((len(total), total.shape[1] + 1))
-        longer[:, 1:] = total if place % 2 == 0 else -total
-        if place % 2:
-            longer[:, :-1] += total
-        total = longer
-    total[:, 0] += dense.y_old
-    scale = dense.h ** -numpy.arange(total.shape[1], dtype=float)
-    return [[float(c) for c in row] for row in total * scale]
