@@ -142,7 +142,6 @@ AT_REST = {
 def test_a_row_that_has_come_to_rest_takes_no_steps_until_its_load_changes() -> None:
     ten = run(read_scene(AT_REST | {"until": 10}))
     long = run(read_scene(AT_REST))
-    assert ten.solvers["at-rest"] >= 1
     assert long.solvers["power-series"] == ten.solvers["power-series"]
     assert long.v == (0.0, 0.0, 0.0)
 

@@ -153,17 +153,17 @@ def coupled_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) 
     stick_slip.decide(bodies, gaps, branches)
     step, resting = _step(bodies, gaps, branches, limit)
     if resting:
-        return _group(step, [], limit, now, "at-rest")
+        return _group(step, [], limit, now)
     sizes = [size(force, step.length) for force in step.contact]
     ends, duration = first_ends(step, sizes)
-    return _group(step, ends, duration, now, "power-series")
+    return _group(step, ends, duration, now)
 
 
-def _group(step: Step, ends: list[End], duration: float, now: Time, name: str) -> CoupledGroup:
+def _group(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
     bodies, gaps = step.bodies, step.gaps
     touched = [gap.touching is not None for gap in gaps]
     loads = [body.load for body in bodies]
-    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, name)
+    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads)
 
 
 def _step(
