@@ -47,9 +47,14 @@ test-fast: node_modules/ready
 bench: node_modules/ready browsers
 	@$(PY) -m tests.benchmarks $(AREA)
 
-#   make fuzz          long random tests
+#   make fuzz          long random tests; AREA=physics: the adversary of the engine, as a table
+ifeq ($(AREA),physics)
+fuzz: .venv/ready
+	@$(PY) -m tests.fuzz
+else
 fuzz: node_modules/ready browsers
 	@$(PY) -m pytest tests --fuzz
+endif
 
 #   make check         style, types, bundle, lessons
 check: node_modules/ready

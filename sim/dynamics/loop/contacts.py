@@ -35,7 +35,7 @@ def touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> None:
     gap.room = min(gap.room, 0.0)
     gap.memory = gap.law.remember(-gap.room, gap.memory)
     reclaim(gap, now, ledger)
-    gap.touching = Touching(now, (left.v, right.v))
+    gap.touching, gap.stride = Touching(now, (left.v, right.v)), 0.0
     if not record.keep_events:
         record.counts["contact"] += 1
         return

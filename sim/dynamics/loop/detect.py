@@ -20,18 +20,18 @@ from sim.laws.contact_law import ContactLaw
 TOUCH_ROUNDING = 1e-15
 """Relative to the search's span. A room that would close within this time has closed."""
 
-PROBE = 1e-2
-"""Of the horizon. Neighbours that touch without closing: the sign of their room a moment later
-tells whether the one is being pushed into the other. A force grows at least like t from touch."""
-
-EARLIER = (0.3, 0.1, 0.03, 0.01)
-"""Of that moment: a constant force may open the room before a growing one closes it."""
+PROBES = tuple(10.0 ** (-0.5 * n) for n in range(12, -1, -1))
+"""Of the horizon, ever later. Neighbours that touch without closing: the first sign of their room
+that is known tells whether the one is being pushed into the other, or away."""
 
 SAME_SPEED = 1e-13
 """Relative to the velocities. Two that touch and move alike open or close by what acts on them."""
 
-OPEN = 1e-14
-"""m. More room than rounding leaves."""
+KNOWN = 1e-15
+"""Of the way that the faster one goes up to the horizon. Less room than that has no sign."""
+
+CLEARLY = 1e4
+"""Times that. From so much room on the search for the next touch is not led astray by rounding."""
 
 
 def next_touch(gap: Gap, now: Time, own_separation: bool = False) -> float:
@@ -86,13 +86,9 @@ def _touch_from(gap: Gap, now: Time, room: float, rest: float, horizon: float) -
         if gap.rate < 0.0 and not alike:
             return 0.0
         if alike:
-            soon = PROBE * min(horizon, 1.0)
-            then = rest + room_at(gap, now, soon)
-            if 0.0 <= then <= OPEN:
-                return math.inf
-            begin = soon if then > OPEN else _opens_first(gap, now, soon, rest)
-            if begin == 0.0:
-                return 0.0
+            begin = _open_from(gap, now, rest, horizon)
+            if begin in (0.0, math.inf):
+                return begin
     found = _first_fall(gap, now, begin, horizon, rest, +1.0)
     return math.inf if found is None else found
 
@@ -103,12 +99,23 @@ def no_approach(gap: Gap, now: Time) -> bool:
     return abs(gap.rate) <= SAME_SPEED * largest
 
 
-def _opens_first(gap: Gap, now: Time, soon: float, rest: float) -> float:
-    """A time before `soon`, when the room has closed, at which it is open; 0 if there is none."""
-    for part in EARLIER:
-        if rest + room_at(gap, now, part * soon) > OPEN:
-            return part * soon
-    return 0.0
+def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
+    """A time at which the room of two that touch without closing is open; 0: it closes at once.
+
+    inf where its sign is not known up to the horizon.
+    """
+    fastest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
+    noise = KNOWN * fastest * horizon
+    opened = 0.0
+    for probe in PROBES:
+        then = rest + room_at(gap, now, probe * horizon)
+        if then < -noise:
+            return opened  # 0: it has closed from the beginning
+        if then > noise:
+            opened = probe * horizon
+        if then > CLEARLY * noise:
+            return opened
+    return opened or math.inf
 
 
 def _touch_with_memory(gap: Gap, now: Time, rest: float, horizon: float) -> float:

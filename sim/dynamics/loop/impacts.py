@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from sim.dynamics.loop.collapse import one_velocity
 from sim.dynamics.loop.pair_laws import common_velocity, outside, velocities_after
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
@@ -75,15 +76,7 @@ def rest_together(chain: Chain, gap: Gap, ledger: Ledger) -> None:
     while last + 1 < len(resting) and resting[last + 1].left is resting[last].right:
         last += 1
     group = [resting[first].left, *(other.right for other in resting[first : last + 1])]
-    movers = [body for body in group if body.mass < math.inf]
-    fixed = len(movers) < len(group)  # a wall is among them, or a cart that sticks to one
-    momentum = math.fsum(body.mass * body.v for body in movers)
-    together = 0.0 if fixed else momentum / math.fsum(body.mass for body in movers)
-    for body in movers:
-        ledger.dissipate(0.5 * body.mass * (body.v - together) * (body.v + together))
-        body.v = together
-    if fixed:
-        ledger.push_from_outside(-momentum)
+    one_velocity(group, ledger)
     for other in resting[first : last + 1]:
         other.rate = 0.0
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 
-from sim.dynamics.loop import contacts, impacts, release, synchronise, transitions
+from sim.dynamics.loop import collapse, contacts, impacts, release, synchronise, transitions
 from sim.dynamics.loop.calendar import Calendar
 from sim.dynamics.loop.detect import no_approach, resting
 from sim.dynamics.loop.predictions import Predictions
@@ -18,6 +18,7 @@ from sim.dynamics.loop.select_solver import select_solvers
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
+from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import Chain, component, moved, velocity
 from sim.dynamics.state.clock import ZERO, Time, elapsed
@@ -41,6 +42,7 @@ class Simulation:
         self.end: Time = (scene.until, 0.0)
         self.predictions = Predictions(self.chain, self.calendar, self.end)
         self.fastest = 0.0  # m/s, greatest approach so far
+        self.instant = flips.AT_ONE_INSTANT * scene.until
         self.happened = 0
         self.steps = 0
 
@@ -74,13 +76,24 @@ class Simulation:
         if self.forces is not None or not free or (gap.law is not None and not gap.law.linear):
             self.join(gap, now)
             return
-        self.predictions.bring_around(gap, now)
-        self.place(gap.left, now)
-        self.place(gap.right, now)
+        run = collapse.run_of(self.chain, gap, now, self.instant)
+        if any(body.motion is not None for one in run for body in (one.left, one.right)):
+            self.join(gap, now)
+            return
+        for one in run or [gap]:
+            self.predictions.bring_around(one, now)
+            self.place(one.left, now)
+            self.place(one.right, now)
         if gap.law is None:
             self.at_once(gap, now, stays=False)
-            self.predictions.gap(gap, now)
-            self.predictions.around(gap, now)
+            if run:
+                collapse.together(run, now, self.ledger)
+                for body in dict.fromkeys(b for one in run for b in (one.left, one.right)):
+                    if body.carts:
+                        self.record.piece(body)
+            for one in run or [gap]:
+                self.predictions.gap(one, now)
+                self.predictions.around(one, now)
             return
         contacts.touch(gap, now, self.record, self.ledger)
         self.solvers["pair-contact"] += 1
@@ -102,6 +115,7 @@ class Simulation:
         self.solvers[gap.contact.law] += 1
         if not gap.contact.joins:
             self.fastest = max(self.fastest, -gap.rate)
+            flips.note(gap, now, self.instant)
             impacts.instant(gap, now, self.record, self.ledger, self.fastest, stays=stays)
             return
         impacts.join(self.chain, gap, now, self.record, self.ledger)
@@ -120,7 +134,7 @@ class Simulation:
     def join(self, gap: Gap, now: Time) -> None:
         """A touch of bodies that are not both free: everything that moves them forms anew."""
         rest = resting(gap)
-        if not transitions.is_push(gap):
+        if now != ZERO and not transitions.is_push(gap):
             gap.room = -rest  # rounding of the search left: that is what a touch is
         motions = (gap.left.motion, gap.right.motion)
         in_contact = any(motion is not None and motion.tier > 0 for motion in motions)
@@ -132,8 +146,9 @@ class Simulation:
         self.fastest = max(self.fastest, -gap.rate)
         gaps = [*gaps, gap]
         if gap.law is not None:
+            flips.note(gap, now, self.instant)
             contacts.touch(gap, now, self.record, self.ledger)
-        else:
+        elif gap.rate <= 0.0:  # the search met them, but they part: no impact pulls
             bodies = self.strike(gap, bodies, gaps, now, in_contact=in_contact)
         self.form_again(bodies, gaps, now)
 
@@ -142,7 +157,14 @@ class Simulation:
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
         stays = impacts.rests(gap, self.fastest, in_contact=in_contact)
+        run = [] if stays else collapse.run_of(self.chain, gap, now, self.instant)
+        if run:
+            more, between = self.settle([b for g in run for b in (g.left, g.right)], now)
+            bodies = list(dict.fromkeys([*bodies, *more]))
+            gaps += [g for g in dict.fromkeys([*between, *run]) if g not in gaps]
         self.at_once(gap, now, stays=stays)
+        if run:
+            collapse.together(run, now, self.ledger)
         if stays and not gap.joined:
             impacts.rest_together(self.chain, gap, self.ledger)
         for other in gaps:
@@ -177,7 +199,7 @@ class Simulation:
         motion = body.motion
         assert motion is not None
         bodies, gaps = self.settle([body], now)
-        self.happened += transitions.leave(motion, now, self.record, self.ledger)
+        self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
         for gap in transitions.struck(motion):
             self.happened += 1
             self.fastest = max(self.fastest, -gap.rate)

@@ -9,11 +9,14 @@ brought to that instant, and what the motions did is booked.
 from __future__ import annotations
 
 from sim.dynamics.loop.pair_laws import outside
+from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap, Motion, Part
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.dynamics.state.touching import Peak
+
+TIER_OF_SERIES = 2
 
 
 def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledger: Ledger) -> None:
@@ -21,6 +24,9 @@ def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledge
 
     The gaps go on touching. `bodies` are whole components, walls left out.
     """
+    for body in bodies:
+        if body.motion is not None and body.motion.tier > TIER_OF_SERIES:
+            _cut(body.motion, now)
     motions = {id(m): m for m in (*(b.motion for b in bodies), *(g.solver for g in gaps)) if m}
     moved = [
         (body, body.motion.shift(body, body.time, now), body.motion.velocity(body, now))
@@ -40,6 +46,17 @@ def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledge
         body.x, body.v, body.time, body.motion = body.x + shift, v, now, None
     for gap in gaps:
         gap.solver = None
+
+
+def _cut(motion: Motion, now: Time) -> None:
+    """What is integrated is done again up to now: in the middle of a step it is less exact."""
+    assert isinstance(motion, CoupledGroup)
+    cut = motion.until(now)
+    for body in motion.bodies:
+        if body.motion is motion:
+            body.motion = cut
+    for gap in motion.members:
+        gap.solver = cut
 
 
 def _settle_gap(

@@ -11,17 +11,21 @@ from __future__ import annotations
 from sim.dynamics.loop import contacts
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.body import Gap, Motion
+from sim.dynamics.state import flips
+from sim.dynamics.state.body import Body, End, Gap, Motion
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Cause
 
 
-def leave(motion: Motion, now: Time, record: Record, ledger: Ledger) -> int:
+def leave(motion: Motion, now: Time, record: Record, ledger: Ledger, instant: float) -> int:
     """Carry out all that ended a settled motion, but for touches without a duration (`struck`).
 
-    Returns the number of events that it told.
+    Changes that are closer together than `instant` [s] happen at once. Returns the number of events
+    that it told.
     """
     happened = 0
+    for one in dict.fromkeys(_changing(motion, end) for end in motion.ends):
+        flips.note(one, now, instant)
     for end in motion.ends:
         if end.cause == "halt":
             _halt(motion, end.k)
@@ -30,6 +34,10 @@ def leave(motion: Motion, now: Time, record: Record, ledger: Ledger) -> int:
         else:
             happened += _in_gap(end.cause, motion.members[end.k], now, record, ledger)
     return happened
+
+
+def _changing(motion: Motion, end: End) -> Body | Gap:
+    return motion.bodies[end.k] if end.cause in ("halt", "slip") else motion.members[end.k]
 
 
 def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:

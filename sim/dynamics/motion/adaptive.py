@@ -1,6 +1,7 @@
 """Tier 3: what has neither a closed form nor a power series is integrated, with located events.
 
-    y = overlaps, their rates, velocities, ways, impulses and losses of the contacts
+    y = overlaps, their rates, velocities, ways, impulses and losses of the contacts,
+        integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag
     y' = f(y) by an embedded Runge-Kutta method of order 8 (Dormand & Prince, scipy's DOP853)
 
 One accepted step at a time; its dense output (degree 7) serves for events and drawing as a power
@@ -14,18 +15,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.coupled_group import CoupledGroup, row_of
+from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
 from sim.dynamics.motion.series import Row, hold_now
 from sim.dynamics.motion.step import Step, slope_of
-from sim.dynamics.motion.step_ends import first_ends
+from sim.dynamics.motion.step_ends import first_ends, found_again
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.clock import Time
+from sim.dynamics.state.clock import ZERO, Time
 from sim.effects.forces import resistance
 from sim.laws.branch import Branch
 from sim.laws.contact_law import ContactLaw
@@ -47,6 +48,19 @@ class IntegratedStep(Step):
     impulses: list[Poly]  # N s
     losses: list[Poly]  # J
     laws: list[ContactLaw | None]  # those that are curved, of gaps that touch
+    rates: list[Poly]  # m²/s, integrals of o'²
+    drags: list[list[Poly]]  # of v², v|v|, |v|³ of each body, where there is drag
+    row: Row
+
+    def cut(self, t: float) -> IntegratedStep:
+        """The step anew up to t s, so that the state there has the full order of the method."""
+        if not 0.0 < t < self.length:
+            return self
+        strides = [gap.stride for gap in self.gaps]
+        shorter = _integrated(self.bodies, self.gaps, self.row, ZERO, t, t)
+        for gap, stride in zip(self.gaps, strides, strict=True):
+            gap.stride = stride
+        return shorter if shorter.length == t else self
 
     def impulse(self, k: int, t: float) -> float:
         """N s."""
@@ -65,6 +79,17 @@ class IntegratedStep(Step):
         room = -value(self.over[k], t)
         linked = math.fsum(link.force(room, 0.0) for link in self.gaps[k].links)
         return self.contact_force(k, t) + linked, growth
+
+    def squares(self, i: int, t: float) -> tuple[float, float, float]:
+        """As they were integrated."""
+        if not self.drags[i]:
+            return 0.0, 0.0, 0.0
+        square, signed, cube = (value(p, t) for p in self.drags[i])
+        return square, signed, cube
+
+    def rate_square(self, k: int, t: float) -> float:
+        """As it was integrated."""
+        return value(self.rates[k], t)
 
     def dissipated(self, k: int, t: float) -> float:
         """J. What a bumper keeps follows from its law."""
@@ -86,8 +111,10 @@ def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: floa
     row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
     step = _integrated(bodies, gaps, row, now, limit)
     ends, duration = first_ends(step, [math.inf] * len(gaps))  # none of these rows is long
-    if 0.0 < duration < step.length:
-        step = _integrated(bodies, gaps, row, now, duration)
+    if ends and 0.0 < duration < step.length:
+        better = found_again(step.cut(duration), [math.inf] * len(gaps), ends[0], duration)
+        duration = min(better, step.length)
+    step = step.cut(duration)
     touched = [gap.touching is not None for gap in gaps]
     loads = [body.load for body in bodies]
     return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, "adaptive", 3)
@@ -99,42 +126,53 @@ def _slope(bodies: list[Body], gaps: list[Gap], row: Row, y: list[float]) -> lis
     over, rate, v = y[:count], y[count : 2 * count], y[2 * count : 2 * count + len(bodies)]
     push, loss, across = [], [], []
     for k, gap in enumerate(gaps):
-        law, branch = curved(gap), branches[k]
+        law, d, s = curved(gap), over[k], rate[k]
         if law is not None:
-            push.append(law.force(gap.mu, over[k], rate[k]))
-            loss.append(law.dissipated(gap.mu, over[k], rate[k]))
+            mu = gap.mu
+            push.append(law.force(mu, d, s))
+            loss.append(law.dissipated(mu, d, s))
         else:
-            push.append(branch.force(over[k], rate[k]))
-            loss.append(branch.gamma * rate[k] * rate[k])
-        across.append(math.fsum(link.force(-over[k], -rate[k]) for link in gap.links))
+            push.append(branches[k].force(d, s))
+            loss.append(branches[k].gamma * s * s)
+        links = gap.links
+        across.append(math.fsum([link.force(-d, -s) for link in links]) if links else 0.0)
     outside = []
     for i, body in enumerate(bodies):
         force = row.steady[i] + resistance(body.load.linear, body.load.quadratic, v[i])
         force += across[i - 1] if i > 0 else 0.0
         outside.append(force - (across[i] if i < count else 0.0))
-    hold_now(branches, push, row.inverse, outside)
+    if any(branch.locked for branch in branches):
+        hold_now(branches, push, row.inverse, outside)
     a = [
         ((push[i - 1] if i > 0 else 0.0) - (push[i] if i < count else 0.0) + outside[i]) * inv
         for i, inv in enumerate(row.inverse)
     ]
     relative = [0.0 if branches[k].locked else a[k] - a[k + 1] for k in range(count)]
-    return [*rate, *relative, *a, *v, *push, *loss]
+    squares = [r * r for r in rate]
+    for i in _dragged(bodies):
+        squares += [v[i] * v[i], v[i] * abs(v[i]), abs(v[i]) ** 3]
+    return [*rate, *relative, *a, *v, *push, *loss, *squares]
+
+
+def _dragged(bodies: list[Body]) -> list[int]:
+    return [i for i, body in enumerate(bodies) if body.load.linear or body.load.quadratic]
 
 
 def _integrated(
-    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float, first: float = 0.0
 ) -> IntegratedStep:
-    """One accepted step, at most `limit` s, with its dense output."""
+    """One accepted step, at most `limit` s, with its dense output; `first` [s] is tried first."""
     start = [*row.overlaps, *row.rates, *row.speeds]
-    start += [0.0] * (len(bodies) + 2 * len(gaps))
+    start += [0.0] * (len(bodies) + 3 * len(gaps) + 3 * len(_dragged(bodies)))
     if limit <= 0.0:
         return _kept(bodies, gaps, row, [[y] for y in start], 0.0)
-    numpy, dop853 = _scipy()
+    numpy, dop853 = scipy_method()
     solver = dop853(
         lambda _t, y: _slope(bodies, gaps, row, y.tolist()),
         0.0,
         numpy.array(start),
         limit,
+        first_step=first or _stride(bodies, gaps, limit),
         rtol=RELATIVE,
         atol=numpy.array(_tolerances(bodies, gaps, row)),
     )
@@ -146,24 +184,46 @@ def _integrated(
             now[0],
             (),
         )
-    return _kept(bodies, gaps, row, _polynomials(solver), float(solver.t))
+    for gap in gaps:
+        gap.stride = float(solver.h_abs)
+    return _kept(bodies, gaps, row, polynomials(solver), float(solver.t))
+
+
+def _stride(bodies: list[Body], gaps: list[Gap], limit: float) -> float | None:
+    """s. The first step to try: what the last one proposed, unless something has just begun."""
+    if any(body.sliding and body.v == 0.0 for body in bodies):
+        return None
+    curved_gaps = [gap for gap in gaps if curved(gap) is not None]
+    stride = min(gap.stride for gap in curved_gaps)
+    return min(stride, limit) if stride > 0.0 else None
 
 
 def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
-    """Absolute ones, from the greatest speed and the time of a contact at that speed."""
+    """Absolute ones, from the greatest speed and the time of a contact at that speed.
+
+    What is stored counts as the speed that it can give: where all turn back together nothing moves
+    for a moment, and the tolerances would shrink to nought with the speeds.
+    """
     count = len(gaps)
     lightest = min(body.mass for body in bodies if body.mass < math.inf)
-    speed = max([abs(v) for v in (*row.speeds, *row.rates)], default=0.0) or SLOWEST
+    stored = [
+        math.sqrt(2.0 * law.stored(-gap.room, 0.0, 0.0) / gap.mu)
+        for gap in gaps
+        if (law := curved(gap)) is not None
+    ]
+    speed = max([abs(v) for v in (*row.speeds, *row.rates, *stored)], default=0.0) or SLOWEST
     laws = [gap.law for gap in gaps if gap.law is not None and not gap.law.linear]
     stiff = max([law.stiffness for law in laws], default=1.0)
     way = speed * (lightest**2 / (stiff**2 * speed)) ** 0.2
-    way = max([way, *(abs(o) for o in row.overlaps if abs(o) < way)])
     return (
         [SMALL * way] * count
         + [SMALL * speed] * (count + len(bodies))
         + [SMALL * way] * len(bodies)
         + [SMALL * lightest * speed] * count
         + [SMALL * lightest * speed * speed] * count
+        + [SMALL * way * speed] * count
+        + [SMALL * way * speed, SMALL * way * speed, SMALL * way * speed * speed]
+        * len(_dragged(bodies))
     )
 
 
@@ -173,48 +233,17 @@ def _kept(
     count, n = len(gaps), len(bodies)
     over, speed = dense[:count], dense[2 * count : 2 * count + n]
     path = dense[2 * count + n : 2 * count + 2 * n]
-    impulses, losses = dense[2 * count + 2 * n : 3 * count + 2 * n], dense[3 * count + 2 * n :]
+    first = 2 * count + 2 * n
+    impulses, losses, rates = (dense[first + j * count : first + (j + 1) * count] for j in range(3))
+    dragged, rest = _dragged(bodies), dense[first + 3 * count :]
+    drags: list[list[Poly]] = [[] for _ in bodies]
+    for j, i in enumerate(dragged):
+        drags[i] = rest[3 * j : 3 * j + 3]
     force = [slope_of(p) or [0.0] for p in impulses]
     branches: list[Branch] = row.branches
     nothing = [0.0] * max(len(p) for p in force) if force else [0.0]
     across = [list(nothing) for _ in over]
     return IntegratedStep(
         bodies, gaps, branches, length, over, force, across, speed, path, row.steady, row.nonlinear,
-        impulses, losses, [curved(gap) for gap in gaps],
+        impulses, losses, [curved(gap) for gap in gaps], rates, drags, row,
     )  # fmt: skip
-
-
-def _scipy() -> tuple[Any, Any]:
-    try:
-        import numpy
-        from scipy.integrate import DOP853
-    except ImportError as missing:
-        raise UnsolvedError(
-            "the contact law hertz needs the packages numpy and scipy, which this page does not "
-            "carry",
-            "write packages: [scipy] into the scene block",
-            0.0,
-            (),
-        ) from missing
-    return numpy, DOP853
-
-
-def _polynomials(solver: Any) -> list[Poly]:
-    """Dense output of the last step as coefficients of 1, t, t² …, one list per component.
-
-    scipy keeps y = y0 + x (F0 + (1 − x)(F1 + x (F2 + …))), x = t/h.
-    """
-    import numpy
-
-    dense = solver.dense_output()
-    total = numpy.zeros((len(dense.y_old), 1))
-    for place, term in enumerate(reversed(dense.F)):
-        total[:, 0] += term
-        longer = numpy.zeros((len(total), total.shape[1] + 1))
-        longer[:, 1:] = total if place % 2 == 0 else -total
-        if place % 2:
-            longer[:, :-1] += total
-        total = longer
-    total[:, 0] += dense.y_old
-    scale = dense.h ** -numpy.arange(total.shape[1], dtype=float)
-    return [[float(c) for c in row] for row in total * scale]

@@ -9,14 +9,16 @@ belongs together forms anew, by the cheapest solver that is exact.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.friction_shares import share
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
 from sim.dynamics.motion.polynomial import integral, size, slope, value, value_and_slope
-from sim.dynamics.motion.series import Expansion, Row, converged_step, expand, step_length
+from sim.dynamics.motion.rest import at_rest
+from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
 from sim.dynamics.motion.step import Step
 from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.motion.work_accounting import book_step
@@ -60,6 +62,11 @@ class CoupledGroup:
     def marks(self, end: float) -> list[float]:
         """One formula holds for the whole step."""
         return []
+
+    def until(self, now: Time) -> CoupledGroup:
+        """The same up to now, as exactly as it can be had; made anew where it was integrated."""
+        cut = self.step.cut(elapsed(self.begun, now))
+        return self if cut is self.step else replace(self, step=cut)
 
     def time_left(self, now: Time) -> float:
         """s to the end of the step."""
@@ -144,13 +151,45 @@ def coupled_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) 
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
-    step = _converged(bodies, gaps, branches, limit)
+    step, resting = _step(bodies, gaps, branches, limit)
+    if resting:
+        return _group(step, [], limit, now)
     sizes = [size(force, step.length) for force in step.contact]
     ends, duration = first_ends(step, sizes)
+    return _group(step, ends, duration, now)
+
+
+def _group(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
+    bodies, gaps = step.bodies, step.gaps
     touched = [gap.touching is not None for gap in gaps]
-    return CoupledGroup(
-        bodies, gaps, now, duration, ends, step, touched, [body.load for body in bodies]
-    )
+    loads = [body.load for body in bodies]
+    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads)
+
+
+def _step(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float
+) -> tuple[Step, bool]:
+    """Rest where the row is at rest, and whether it is; else its series."""
+    if limit > 0.0 and gaps and _slow(gaps):
+        row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+        rest = at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
+        if rest is not None:
+            return rest, True
+    return _converged(bodies, gaps, branches, limit), False
+
+
+def _slow(gaps: list[Gap]) -> bool:
+    """Do all overlaps change so little that it pays to ask whether the row is at rest?"""
+    if any(gap.touching is None for gap in gaps):
+        return False
+    stiff = max((gap.law.steepest / gap.mu for gap in gaps if gap.law is not None), default=0.0)
+    deepest = max(abs(gap.room) for gap in gaps)
+    swing = LOOK_CLOSER * math.sqrt(stiff) * deepest
+    return all(abs(gap.rate) <= swing for gap in gaps)
+
+
+LOOK_CLOSER = 1e-9
+"""Of the speed at which an overlap as great as the greatest would swing."""
 
 
 def _converged(bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float) -> Step:

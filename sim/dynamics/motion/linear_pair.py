@@ -21,6 +21,7 @@ from sim.dynamics.motion.series import REACH, is_rounding
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
 from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.flips import NO_MOTION, margin
 from sim.dynamics.state.loads import Load
 from sim.laws.branch import Branch, Guard
 from sim.laws.damped_oscillation import Rate
@@ -192,6 +193,10 @@ def _first_ends(
     duration = limit
     for guard in guards_of(gap, branch):
         t = _happens(gap, branch, between, guard)
+        step = 1.0 / between.rate.w0
+        stays = guard.cause not in ("touch", "clear")  # a contact that is taken up again stays on
+        if stays and t <= NO_MOTION * step and (part := margin(gap, gap.time, step)):
+            t = _happens(gap, branch, between, guard, part)
         if t <= duration:
             if t < duration:
                 ends.clear()
@@ -200,18 +205,24 @@ def _first_ends(
     return ends, duration
 
 
-def _happens(gap: Gap, branch: Branch, between: Oscillation, guard: Guard) -> float:
-    """First t at which the guard's event happens."""
-    c, sign = between.centre, -1.0 if guard.rises else 1.0
+def _happens(
+    gap: Gap, branch: Branch, between: Oscillation, guard: Guard, part: float = 0.0
+) -> float:
+    """First t at which the guard's event happens, by more than `part` of the quantity's size."""
+    c, sign, w = between.centre, -1.0 if guard.rises else 1.0, between.rate.w0
+    speed = max(abs(gap.left.v), abs(gap.right.v))
+    room = part * (math.hypot(between.o0 - c, between.u / w) + abs(between.o0) + speed / w)
     if guard.of == "force":
-        return between.falls(branch.kappa, branch.gamma, branch.kappa * (branch.rest - c))
+        by = room * (branch.kappa + branch.gamma * w)
+        return between.falls(branch.kappa, branch.gamma, branch.kappa * (branch.rest - c) - by)
     if guard.of == "rate":
-        return between.falls(0.0, 1.0, 0.0)
+        return between.falls(0.0, 1.0, -room * w)
     if guard.of == "overlap":
-        return between.falls(sign, 0.0, sign * (guard.level - c))
+        return between.falls(sign, 0.0, sign * (guard.level - c) - room)
     assert gap.law is not None
     k, damper = gap.law.stiffness, gap.law.damper(gap.mu)
     push = k * between.o0 + damper * between.u
+    by = room * (k + damper * w)
     if abs(push) > PUSH_ROUNDING * k * between.o0:
-        return between.falls(-k, -damper, k * c)
-    return between.falls(-k, -damper, -k * (between.o0 - c) + -damper * between.u)
+        return between.falls(-k, -damper, k * c - by)
+    return between.falls(-k, -damper, -k * (between.o0 - c) + -damper * between.u - by)

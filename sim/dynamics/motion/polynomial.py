@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from itertools import count
+from operator import truediv
 
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.effects.forces import Poly
@@ -44,7 +46,7 @@ def slope(p: Poly) -> Poly:
 
 def integral(p: Poly) -> Poly:
     """The primitive that is 0 at t = 0."""
-    return [0.0, *(c / (n + 1) for n, c in enumerate(p))]
+    return [0.0, *map(truediv, p, count(1))]
 
 
 def _scaled(p: Poly, h: float) -> Poly:
@@ -57,11 +59,18 @@ def _scaled(p: Poly, h: float) -> Poly:
 
 
 def square_integral(p: Poly, h: float) -> float:
-    """Integral of p² over [0, h]."""
+    """Integral of p² over [0, h]: sum of q_i q_j/(i + j + 1), each pair once."""
     q = _scaled(p, h)
-    return h * math.fsum(
-        [a * b / (i + j + 1) for i, a in enumerate(q) if a for j, b in enumerate(q) if b]
-    )
+    faint = FAINT * max(map(abs, q), default=0.0)
+    while q and abs(q[-1]) <= faint:
+        q.pop()
+    squares = [a * a / (2 * i + 1) for i, a in enumerate(q)]
+    mixed = [a * b / (i + j) for i, a in enumerate(q) if a for j, b in enumerate(q[i + 1 :], i + 2)]
+    return h * (math.fsum(squares) + 2.0 * math.fsum(mixed))
+
+
+FAINT = 1e-20
+"""Of the greatest coefficient. Later ones that are smaller than that add nothing."""
 
 
 def cube_integral(p: Poly, h: float) -> float:
@@ -71,6 +80,9 @@ def cube_integral(p: Poly, h: float) -> float:
     cubed = [math.fsum([squared[j] * q[n - j] for j in range(n + 1)]) for n in range(len(q))]
     return h * value(integral(cubed), 1.0)
 
+
+SMALL = 1e-3
+"""Relative to the step: a safe step that is shorter than that gets a second look while p rises."""
 
 CLOSE = 2e-16
 """Relative to the step: a zero nearer than this is here."""
@@ -106,9 +118,45 @@ def first_fall(p: Poly, h: float) -> float | None:
         if here <= 0.0:
             return t
         step = safe_step(here, falling, bound)
+        if step <= SMALL * h and falling > 0.0 and t < h:  # it rises, and the bound does not see it
+            step = max(step, clear_of_zero(shifted(q, t), h - t))
         if step <= CLOSE * h:
             return t
         t += step
         if t > h:
             return None
     return t
+
+
+HALVINGS = 80
+"""Of a step, down to 1e-24 of it."""
+
+
+def shifted(p: Poly, t: float) -> Poly:
+    """The coefficients about t: p(t + x) as a polynomial in x."""
+    q = list(p)
+    if t:
+        for first in range(len(q) - 1):
+            for n in range(len(q) - 2, first - 1, -1):
+                q[n] += t * q[n + 1]
+    return q
+
+
+def clear_of_zero(p: Poly, h: float) -> float:
+    """A time up to h before which p, whose first terms are positive, has no zero; 0: none is known.
+
+    For the bound on p'' over all of h does not see how small p and its slope may be at first: the
+    push that runs through a chain arrives as t^(2n). With m the first negative term, p is positive
+    up to x where some p_j >= sum of |p_n| x^(n − j) over the negative ones, j < m.
+    """
+    first = next((n for n, c in enumerate(p) if c < 0.0), None)
+    if first is None:
+        return h
+    negative = [(n, -c) for n, c in enumerate(p) if c < 0.0]
+    x = h
+    for _ in range(HALVINGS):
+        for j in range(first):
+            if p[j] > 0.0 and p[j] >= math.fsum([c * x ** (n - j) for n, c in negative]):
+                return x
+        x *= 0.5
+    return 0.0

@@ -144,7 +144,8 @@ def expand(row: Row) -> Expansion:
             from_left = force[i - 1][n] if i > 0 else 0.0
             from_right = force[i][n] if i < count else 0.0
             a = (from_left - from_right + outside[i]) * inv
-            sizes[i] = (abs(from_left) + abs(from_right) + abs(outside[i])) * inv
+            if loaded:
+                sizes[i] = (abs(from_left) + abs(from_right) + abs(outside[i])) * inv
             bodies[i].append(a)
             speed[i].append(a / (n + 1))
         scale = 1.0 / ((n + 1) * (n + 2))

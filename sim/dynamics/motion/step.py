@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from sim.dynamics.motion.polynomial import (
     Poly,
+    cube_integral,
     first_fall,
     integral,
     slope,
@@ -68,8 +69,25 @@ class Step:
         branch, over, law = self.branches[k], self.over[k], self.gaps[k].law
         loss = 0.0
         if branch.gamma:
-            loss += branch.gamma * square_integral(slope_of(over), t)
+            loss += branch.gamma * self.rate_square(k, t)
         return loss + (law.kept(branch, over[0], value(over, t)) if law is not None else 0.0)
+
+    def cut(self, t: float) -> Step:
+        """A power series is as exact within as it is at its end."""
+        return self
+
+    def squares(self, i: int, t: float) -> tuple[float, float, float]:
+        """Integrals of v² dt, v|v| dt, |v|³ dt of body i, as far as its drag asks for them."""
+        load, speed, way = self.bodies[i].load, self.speed[i], self.bodies[i].sliding
+        if not (load.linear or load.quadratic):
+            return 0.0, 0.0, 0.0
+        square = square_integral(speed, t)
+        cube = way * cube_integral(speed, t) if load.quadratic else 0.0
+        return square, way * square, cube
+
+    def rate_square(self, k: int, t: float) -> float:
+        """m²/s. Integral of o'² dt in gap k."""
+        return square_integral(slope_of(self.over[k]), t)
 
     def deepest(self, k: int, t: float) -> float:
         """m. Greatest overlap."""

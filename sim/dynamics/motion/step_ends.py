@@ -6,13 +6,18 @@ import math
 from collections.abc import Iterator
 
 from sim.dynamics.motion.guards import along, guards_of, reserves
-from sim.dynamics.motion.polynomial import Poly, first_fall
+from sim.dynamics.motion.polynomial import Poly, first_fall, size, value_and_slope
 from sim.dynamics.motion.step import Step
-from sim.dynamics.state.body import End
+from sim.dynamics.state.body import Body, End
+from sim.dynamics.state.flips import NO_MOTION, margin
 
 NEGLIGIBLE = 1e-13
 """Of the largest force in the group. Far ahead of the push that runs through a touching chain the
 forces are a rounding error of it and less, and their sign means nothing: such a contact is kept."""
+
+
+PARTED = [-1.0]
+"""Of a locked contact that nobody presses any more: it is over."""
 
 
 def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
@@ -25,6 +30,9 @@ def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
     duration = step.length
     for end, guarded in [*_in_gaps(step, sizes, noise), *_of_bodies(step)]:
         found = first_fall(guarded, duration)
+        stays = end.cause not in ("touch", "clear")  # a contact that is taken up again stays on
+        if found is not None and stays and found <= NO_MOTION * step.length:
+            found = _when_decided(step, end, guarded, duration, found)
         if found is not None:
             if found < duration:
                 ends.clear()
@@ -33,11 +41,55 @@ def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
     return ends, duration
 
 
+NEARBY = 1e-3
+"""Of a step. An end that is found again further off than that is another one."""
+
+
+def found_again(step: Step, sizes: list[float], end: End, duration: float) -> float:
+    """s. One step of Newton's method towards an end, on a step made anew up to about there."""
+    for other, guarded in [*_in_gaps(step, sizes, 0.0), *_of_bodies(step)]:
+        if other == end:
+            here, growth = value_and_slope(guarded, duration)
+            if growth < 0.0 and abs(here) <= NEARBY * duration * -growth:
+                return duration - here / growth
+    return duration
+
+
+def _when_decided(
+    step: Step, end: End, guarded: Poly, duration: float, found: float
+) -> float | None:
+    """When an end that comes without motion is to come, if it only takes back what just began."""
+    if end.cause in ("halt", "slip"):
+        body = step.bodies[end.k]
+        part, least = margin(body, body.time, step.length), abs(body.v)
+    else:
+        gap = step.gaps[end.k]
+        part, least = margin(gap, gap.time, step.length), _least(step, end)
+    if part == 0.0:
+        return found
+    if guarded == PARTED:
+        guarded = step.contact[end.k]
+    room = part * (size(guarded, step.length) + least)
+    return first_fall([guarded[0] + room, *guarded[1:]], duration)
+
+
+def _least(step: Step, end: End) -> float:
+    """What a speed that is known to rounding makes of the quantity that ends a mode of a gap."""
+    k, branch = end.k, step.branches[end.k]
+    speed = max(abs(step.speed[k][0]), abs(step.speed[k + 1][0]))
+    if end.cause == "turn":
+        return speed  # m/s
+    law = step.gaps[k].law
+    if law is not None and all(guard.of == "overlap" for guard in guards_of(step.gaps[k], branch)):
+        return speed * step.length  # m
+    return speed * (branch.kappa * step.length + branch.gamma)  # N
+
+
 def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End, Poly]]:
     for k, (gap, branch) in enumerate(zip(step.gaps, step.branches, strict=True)):
         touches = gap.touching is not None
         if touches and branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
-            yield End("apart", k), [-1.0]  # nobody pushes them together any more
+            yield End("apart", k), PARTED  # nobody pushes them together any more
         elif not touches or sizes[k] >= noise:
             for guard in guards_of(gap, branch):
                 yield End(guard.cause, k), along(gap, guard, step.over[k], step.contact[k])
@@ -49,4 +101,17 @@ def _of_bodies(step: Step) -> Iterator[tuple[End, Poly]]:
             for way, reserve in reserves(body, step.others(i)):
                 yield End("slip", i, way), reserve
         elif body.sliding and (body.load.static or body.load.quadratic):
-            yield End("halt", i), [body.sliding * c for c in step.speed[i]]
+            yield End("halt", i), _way(body, step.speed[i], step.length)
+
+
+ONSET = 1e-9
+"""Of the speed in a step. At the onset of sliding all forces balance: what an integration leaves of
+that acceleration has no sign."""
+
+
+def _way(body: Body, speed: Poly, length: float) -> Poly:
+    """A body's speed in the direction in which it slides."""
+    way = [body.sliding * c for c in speed]
+    if body.v == 0.0 and abs(way[1]) * length <= ONSET * size(way, length):
+        way[1] = 0.0
+    return way

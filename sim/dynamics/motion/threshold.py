@@ -56,7 +56,8 @@ def _undamped(w: float, z0: float, v0: float, level: float) -> float:
     reach = math.hypot(z0, v0 / w)
     if abs(level) > reach:
         return math.inf
-    angle = math.acos(level / reach) + math.atan2(v0 / w, z0)
+    # + 0.0: a speed of −0.0 at the lowest place would be its own next visit there
+    angle = math.acos(level / reach) + math.atan2(v0 / w + 0.0, z0)
     return max(angle, 0.0) / w  # it is at or above the level: below nought is rounding
 
 

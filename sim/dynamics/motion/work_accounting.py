@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.motion.polynomial import cube_integral, integral, square_integral, value
-from sim.dynamics.motion.step import Step, slope_of
+from sim.dynamics.motion.polynomial import integral, value
+from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Accounts, Gap
 from sim.dynamics.state.loads import Load
 from sim.effects.forces import FRICTION
@@ -34,13 +34,8 @@ def book_step(accounts: Accounts, step: Step, t: float) -> None:
         load = body.load
         if not body.carts or not (load.forces or load.grips):
             continue
-        way, speed = value(step.path[i], t), step.speed[i]
-        squares = (0.0, 0.0, 0.0)
-        if load.linear or load.quadratic:
-            square = square_integral(speed, t)
-            cube = body.sliding * cube_integral(speed, t) if load.quadratic else 0.0
-            squares = (square, body.sliding * square, cube)
-        book_body_forces(accounts, load, t, way, squares)
+        way = value(step.path[i], t)
+        book_body_forces(accounts, load, t, way, step.squares(i, t))
         if body.held:
             accounts.push_from_outside(-value(integral(step.others(i)), t), FRICTION)
         elif load.kinetic and body.sliding:
@@ -51,8 +46,7 @@ def book_step(accounts: Accounts, step: Step, t: float) -> None:
         for link in gap.links:
             damping = link.damping()
             if damping:
-                taken = damping * square_integral(slope_of(step.over[k]), t)
-                accounts.work(link.kind, -taken)
+                accounts.work(link.kind, -damping * step.rate_square(k, t))
         if gap.links:
             book_from_wall(accounts, gap, value(integral(step.across[k]), t))
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Protocol
 
-from sim.dynamics.state.clock import ZERO, Time
+from sim.dynamics.state.clock import NEVER, ZERO, Time
 from sim.dynamics.state.loads import NO_LOAD, Load
 from sim.dynamics.state.touching import Touching
 from sim.effects.forces import PairForce
@@ -170,6 +170,8 @@ class Body:
     sliding: int = 0  # direction in which friction sees it slide
     held: bool = False  # by static friction
     slips: int = 0  # direction in which it has just overcome static friction
+    changed: Time = NEVER  # when it last began or ceased to slide
+    flips: int = 0  # how often at that instant (`flips`)
     turn: int = 0  # counts predictions, as those of gaps
 
 
@@ -191,6 +193,9 @@ class Gap:
     links: tuple[PairForce, ...] = ()  # springs and magnets across it
     solver: Motion | None = None  # what moves it, while it touches or is linked
     joined: bool = False
+    stride: float = 0.0  # s, of the next step that an adaptive method would take; 0: not known
+    changed: Time = NEVER  # when its mode changed last
+    flips: int = 0  # how often at that instant (`flips`)
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known
     _figures: tuple[float, Figures] | None = field(default=None)
 

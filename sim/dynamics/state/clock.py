@@ -11,6 +11,8 @@ Time = tuple[float, float]
 
 ZERO: Time = (0.0, 0.0)
 
+NEVER: Time = (float("-inf"), 0.0)
+
 
 def later(time: Time, dt: float) -> Time:
     """`time` plus dt >= 0, with the rounding error of the addition kept (Knuth's two-sum)."""

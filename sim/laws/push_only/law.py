@@ -57,8 +57,8 @@ class PushOnly(Dashpot):
         return APART_AT_NO_FORCE
 
     def left_over(self, d: float, memory: Memory) -> float:
-        """Whatever is left."""
-        return d
+        """Whatever is left: nothing without damping, when force and overlap are nought together."""
+        return 0.0 if self.e == 1.0 else d
 
     def last_force(self, mu: float, v: float) -> float:
         """It ends where there is none."""

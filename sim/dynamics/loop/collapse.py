@@ -1,0 +1,139 @@
+"""Inelastic collapse: infinitely many impacts in a finite time end in one velocity.
+
+Three or more bodies (a wall is one) that hit each other without a duration and with little
+restitution do so infinitely often before a certain time: each round of impacts leaves a fixed part
+q < 1 of their relative speeds and, with it, of the time to the next round. The sum of that
+geometric series is the time of collapse; after it they go on together, and rooms and relative
+speeds are nought. (McNamara & Young, Phys. Fluids A 4 (1992) 496; three equal bodies: e < 7 − 4
+sqrt 3.)
+
+Of three that touch and are hit in turn in gaps a and b the limit is known at once. With u the
+approach in a, x u the speed at which b opens, y = alpha − x, and alpha, beta what an impact in the
+one gap takes from the other's rate per approach speed, one round makes
+
+    u → (beta y − e_a) u ,     y → alpha − e_b y/(beta y − e_a)
+
+a Möbius map. They hit infinitely often if and only if it has fixed points and y is above the lower,
+repelling one; then they end at their common velocity whatever is between. Equal masses and e:
+(1 + e)² >= 16 e, McNamara and Young's limit. Rounds of rounds (four that touch, five …) take a
+fifteenth of the impacts so.
+
+Otherwise the rounds are followed as they are, until the speed of approach is rounding: the rest of
+the series is shorter than the last bit of the time, and every further impact would be one of
+rounding errors, which have no end. Then all that touch and move alike get the velocity of their
+centre of mass at once, so that no two of them can differ by rounding and begin anew.
+"""
+
+from __future__ import annotations
+
+import math
+
+from sim.dynamics.result.ledger import Ledger
+from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.chain import Chain, velocity
+from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.flips import UNDECIDED
+
+ROUNDING = 1e-15
+"""Of the velocities of two bodies, or of the approach of a third, per impact at one instant: what
+rounding leaves of a relative speed. The errors of many impacts add up."""
+
+
+CLEARLY = 1.0 + 1e-6
+"""Above the repelling fixed point by so much: near it the number of rounds is rounding's choice."""
+
+
+def third(chain: Chain, gap: Gap, now: Time, instant: float) -> Gap | None:
+    """The gap beside this one with which it is hit in turn, infinitely often from now on."""
+    for other in chain.neighbours(gap):
+        if other is None or not _is_hit_in_turn(other, now, instant):
+            continue
+        middle = gap.right if other.left is gap.right else gap.left
+        if middle.mass == math.inf or gap.rate >= 0.0:
+            continue
+        here, there = gap.contact.restitution or 0.0, other.contact.restitution or 0.0
+        alpha = gap.mu / middle.mass * (1.0 + here)
+        beta = other.mu / middle.mass * (1.0 + there)
+        half = 0.5 * (here + alpha * beta - there)
+        root = half * half - alpha * beta * here
+        if root <= 0.0 or half <= 0.0:
+            continue
+        repelling = (half - math.sqrt(root)) / beta
+        y = alpha - _rate(other, now) / -gap.rate
+        if y > CLEARLY * repelling and beta * y > CLEARLY * here:
+            return other
+    return None
+
+
+def _is_hit_in_turn(other: Gap, now: Time, instant: float) -> bool:
+    alike = other.law is None and not other.contact.joins and not other.joined
+    touches = other.solver is None and abs(elapsed(other.changed, now)) <= instant
+    return alike and touches and _rate(other, now) >= 0.0
+
+
+def _rate(gap: Gap, now: Time) -> float:
+    return velocity(gap.right, now) - velocity(gap.left, now)
+
+
+def is_over(chain: Chain, gap: Gap, now: Time, instant: float) -> bool:
+    """Has the speed of this approach become rounding, after impacts at one instant?"""
+    if gap.flips < UNDECIDED:
+        return False
+    scale = _scale(gap)
+    for other in chain.neighbours(gap):
+        if other is not None and other.solver is None and elapsed(other.changed, now) <= instant:
+            scale = max(scale, abs(other.rate), _scale(other))
+    return -gap.rate <= ROUNDING * gap.flips * scale
+
+
+def _scale(gap: Gap) -> float:
+    """m/s. The greater velocity of its bodies."""
+    return max(abs(gap.left.v), abs(gap.right.v))
+
+
+def run_of(chain: Chain, gap: Gap, now: Time, instant: float) -> list[Gap]:
+    """The gaps of all bodies that the coming impact in `gap` leaves with one velocity; often none.
+
+    From left to right. They touch without a duration.
+    """
+    if gap.law is not None or gap.contact.joins or gap.flips + 1 < UNDECIDED:
+        return []
+    other = third(chain, gap, now, instant)
+    if other is None and not is_over(chain, gap, now, instant):
+        return []
+    run = [gap] if other is None else sorted([gap, other], key=lambda one: one.index)
+    while _collapsed(before := chain.neighbours(run[0])[0], now, instant):
+        assert before is not None
+        run.insert(0, before)
+    while _collapsed(after := chain.neighbours(run[-1])[1], now, instant):
+        assert after is not None
+        run.append(after)
+    return run
+
+
+def together(run: list[Gap], now: Time, ledger: Ledger) -> None:
+    """All bodies of these gaps, settled, get one velocity."""
+    one_velocity([run[0].left, *(member.right for member in run)], ledger)
+    for member in run:
+        member.rate, member.time, member.room = 0.0, now, 0.0
+
+
+def _collapsed(gap: Gap | None, now: Time, instant: float) -> bool:
+    """Was this gap hit at the same instant, and do its bodies move alike?"""
+    if gap is None or gap.law is not None or gap.joined or gap.solver is not None:
+        return False
+    close = abs(_rate(gap, now)) <= ROUNDING * max(gap.flips, 1) * _scale(gap)
+    return close and elapsed(gap.changed, now) <= instant
+
+
+def one_velocity(group: list[Body], ledger: Ledger) -> None:
+    """All these bodies get the velocity of their centre of mass; with a wall among them, 0."""
+    movers = [body for body in group if body.mass < math.inf]
+    fixed = len(movers) < len(group)  # a wall is among them, or a cart that sticks to one
+    momentum = math.fsum(body.mass * body.v for body in movers)
+    v = 0.0 if fixed else momentum / math.fsum(body.mass for body in movers)
+    for body in movers:
+        ledger.dissipate(0.5 * body.mass * (body.v - v) * (body.v + v))
+        body.v = v
+    if fixed:
+        ledger.push_from_outside(-momentum)
