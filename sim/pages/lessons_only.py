@@ -19,7 +19,7 @@ import yaml
 HOME = "index.md"
 CLASS_RESULTS = "class-results.md"
 
-FEATURES = ["navigation.tabs", "navigation.top", "navigation.footer", "toc.follow"]
+FEATURES = ["navigation.tabs", "navigation.footer", "toc.follow"]
 PALETTE = [
     {
         "media": f"(prefers-color-scheme: {scheme})",
