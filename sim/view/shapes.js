@@ -24,6 +24,7 @@ const SPRING = [2, 10];
 export const PUSH = 15.5;
 const FACE = 22;
 const WHEEL = 5.5; // units, its radius
+const LIFT = -3; // units: labels of forces stand right below the track
 const TURNS = 9; // of a coil
 const LEAD = 5; // units of straight wire at each end of a coil
 export const COIL = 7; // half its height
@@ -50,7 +51,7 @@ export function box(body, view, layout, lift) {
 /** @param {Box} box @returns {string} the hubs of two wheels on the track: points that a round, thick line makes discs */
 export function wheels({ width }) {
   const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
-  return `M-${x} 0h0M${x} 0h0`;
+  return `M-${x} ${LIFT}h0M${x} ${LIFT}h0`;
 }
 
 /** @param {Body} body @returns {number} length in m of its box, without bumpers */

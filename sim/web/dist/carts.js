@@ -1368,6 +1368,7 @@
   var PUSH = 15.5;
   var FACE = 22;
   var WHEEL = 5.5;
+  var LIFT = -3;
   var TURNS = 9;
   var LEAD = 5;
   var COIL = 7;
@@ -1390,7 +1391,7 @@
   }
   function wheels({ width }) {
     const x2 = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
-    return `M-${x2} 0h0M${x2} 0h0`;
+    return `M-${x2} ${LIFT}h0M${x2} ${LIFT}h0`;
   }
   function bodyWidth(body2) {
     return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);

@@ -11305,6 +11305,7 @@ ${table3(facts)}
   var PUSH = 15.5;
   var FACE = 22;
   var WHEEL = 5.5;
+  var LIFT = -3;
   var TURNS = 9;
   var LEAD = 5;
   var COIL = 7;
@@ -11327,7 +11328,7 @@ ${table3(facts)}
   }
   function wheels({ width }) {
     const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
-    return `M-${x} 0h0M${x} 0h0`;
+    return `M-${x} ${LIFT}h0M${x} ${LIFT}h0`;
   }
   function bodyWidth(body2) {
     return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
