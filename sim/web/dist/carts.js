@@ -1,9 +1,9 @@
 "use strict";
 (() => {
   // src/shared/older.js
-  function add(owner, name3, value) {
-    if (!(name3 in owner)) {
-      Object.defineProperty(owner, name3, { value, configurable: true, writable: true });
+  function add(owner, name2, value) {
+    if (!(name2 in owner)) {
+      Object.defineProperty(owner, name2, { value, configurable: true, writable: true });
     }
   }
   function findLastIndex(fits2) {
@@ -25,9 +25,9 @@
   add(
     Object,
     "hasOwn",
-    (owner, name3) => (
+    (owner, name2) => (
       // biome-ignore lint/suspicious/noPrototypeBuiltins: this is what stands in for Object.hasOwn
-      Object.prototype.hasOwnProperty.call(owner, name3)
+      Object.prototype.hasOwnProperty.call(owner, name2)
     )
   );
   add(
@@ -118,14 +118,14 @@
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
   }
   function told({ v: v2, energy, evaluations }) {
-    const speeds = Object.entries(v2.stepped).map(([name3, speed]) => {
+    const speeds = Object.entries(v2.stepped).map(([name2, speed]) => {
       const got = speed === null ? ENDLESS : `${plain(speed, 4)} m/s`;
       return (
         /** @type {[string, string, string]} */
         [
-          `velocity of ${name3} at the end`,
+          `velocity of ${name2} at the end`,
           got,
-          `${plain(Number(v2.exact[name3]), 4)} m/s`
+          `${plain(Number(v2.exact[name2]), 4)} m/s`
         ]
       );
     });
@@ -341,7 +341,7 @@
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes = {}) {
     const made3 = document.createElementNS(SVG, tag);
-    for (const [name3, value] of Object.entries(attributes)) made3.setAttribute(name3, String(value));
+    for (const [name2, value] of Object.entries(attributes)) made3.setAttribute(name2, String(value));
     return made3;
   }
   function html(tag, className = "", text = "") {
@@ -350,8 +350,12 @@
     if (text) made3.textContent = text;
     return made3;
   }
-  function put(element, name3, value) {
-    if (element.getAttribute(name3) !== value) element.setAttribute(name3, value);
+  function put(element, name2, value) {
+    if (element.getAttribute(name2) !== value) element.setAttribute(name2, value);
+  }
+  function fit(group2, count2, make) {
+    while (group2.children.length > count2) group2.lastElementChild?.remove();
+    while (group2.children.length < count2) group2.append(make());
   }
   function say(element, text) {
     if (element.textContent !== text) element.textContent = text;
@@ -386,11 +390,11 @@
   }
   function told2(sentence2) {
     if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
-    const values = Object.entries(sentence2.values).map(([name3, value]) => [name3, told2(value)]);
+    const values = Object.entries(sentence2.values).map(([name2, value]) => [name2, told2(value)]);
     return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
   }
   function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name3) => String(values[name3] ?? whole));
+    return template.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
   }
 
   // src/shared/waiting.js
@@ -398,9 +402,9 @@
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
   var MEASURES = 200;
-  function waited(name3, at2) {
-    if (performance.getEntriesByName(name3).length >= MEASURES) performance.clearMeasures(name3);
-    performance.measure(name3, { start: at2, end: performance.now() });
+  function waited(name2, at2) {
+    if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
+    performance.measure(name2, { start: at2, end: performance.now() });
   }
   async function drawn(scene, at2, detail) {
     await frame();
@@ -570,7 +574,7 @@
       this.scale = (WIDTH - 2 * SIDE) / (right - left);
       this.left = left;
       const heaviest = Math.max(...bodies.map(({ mass }) => mass));
-      const shape = (k, name3) => {
+      const shape = (k, name2) => {
         const { mass, length } = (
           /** @type {CostHeader["bodies"][0]} */
           bodies[k]
@@ -583,13 +587,13 @@
           width: px(width),
           height: px(height)
         };
-        return svg("rect", { class: name3, rx: 3, ...box2 });
+        return svg("rect", { class: name2, rx: 3, ...box2 });
       };
       const group2 = (k) => {
         const made3 = svg("g", { class: `carts-b${k % 8}` });
-        const name3 = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
-        name3.textContent = bodies[k]?.name ?? "";
-        made3.append(shape(k, "carts-box"), name3);
+        const name2 = svg("text", { class: "carts-name", y: FLOOR_Y + 16, "text-anchor": "middle" });
+        name2.textContent = bodies[k]?.name ?? "";
+        made3.append(shape(k, "carts-box"), name2);
         return made3;
       };
       this.carts = bodies.map((_2, k) => group2(k));
@@ -948,12 +952,12 @@
   var COPIED = "Copied";
   var KEPT = "What was prepared stays as it is.";
   function measure(what) {
-    const { kind, name: name3 } = parts(what);
+    const { kind, name: name2 } = parts(what);
     if (kind === "v" || kind === "x") {
-      const [last, first] = name3.split("-");
-      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name3}`;
+      const [last, first] = name2.split("-");
+      return first ? `${kind} of ${last} − ${kind} of ${first}` : `${kind} of ${name2}`;
     }
-    return NAMES[kind] ?? (kind === "work" ? `work of ${name3}` : kind);
+    return NAMES[kind] ?? (kind === "work" ? `work of ${name2}` : kind);
   }
   function parts(what) {
     const [kind = "", ...rest] = what.split(".");
@@ -1026,7 +1030,7 @@
         all.sort(([, a2], [, b2]) => a2.packages.length - b2.packages.length);
         let [good, seconds] = [0, 0];
         try {
-          for (const [k, [name3, one]] of all.entries()) {
+          for (const [k, [name2, one]] of all.entries()) {
             if (one.packages.length) {
               this.#say(LOADING);
               await client2.need(one.packages);
@@ -1040,8 +1044,8 @@
               /** @type {any} */
               header
             );
-            this.answers[name3] = answer;
-            this.#show(name3, one, answer);
+            this.answers[name2] = answer;
+            this.#show(name2, one, answer);
             seconds += answer.exact.seconds;
             good += isGood(one, answer.exact.got) ? 1 : 0;
             const bar2 = (
@@ -1063,8 +1067,8 @@
         }
       }
       /** @param {string} name @param {Case} one @param {Answer} answer */
-      #show(name3, one, answer) {
-        const row = need(this, `[data-case="${name3}"]`);
+      #show(name2, one, answer) {
+        const row = need(this, `[data-case="${name2}"]`);
         say(need(row, '[data-part="exact"]'), exactCell(one.expected, answer.exact));
         for (const [k, cell2] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
           const stepped = answer.stepped[k];
@@ -1186,16 +1190,16 @@
   }
 
   // ../view/bodies.js
-  function isWall(name3) {
-    return name3 === "left" || name3 === "right";
+  function isWall(name2) {
+    return name2 === "left" || name2 === "right";
   }
-  function body(name3) {
-    if (name3 === "left") return tr("the left wall");
-    return name3 === "right" ? tr("the right wall") : name3;
+  function body(name2) {
+    if (name2 === "left") return tr("the left wall");
+    return name2 === "right" ? tr("the right wall") : name2;
   }
-  function brief(name3) {
-    if (name3 === "left") return tr("left wall");
-    return name3 === "right" ? tr("right wall") : name3;
+  function brief(name2) {
+    if (name2 === "left") return tr("left wall");
+    return name2 === "right" ? tr("right wall") : name2;
   }
   function forceOn(on, by) {
     return tr("force on {on} by {by}", { on, by });
@@ -1250,10 +1254,10 @@
   function rough({ carts }, { key, header: { bodies, track }, layout, face, centre }) {
     const piece = { cls: "carts-rough", behind: true };
     if (carts.length < bodies.length) {
-      return carts.map((name3) => {
-        const length = (bodies.find((body2) => body2.name === name3)?.length ?? 0) * layout.scale;
-        const d3 = teeth(centre(name3) - length / 2, length, layout.track);
-        return { ...piece, key: `${key} ${name3}`, d: d3 };
+      return carts.map((name2) => {
+        const length = (bodies.find((body2) => body2.name === name2)?.length ?? 0) * layout.scale;
+        const d3 = teeth(centre(name2) - length / 2, length, layout.track);
+        return { ...piece, key: `${key} ${name2}`, d: d3 };
       });
     }
     const start = track.left === "wall" ? face("left", "right") : -layout.width;
@@ -1482,11 +1486,11 @@
       seen(forceText(effect.numbers.force ?? 0)),
       times(effect)
     ],
-    pieces({ carts: [name3 = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+    pieces({ carts: [name2 = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
       const y2 = layout.track;
       const way = force >= 0 ? 1 : -1;
-      const body2 = header.bodies.find((one) => one.name === name3);
-      const x2 = centre(name3) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const body2 = header.bodies.find((one) => one.name === name2);
+      const x2 = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
       const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d: d2 }];
     },
@@ -1584,9 +1588,9 @@
     return { name: kind, row: LAST, ...VIEWS[kind] };
   }
   function nameOf({ kind, called }) {
-    const name3 = VIEWS[kind]?.name ?? (called && told2(called));
-    if (!name3) throw new Error(`nobody describes an effect of the kind “${kind}”`);
-    return name3;
+    const name2 = VIEWS[kind]?.name ?? (called && told2(called));
+    if (!name2) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+    return name2;
   }
   function agent(effect) {
     const named2 = effect.by || effect.agent;
@@ -1820,7 +1824,7 @@
   };
   function valueIn(header, target) {
     const [owner, key] = target.split(".");
-    const body2 = header.bodies.find(({ name: name3 }) => name3 === owner);
+    const body2 = header.bodies.find(({ name: name2 }) => name2 === owner);
     if (body2) return Number(
       /** @type {any} */
       body2[String(key)]
@@ -2233,9 +2237,9 @@
     );
     const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
     for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
-    const body2 = lines2.map(([name3 = "", ...cells2]) => {
+    const body2 = lines2.map(([name2 = "", ...cells2]) => {
       const line = html("tr");
-      const first = html("th", "", name3);
+      const first = html("th", "", name2);
       first.setAttribute("scope", "row");
       line.append(first, ...cells2.map((cell2) => html("td", "", cell2)));
       return line;
@@ -2508,7 +2512,7 @@
      * @param {string[]} names @returns {Promise<void>}
      */
     need(names) {
-      if (names.every((name3) => this.#asked.includes(name3))) return this.#growing;
+      if (names.every((name2) => this.#asked.includes(name2))) return this.#growing;
       const before = this.#asked;
       this.#asked = [.../* @__PURE__ */ new Set([...before, ...names])];
       const needed = this.#growing.catch(() => {
@@ -2728,7 +2732,7 @@
   // src/runtime/payload.js
   var page = self;
   var indexes = /* @__PURE__ */ new Map();
-  function runScript(src, name3) {
+  function runScript(src, name2) {
     return new Promise((resolve, reject) => {
       const script = document.createElement("script");
       script.src = src;
@@ -2739,8 +2743,8 @@
       };
       script.onload = settle(resolve);
       script.onerror = settle(() => {
-        if (isLeaving()) staying().then(() => runScript(src, name3).then(resolve, reject));
-        else reject(new RuntimeFailure("payload-missing", src, name3));
+        if (isLeaving()) staying().then(() => runScript(src, name2).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name2));
       });
       document.head.append(script);
     });
@@ -2770,25 +2774,25 @@
     indexes.set(base, loading);
     return loading;
   }
-  async function loadPart(base, name3, number, part) {
+  async function loadPart(base, name2, number, part) {
     const inside = Boolean(page.__cartsInside);
-    if (!inside) await runScript(new URL(part.src, base).href, name3);
-    const key = `${name3}.${number}`;
+    if (!inside) await runScript(new URL(part.src, base).href, name2);
+    const key = `${name2}.${number}`;
     const text = page.__cartsParts?.[key];
-    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name3);
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name2);
     if (!inside) delete page.__cartsParts[key];
-    const bytes = decode(text, part.src, name3);
+    const bytes = decode(text, part.src, name2);
     if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
-      throw new RuntimeFailure("payload-damaged", part.src, name3);
+      throw new RuntimeFailure("payload-damaged", part.src, name2);
     }
     return bytes;
   }
-  function decode(text, src, name3) {
+  function decode(text, src, name2) {
     try {
       const fast = Uint8Array;
       return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
     } catch {
-      throw new RuntimeFailure("payload-damaged", src, name3);
+      throw new RuntimeFailure("payload-damaged", src, name2);
     }
   }
   async function matches(bytes, sha256) {
@@ -2860,7 +2864,7 @@
       this.over = false;
       this.done = 0;
       this.names = this.files();
-      this.total = this.names.flatMap((name3) => index.files[name3].parts).reduce((sum, part) => sum + part.size, 0);
+      this.total = this.names.flatMap((name2) => index.files[name2].parts).reduce((sum, part) => sum + part.size, 0);
     }
     /** The files to load, the most urgent first. */
     files() {
@@ -2869,8 +2873,8 @@
       if (snapshot) names.push(SNAPSHOT);
       names.push(STDLIB);
       if (packages2.length && index.tableAt) names.push(MORE);
-      names.push(...this.toLoad().map((name3) => index.wheels[name3]));
-      if (names.every((name3) => name3 in index.files)) return names;
+      names.push(...this.toLoad().map((name2) => index.wheels[name2]));
+      if (names.every((name2) => name2 in index.files)) return names;
       throw new RuntimeFailure("not-packed", index.missing || packages2.join());
     }
     /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
@@ -2888,7 +2892,7 @@
       });
       this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
       try {
-        const parts2 = new Map(this.names.map((name3) => [name3, this.load(name3, reject)]));
+        const parts2 = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
         return await Promise.race([failed, this.boot(parts2, reject)]);
       } catch (error) {
         this.worker?.terminate();
@@ -2904,12 +2908,12 @@
      * @param {(error: RuntimeFailure) => void} reject
      * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
      */
-    load(name3, reject) {
-      return this.index.files[name3].parts.map(async (part, number) => {
+    load(name2, reject) {
+      return this.index.files[name2].parts.map(async (part, number) => {
         try {
-          const bytes = await loadPart(this.folder, name3, number, part);
+          const bytes = await loadPart(this.folder, name2, number, part);
           this.done += part.size;
-          this.progress(name3);
+          this.progress(name2);
           return bytes;
         } catch (error) {
           reject(
@@ -2963,7 +2967,7 @@
         load: this.toLoad(),
         modules: packages2.length ? [...packages2, ...index.later] : []
       });
-      for (const [name3, its] of parts2) if (name3 !== LOADER && name3 !== WASM) this.send(name3, its);
+      for (const [name2, its] of parts2) if (name2 !== LOADER && name2 !== WASM) this.send(name2, its);
       worker.postMessage({ do: "wasm", module: await compiling });
       this.progress(WASM);
       const { start } = await ready;
@@ -2980,12 +2984,12 @@
      * @param {string} name
      * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
      */
-    async send(name3, parts2) {
+    async send(name2, parts2) {
       for (const [number, part] of parts2.entries()) {
         const bytes = await part;
         if (this.over) return;
         const last = number === parts2.length - 1;
-        this.worker?.postMessage({ do: "part", name: name3, bytes, last }, [bytes.buffer]);
+        this.worker?.postMessage({ do: "part", name: name2, bytes, last }, [bytes.buffer]);
       }
     }
   };
@@ -3020,7 +3024,7 @@
   }
   var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
   var order = (packages2) => [
-    ...new Set(packages2.flatMap((name3) => name3 === "scipy" ? ["numpy", "scipy"] : [name3]))
+    ...new Set(packages2.flatMap((name2) => name2 === "scipy" ? ["numpy", "scipy"] : [name2]))
   ];
   var Runtime = class {
     /** @param {import("./start.js").Started} started */
@@ -3122,11 +3126,11 @@
     const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
     columns.forEach(([quantity, ...key], k) => {
       const column = numbers.subarray(k * rows, (k + 1) * rows);
-      const name3 = String(quantity);
-      if (!key.length) parts2[name3] = column;
+      const name2 = String(quantity);
+      if (!key.length) parts2[name2] = column;
       else {
-        parts2[name3] ??= {};
-        parts2[name3][key.join(" ")] = column;
+        parts2[name2] ??= {};
+        parts2[name2][key.join(" ")] = column;
       }
     });
     return parts2;
@@ -3296,9 +3300,9 @@
   var STORE = "answers";
   var PATIENCE2 = 2e4;
   var SETTLE_AFTER = 400;
-  function open(name3) {
+  function open(name2) {
     return new Promise((resolve, reject) => {
-      const request = indexedDB.open(name3, 1);
+      const request = indexedDB.open(name2, 1);
       request.onupgradeneeded = () => request.result.createObjectStore(STORE);
       request.onsuccess = () => {
         request.result.onversionchange = () => request.result.close();
@@ -3309,19 +3313,19 @@
       setTimeout(() => reject(new Error("no answer")), PATIENCE2);
     });
   }
-  async function reopening(name3) {
-    let base = await open(name3);
+  async function reopening(name2) {
+    let base = await open(name2);
     return async (mode, durability = "relaxed") => {
       try {
         return base.transaction(STORE, mode, { durability });
       } catch {
-        base = await open(name3);
+        base = await open(name2);
         return base.transaction(STORE, mode, { durability });
       }
     };
   }
-  async function indexed(name3) {
-    const begin = await reopening(name3);
+  async function indexed(name2) {
+    const begin = await reopening(name2);
     const read = async (ask) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
@@ -3381,9 +3385,9 @@
       /** @type {any} */
       globalThis
     );
-    const name3 = /* @__PURE__ */ Symbol.for("carts-shelter");
-    page2[name3] ??= /* @__PURE__ */ new Map();
-    return page2[name3];
+    const name2 = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page2[name2] ??= /* @__PURE__ */ new Map();
+    return page2[name2];
   }
   function sheltered(store) {
     return {
@@ -3432,7 +3436,7 @@
       get: async (key) => get(key),
       put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
       remove: async (key) => localStorage.removeItem(before + key),
-      entries: async () => Object.keys(localStorage).filter((name3) => name3.startsWith(before)).map((name3) => [name3.slice(before.length), get(name3.slice(before.length))])
+      entries: async () => Object.keys(localStorage).filter((name2) => name2.startsWith(before)).map((name2) => [name2.slice(before.length), get(name2.slice(before.length))])
     };
   }
 
@@ -3474,7 +3478,7 @@
   }
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
-    const meta = (name3) => document.querySelector(`meta[name="${name3}"]`)?.getAttribute("content");
+    const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
     const path2 = location.pathname.split("/").slice(-2).join("/");
     return {
       site: cartsSite ?? meta("carts-site") ?? "site",
@@ -3518,7 +3522,7 @@
         ({ cart, other }) => tr("{cart}, while it touches {other}", { cart, other: body(other) })
       );
       const same = [...this.which.options].map((one) => one.text).join() === names.join();
-      if (!same) this.which.replaceChildren(...names.map((name3) => new Option(name3)));
+      if (!same) this.which.replaceChildren(...names.map((name2) => new Option(name2)));
       for (const control of [this.which, this.box, this.button]) control.disabled = !names.length;
       if (names.length && this.#found.size) return this.#tell();
       say(
@@ -3673,8 +3677,8 @@
   function meanForces(run) {
     const found2 = [];
     for (const touch of ended(run)) {
-      for (const cart of touch.bodies.filter((name3) => !isWall(name3))) {
-        const other = String(touch.bodies.find((name3) => name3 !== cart));
+      for (const cart of touch.bodies.filter((name2) => !isWall(name2))) {
+        const other = String(touch.bodies.find((name2) => name2 !== cart));
         if (found2.some((one) => one.cart === cart && one.other === other)) continue;
         const change2 = velocity(run, cart, touch.end) - velocity(run, cart, touch.start);
         const value = massOf(run, cart) * change2 / (touch.end - touch.start);
@@ -3690,11 +3694,11 @@
     const found2 = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
     return found2 ?? { start: 0, end: 0 };
   }
-  function massOf({ header }, name3) {
-    return header.bodies.find((one) => one.name === name3)?.mass ?? 0;
+  function massOf({ header }, name2) {
+    return header.bodies.find((one) => one.name === name2)?.mass ?? 0;
   }
-  function velocity({ trajectory }, name3, t3) {
-    return valueAt(trajectory.t, trajectory.v[name3] ?? [], trajectory.a[name3] ?? [], t3);
+  function velocity({ trajectory }, name2, t3) {
+    return valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3);
   }
 
   // src/scene/baked.js
@@ -3725,16 +3729,16 @@
       const acting = header.effects.filter(
         (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t3))
       );
-      for (const { name: name3 } of header.bodies) {
-        const own = acting.filter((effect) => effect.carts.includes(name3));
-        const column = trajectory.E[`${kind} ${name3}`];
+      for (const { name: name2 } of header.bodies) {
+        const own = acting.filter((effect) => effect.carts.includes(name2));
+        const column = trajectory.E[`${kind} ${name2}`];
         if (!own.length || !column?.length) continue;
         const peak = greatest(column);
         const on = own.some((effect) => actsAt(effect, t3));
         const exact = on ? valueAt(trajectory.t, column, null, t3) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found2.push({ kind, on: name3, by: listed([...new Set(own.map(agent))]), value, size });
+        found2.push({ kind, on: name2, by: listed([...new Set(own.map(agent))]), value, size });
       }
     }
     return found2;
@@ -3794,10 +3798,10 @@
     if (quantity === "F") return forces(header, run, signed);
     const times2 = Float64Array.from(run.t);
     const curves = header.bodies.map((body2, i2) => {
-      const { name: name3, mass } = body2;
-      const [x2, v2, a2] = [run.x[name3] ?? [], run.v[name3] ?? [], run.a[name3] ?? []];
+      const { name: name2, mass } = body2;
+      const [x2, v2, a2] = [run.x[name2] ?? [], run.v[name2] ?? [], run.a[name2] ?? []];
       const seen = Float64Array.from(v2, (speed) => speed - camera);
-      const curve2 = { label: name3, style: styleOf(i2), over: false };
+      const curve2 = { label: name2, style: styleOf(i2), over: false };
       switch (quantity) {
         case "x": {
           const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times2[k]));
@@ -3904,8 +3908,8 @@
   function ledgerWithEffects({ header, trajectory }, parts2) {
     const times2 = trajectory.t;
     const moving = seriesOf("energy", header, trajectory, 0).filter((c2) => c2.style !== "total");
-    const column = (name3) => {
-      const values = parts2.columns[parts2.names.indexOf(name3)] ?? new Float64Array(times2.length);
+    const column = (name2) => {
+      const values = parts2.columns[parts2.names.indexOf(name2)] ?? new Float64Array(times2.length);
       if (values.length === times2.length) return values;
       return Float64Array.from(times2, (t3) => valueAt(parts2.t, values, null, Number(t3)));
     };
@@ -3913,10 +3917,10 @@
       ...curve2,
       label: tr("motion of {cart}", { cart: curve2.label })
     }));
-    for (const name3 of parts2.names.filter((one) => one !== WARMED)) {
-      const [label, style] = name3 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name3).stored ?? "", "stored"];
+    for (const name2 of parts2.names.filter((one) => one !== WARMED)) {
+      const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name2).stored ?? "", "stored"];
       if (!label) continue;
-      const values = column(name3);
+      const values = column(name2);
       const lowest = values.reduce((least, value) => Math.min(least, value), 0);
       const above = Float64Array.from(values, (value) => value - lowest);
       bands.push({ label, style, over: false, values: above, slopes: null });
@@ -3984,27 +3988,11 @@
         root.querySelectorAll(".carts-guess")
       );
       this.#rows = [...elements].map((element) => {
-        const pair = element.dataset.pair ?? "";
-        const on = element.dataset.on ?? "";
-        const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
-        const side = bodies[0] === on ? "left" : "right";
-        const by = (side === "left" ? bodies[1] : bodies[0]) ?? "";
         const row = {
-          pair,
-          on,
-          by,
-          side: (
-            /** @type {"left" | "right"} */
-            side
-          ),
-          style: element.className.split(" ").find((name3) => /^carts-(b\d|wall)$/.test(name3)) ?? "",
+          ...asked2(element, contacts),
           size: null,
           good: null,
           // the last size that was not taken back: half-typed numbers do not count
-          slider: (
-            /** @type {HTMLInputElement} */
-            need(element, 'input[type="range"]')
-          ),
           box: (
             /** @type {HTMLInputElement} */
             need(element, 'input[type="text"]')
@@ -4165,6 +4153,25 @@
       );
     }
   };
+  function asked2(element, contacts) {
+    const { pair = "", on = "" } = element.dataset;
+    const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
+    const side = (
+      /** @type {"left" | "right"} */
+      bodies[0] === on ? "left" : "right"
+    );
+    return {
+      pair,
+      on,
+      by: (side === "left" ? bodies[1] : bodies[0]) ?? "",
+      side,
+      style: element.className.split(" ").find((name2) => /^carts-(b\d|wall)$/.test(name2)) ?? "",
+      slider: (
+        /** @type {HTMLInputElement} */
+        need(element, 'input[type="range"]')
+      )
+    };
+  }
   function name({ on, by }) {
     return forceOn(body(on), body(by));
   }
@@ -4267,7 +4274,7 @@
         return `${px(x2)} ${px(BOTTOM3 - HIGHEST * PER_HEIGHT * force / top)}`;
       });
       put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
-      const other = touch.bodies.find((name3) => name3 !== this.cart) ?? "";
+      const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
       const mine = this.#heights.map(Number);
       const rows = [
         [tr("starts from zero"), mine[0] === 0, Number(forces2[0]) < 0.02 * top],
@@ -4350,18 +4357,9 @@
         root.querySelectorAll(".carts-guess")
       );
       this.#rows = [...elements].map((element) => {
-        const { pair = "", on = "" } = element.dataset;
-        const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
-        const side = bodies[0] === on ? "left" : "right";
-        const slider = (
-          /** @type {HTMLInputElement} */
-          need(element, "input[type=range]")
-        );
-        const style = element.className.split(" ").find((one) => /^carts-(b\d|wall)$/.test(one));
-        const by = bodies[side === "left" ? 1 : 0] ?? "";
-        const row = { pair, on, by, side, style: style ?? "", share: null, slider };
-        slider.addEventListener("input", () => {
-          row.share = slider.valueAsNumber;
+        const row = { ...asked2(element, contacts), share: null };
+        row.slider.addEventListener("input", () => {
+          row.share = row.slider.valueAsNumber;
           this.#show();
           changed();
         });
@@ -4389,7 +4387,7 @@
       for (const { slider } of this.#rows) slider.disabled = !on;
     }
     problem() {
-      const missing = this.#rows.filter(({ share }) => share === null).map(name2);
+      const missing = this.#rows.filter(({ share }) => share === null).map(name);
       if (!missing.length) return null;
       return tr("Set every arrow first: {names}. No arrow counts too: pull it out and back.", {
         names: missing.join(", ")
@@ -4411,7 +4409,7 @@
         );
         grid.append(
           html("span"),
-          ...rows.map((row) => html("b", `${row.style} ${row.side}`, name2(row))),
+          ...rows.map((row) => html("b", `${row.style} ${row.side}`, name(row))),
           html("span", "", tr("you")),
           ...rows.map((row) => cell(row, most ? (row.share ?? 0) / most : 0, "carts-guessed")),
           html("span", "", tr("the run")),
@@ -4450,11 +4448,8 @@
     if (!most) return tr("no force on either.");
     if (Math.abs(a2 - b2) <= ALIKE * most) return tr("both forces are equally large.");
     const [large, small] = a2 > b2 ? [one, other] : [other, one];
-    if (!Math.min(a2, b2)) return tr("only the {force}.", { force: name2(large) });
-    return tr("the {large} is larger than the {small}.", { large: name2(large), small: name2(small) });
-  }
-  function name2({ on, by }) {
-    return forceOn(body(on), body(by));
+    if (!Math.min(a2, b2)) return tr("only the {force}.", { force: name(large) });
+    return tr("the {large} is larger than the {small}.", { large: name(large), small: name(small) });
   }
   function cell({ style, side }, part, look) {
     const made3 = html("span", `carts-compare-arrow ${style} ${side}`);
@@ -4489,9 +4484,9 @@
       need(this.box, ".carts-talk-run").addEventListener("click", run);
     }
     /** @param {boolean} on whether it is time to talk @param {boolean} asked by the reader just now */
-    show(on, asked2) {
+    show(on, asked3) {
       this.box.hidden = !on;
-      if (on && asked2) need(this.box, ".carts-talk-run").focus();
+      if (on && asked3) need(this.box, ".carts-talk-run").focus();
     }
   };
   var Why = class {
@@ -4827,7 +4822,7 @@
     return `${short(1e6 * seconds, 2)} µs`;
   }
   function formulasWords(solvers) {
-    const used = Object.entries(solvers).map(([name3, count2]) => `${USED[name3] ?? name3}: ${count2}`);
+    const used = Object.entries(solvers).map(([name2, count2]) => `${USED[name2] ?? name2}: ${count2}`);
     return used.length ? tr("Formulas worked out, {counts}.", { counts: used.join(", ") }) : "";
   }
   function costWords({ cost }) {
@@ -4914,8 +4909,8 @@
       this.method = document.createElement("select");
       this.method.className = "carts-how-method";
       this.method.append(option(EXACT3, EXACT2));
-      for (const [name3, label] of Object.entries(METHODS2)) {
-        if (scipy || !ADAPTIVE2.includes(name3)) this.method.append(option(name3, label));
+      for (const [name2, label] of Object.entries(METHODS2)) {
+        if (scipy || !ADAPTIVE2.includes(name2)) this.method.append(option(name2, label));
       }
       this.slider = document.createElement("input");
       this.slider.type = "range";
@@ -5273,14 +5268,14 @@
 
   // src/shared/download.js
   var FORGOTTEN_AFTER = 6e4;
-  function download(name3, text, type) {
-    downloadBlob(name3, new Blob([text], { type }));
+  function download(name2, text, type) {
+    downloadBlob(name2, new Blob([text], { type }));
   }
-  function downloadBlob(name3, blob) {
+  function downloadBlob(name2, blob) {
     const link = document.createElement("a");
     const address = URL.createObjectURL(blob);
     link.href = address;
-    link.download = name3;
+    link.download = name2;
     document.body.append(link);
     link.click();
     link.remove();
@@ -5402,8 +5397,8 @@
   function place2(drawn2, x2, y2, width) {
     const [, , w2 = 1, h2 = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
     const height = width * h2 / w2;
-    for (const [name3, value] of Object.entries({ x: x2, y: y2, width, height })) {
-      drawn2.setAttribute(name3, String(value));
+    for (const [name2, value] of Object.entries({ x: x2, y: y2, width, height })) {
+      drawn2.setAttribute(name2, String(value));
     }
     return height;
   }
@@ -5454,7 +5449,7 @@
     const names = event.bodies;
     const pair = capital(listed(names.map(body)));
     const impulse = event.impulse ?? 0;
-    const speeds = names.filter((name3) => !isWall(name3) && name3 in (event.after ?? {})).map((name3) => `${name3}: ${motion((event.after[name3] ?? 0) - camera, decimals.v ?? 2, scale)}`);
+    const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after = speeds.length ? `${speeds.join(". ")}.` : "";
     const size = `${short(impulse)} N s`;
     const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
@@ -5502,7 +5497,7 @@
     }
   }
   function joined({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name3) => isWall(name3) ? 0 : Number(after[name3]));
+    const [left, right] = bodies.map((name2) => isWall(name2) ? 0 : Number(after[name2]));
     return isRest(Number(left) - Number(right), scale);
   }
   function hitAndGoOn(event, telling, pair) {
@@ -5517,14 +5512,14 @@
     });
   }
   function together({ bodies, after }, { decimals, scale, camera }) {
-    const cart = bodies.find((name3) => !isWall(name3)) ?? "";
+    const cart = bodies.find((name2) => !isWall(name2)) ?? "";
     const seen = Number(after[cart]) - camera;
     return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
   }
-  function exitSentence({ name: name3, side, velocity: velocity2 }, decimals, scale) {
+  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
     const [per, unit] = speedUnit(scale);
     const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name3, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name3, speed });
+    return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
   }
   function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
@@ -5542,8 +5537,8 @@
     }
     return sentences;
   }
-  function lower(name3) {
-    return name3.slice(0, 1).toLowerCase() + name3.slice(1);
+  function lower(name2) {
+    return name2.slice(0, 1).toLowerCase() + name2.slice(1);
   }
   function capital(text) {
     return text.slice(0, 1).toUpperCase() + text.slice(1);
@@ -5561,12 +5556,12 @@
     for (const quantity of quantities) {
       const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", quantity, ""];
       for (const { label, values } of seriesOf(quantity, header, trajectory, camera, true)) {
-        const name3 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
-        columns.push([`${title.toLowerCase()} ${name3} in ${unit}`, values]);
+        const name2 = quantity === "F" ? `F ${label}` : `${symbol} of ${label}`;
+        columns.push([`${title.toLowerCase()} ${name2} in ${unit}`, values]);
       }
     }
     if (quantities.includes("F")) columns.push(...effectColumns(run));
-    const lines2 = [columns.map(([name3]) => quoted(name3)).join(",")];
+    const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
     for (let k = 0; k < trajectory.t.length; k += 1) {
       lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
     }
@@ -5875,12 +5870,12 @@
     return { settings, t: Number.isFinite(t3) ? Math.max(0, t3) : 0 };
   }
   async function followLink(scene, id, say2) {
-    const asked2 = readLink(location.hash, id);
-    if (!asked2) return;
-    if ("problem" in asked2) return say2(asked2.problem);
+    const asked3 = readLink(location.hash, id);
+    if (!asked3) return;
+    if ("problem" in asked3) return say2(asked3.problem);
     try {
-      await scene.set(asked2.settings);
-      scene.time = asked2.t;
+      await scene.set(asked3.settings);
+      scene.time = asked3.t;
       scene.scrollIntoView();
     } catch (error) {
       const { message } = (
@@ -5904,11 +5899,11 @@
     for (const [key, value] of Object.entries(scene)) {
       if (key === "carts") {
         lines2.push("carts:");
-        for (const [name3, cart] of Object.entries(
+        for (const [name2, cart] of Object.entries(
           /** @type {object} */
           value
         )) {
-          lines2.push(`  ${name3}: ${flow(cart)}`);
+          lines2.push(`  ${name2}: ${flow(cart)}`);
         }
       } else lines2.push(`${key}: ${flow(value)}`);
     }
@@ -5974,8 +5969,8 @@ ${lines2.join("\n")}
       const note = html("p", "carts-take-note");
       note.setAttribute("role", "status");
       const row = html("p", "carts-take-row");
-      for (const [key, name3] of KINDS) {
-        const button = html("button", "carts-button", name3);
+      for (const [key, name2] of KINDS) {
+        const button = html("button", "carts-button", name2);
         button.setAttribute("type", "button");
         button.dataset.take = key;
         row.append(button);
@@ -6039,11 +6034,11 @@ ${lines2.join("\n")}
     element.querySelector(".carts-reset")?.addEventListener("click", acts.reset);
     element.querySelector(".carts-undo")?.addEventListener("click", acts.undo);
     for (const button of element.querySelectorAll(".carts-preset")) {
-      const name3 = (
+      const name2 = (
         /** @type {HTMLElement} */
         button.dataset.preset ?? ""
       );
-      button.addEventListener("click", () => acts.preset(baked.fence.presets[name3] ?? {}));
+      button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
     }
     const { scene, controls, switches } = baked.fence;
     const sliders = new Controls(element, controls, acts.change, switches);
@@ -6331,7 +6326,7 @@ ${lines2.join("\n")}
      */
     constructor(stage, layout, baked, acts) {
       const { controls } = baked.fence;
-      for (const { name: name3 } of baked.run.header.bodies) {
+      for (const { name: name2 } of baked.run.header.bodies) {
         for (
           const [key, part, metres] of
           /** @type {const} */
@@ -6340,8 +6335,8 @@ ${lines2.join("\n")}
             ["velocity", "carts-velocity", baked.view.velocity / layout.velocity]
           ]
         ) {
-          const control = controls.find(({ set }) => set === `${name3}.${key}`);
-          const group2 = stage.querySelector(`.${part}[data-body="${name3}"]`);
+          const control = controls.find(({ set }) => set === `${name2}.${key}`);
+          const group2 = stage.querySelector(`.${part}[data-body="${name2}"]`);
           if (!control || !group2) continue;
           group2.classList.add("carts-draggable");
           group2.addEventListener("pointerdown", (event) => {
@@ -6455,16 +6450,16 @@ ${lines2.join("\n")}
     const force = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
     return Math.abs(force) < zero ? 0 : force;
   }
-  function contactForces(run, name3, t3, zero) {
+  function contactForces(run, name2, t3, zero) {
     return run.header.contacts.filter(
-      ({ pair, bodies, stiffness }) => bodies.includes(name3) && (stiffness || linkOf(run.header, pair))
+      ({ pair, bodies, stiffness }) => bodies.includes(name2) && (stiffness || linkOf(run.header, pair))
     ).map(({ pair, bodies: [left, right] }) => {
       const size = contactForce(run, pair, t3, zero);
-      const isLeft = left === name3;
+      const isLeft = left === name2;
       const by = isLeft ? right : left;
       return {
-        name: forceOn(name3, body(by)),
-        on: name3,
+        name: forceOn(name2, body(by)),
+        on: name2,
         by,
         way: (
           /** @type {const} */
@@ -6481,29 +6476,29 @@ ${lines2.join("\n")}
       };
     }).sort((a2, b2) => a2.side < b2.side ? -1 : 1);
   }
-  function effectForces(run, name3, t3) {
-    return forcesAt(run, t3, true).filter(({ on }) => on === name3).map(({ kind, on, by, value, size }) => {
+  function effectForces(run, name2, t3) {
+    return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
       const { forceName: forceName2 = forceOn, side } = viewOf(kind);
       const at2 = side?.(value) ?? "middle";
       return { name: forceName2(on, by), on, by, way: "along", side: at2, value, size };
     });
   }
-  function verticalForces({ header }, name3) {
-    const mass = header.bodies.find((one) => one.name === name3)?.mass ?? 0;
-    const slope = header.effects.filter(({ active, carts }) => active && carts.includes(name3)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
+  function verticalForces({ header }, name2) {
+    const mass = header.bodies.find((one) => one.name === name2)?.mass ?? 0;
+    const slope = header.effects.filter(({ active, carts }) => active && carts.includes(name2)).reduce((sum, effect) => sum + (viewOf(effect.kind).slope?.(effect) ?? 0), 0);
     const weight = mass * header.gravity * Math.cos(slope);
     return [
       {
-        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name: name3 }) : tr("weight of {name}: force on {name} by the Earth", { name: name3 }),
+        name: slope ? tr("weight of {name}: force on {name} by the Earth, across the track", { name: name2 }) : tr("weight of {name}: force on {name} by the Earth", { name: name2 }),
         by: "Earth",
         value: -weight
       },
       {
-        name: tr("support: force on {name} by the track", { name: name3 }),
+        name: tr("support: force on {name} by the track", { name: name2 }),
         by: "track",
         value: weight
       }
-    ].map((force) => ({ ...force, on: name3, way: "up", side: "middle" }));
+    ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
   }
 
   // src/scene/beside/free-body.js
@@ -6550,24 +6545,24 @@ ${lines2.join("\n")}
       const since = touch && tr("since the touch at {time} s", { time: fixed(touch.start, 2) });
       say(this.note, since || tr("since the start"));
       const room = this.#vertical ? this.#roomFor(run) : 0;
-      for (const { name: name3, mass } of run.header.bodies) {
-        const along = [...contactForces(run, name3, t3, this.zero), ...effectForces(run, name3, t3)];
-        this.#draw(name3, this.#vertical ? [...along, ...verticalForces(run, name3)] : along, room);
+      for (const { name: name2, mass } of run.header.bodies) {
+        const along = [...contactForces(run, name2, t3, this.zero), ...effectForces(run, name2, t3)];
+        this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times2, v: v2, a: a2 } = run.trajectory;
-        const speed = (at2) => valueAt(times2, v2[name3] ?? [], a2[name3] ?? [], at2);
+        const speed = (at2) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at2);
         const change2 = speed(t3) - speed(touch?.start ?? 0);
         const { decimals, velocity: velocity2 } = this.view;
         const seen = Math.abs(change2) < NOISE * velocity2 ? 0 : change2 / this.per;
-        this.#say(name3, "F", fixed(resultant, decimals.F ?? 2));
-        this.#say(name3, "mass", short(mass));
-        this.#say(name3, "a", fixed(resultant / mass, decimals.a ?? 2));
-        this.#say(name3, "dv", fixed(seen, decimals.v ?? 2));
+        this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
+        this.#say(name2, "mass", short(mass));
+        this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
+        this.#say(name2, "dv", fixed(seen, decimals.v ?? 2));
       }
     }
     /** @param {string} name @param {string} quantity @param {string} text */
-    #say(name3, quantity, text) {
-      const cell2 = this.root.querySelector(`td[data-body="${name3}"][data-quantity="${quantity}"]`);
+    #say(name2, quantity, text) {
+      const cell2 = this.root.querySelector(`td[data-body="${name2}"][data-quantity="${quantity}"]`);
       if (cell2) say(cell2, text);
     }
     /** Units above and below every box, so that all carts are drawn on one scale. @param {Run} run */
@@ -6577,8 +6572,8 @@ ${lines2.join("\n")}
       return Math.ceil(Math.max(0, longest - (BOX.bottom - BOX.top) / 2) + 6);
     }
     /** @param {string} name @param {Force[]} forces @param {number} room */
-    #draw(name3, forces2, room) {
-      const card = need(this.root, `.carts-alone[data-body="${name3}"]`);
+    #draw(name2, forces2, room) {
+      const card = need(this.root, `.carts-alone[data-body="${name2}"]`);
       const group2 = need(card, '[data-part="forces"]');
       const list = need(card, "ul");
       while (group2.children.length < forces2.length) group2.append(svg("path"));
@@ -6607,11 +6602,11 @@ ${lines2.join("\n")}
       put(picture2, "height", String(HEIGHT2 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
-    #sentence({ name: name3, way, value, size: written }, cut) {
+    #sentence({ name: name2, way, value, size: written }, cut) {
       const size = `${written ?? fixed(Math.abs(value), this.view.decimals.F ?? 2)} N`;
-      const told3 = { name: name3, size };
+      const told3 = { name: name2, size };
       const ways = way === "up" ? [tr("{name}: {size} down", told3), tr("{name}: {size} up", told3)] : [tr("{name}: {size} to the left", told3), tr("{name}: {size} to the right", told3)];
-      const said = value === 0 ? `${name3}: ${size}` : ways[value < 0 ? 0 : 1];
+      const said = value === 0 ? `${name2}: ${size}` : ways[value < 0 ? 0 : 1];
       return `${said}${cut ? tr(", arrow cut") : ""}`;
     }
   };
@@ -6707,23 +6702,23 @@ ${lines2.join("\n")}
     }
     /** @param {Run} run @param {Touch} touch @param {number} k 0: left body @returns {Side} */
     #side({ header, trajectory }, touch, k) {
-      const name3 = String(touch.bodies[k]);
-      const cart = header.bodies.find((one) => one.name === name3);
+      const name2 = String(touch.bodies[k]);
+      const cart = header.bodies.find((one) => one.name === name2);
       if (!cart) {
-        const wall = name3 === "left" ? 0 : header.track.length ?? 0;
-        return { name: name3, edge: wall, face: wall, bumper: 0 };
+        const wall = name2 === "left" ? 0 : header.track.length ?? 0;
+        return { name: name2, edge: wall, face: wall, bumper: 0 };
       }
       const { t: t3, x: x2, v: v2 } = trajectory;
-      const centre = valueAt(t3, x2[name3] ?? [], v2[name3] ?? [], this.#t);
+      const centre = valueAt(t3, x2[name2] ?? [], v2[name2] ?? [], this.#t);
       const way = k === 0 ? 1 : -1;
       const face = centre + way * cart.length / 2;
-      return { name: name3, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
+      return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
     #draw(k, side, face, middle, force) {
       const at2 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
-      const index = this.#run?.header.bodies.findIndex(({ name: name4 }) => name4 === side.name) ?? -1;
+      const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
       const [edge2, end] = [at2(side.edge), at2(face)];
@@ -6734,10 +6729,10 @@ ${lines2.join("\n")}
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group2, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
-      const name3 = need(group2, '[data-part="name"]');
+      const name2 = need(group2, '[data-part="name"]');
       const inside = Math.min(WIDTH5 - 34, Math.max(34, edge2 - 22 * way));
-      put(name3, "x", px(inside));
-      say(name3, index < 0 ? tr("wall") : side.name);
+      put(name2, "x", px(inside));
+      say(name2, index < 0 ? tr("wall") : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
       const length = -way * arrowLength(force, this.view.force, this.#perForce);
@@ -6934,8 +6929,8 @@ ${lines2.join("\n")}
       if (!this.#run || !this.#group) return;
       const { header, trajectory } = this.#run;
       const { layout, camera } = this.stage;
-      header.bodies.forEach(({ name: name3 }, i2) => {
-        const [x2, v2] = [trajectory.x[name3] ?? [], trajectory.v[name3] ?? []];
+      header.bodies.forEach(({ name: name2 }, i2) => {
+        const [x2, v2] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
         const place3 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
         const at2 = `translate(${px(place3)} ${px(layout.track)})`;
         this.#group?.children[i2]?.setAttribute("transform", at2);
@@ -7011,18 +7006,18 @@ ${lines2.join("\n")}
     return sum;
   }
   function changes({ header, trajectory }, windows, touch, t3) {
-    return touch.bodies.map((name3) => {
-      const mass = header.bodies.find((body2) => body2.name === name3)?.mass;
+    return touch.bodies.map((name2) => {
+      const mass = header.bodies.find((body2) => body2.name === name2)?.mass;
       const others = windows.some(
-        (one) => one !== touch && one.bodies.includes(name3) && one.start < t3 && one.end > touch.start
+        (one) => one !== touch && one.bodies.includes(name2) && one.start < t3 && one.end > touch.start
       );
       const acting = header.effects.some(
-        (effect) => effect.active && effect.carts.includes(name3) && !(isLink(effect) && effect.between?.join("-") === touch.pair)
+        (effect) => effect.active && effect.carts.includes(name2) && !(isLink(effect) && effect.between?.join("-") === touch.pair)
         // what a pair's own spring does is in its F
       );
-      if (mass === void 0 || others || acting) return { name: name3, change: null };
-      const v2 = (at2) => valueAt(trajectory.t, trajectory.v[name3] ?? [], trajectory.a[name3] ?? [], at2);
-      return { name: name3, change: mass * (v2(t3) - v2(touch.start)) };
+      if (mass === void 0 || others || acting) return { name: name2, change: null };
+      const v2 = (at2) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at2);
+      return { name: name2, change: mass * (v2(t3) - v2(touch.start)) };
     });
   }
 
@@ -7074,7 +7069,7 @@ ${lines2.join("\n")}
       const impulse = area(run, touch.pair, touch.start, end);
       const [names, amount3] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
       const parts2 = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(
-        ({ name: name3, change: change2 }) => tr("m Δv of {name}: {change}", { name: name3, change: fixed(change2 ?? 0, this.decimals) })
+        ({ name: name2, change: change2 }) => tr("m Δv of {name}: {change}", { name: name2, change: fixed(change2 ?? 0, this.decimals) })
       );
       const shaded = t3 >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount3 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount3 });
       say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
@@ -7536,10 +7531,6 @@ ${lines2.join("\n")}
       });
     }
   };
-  function fit(group2, count2, make) {
-    while (group2.children.length > count2) group2.lastElementChild?.remove();
-    while (group2.children.length < count2) group2.append(make());
-  }
 
   // src/scene/readouts.js
   var Readouts = class {
@@ -7550,13 +7541,13 @@ ${lines2.join("\n")}
       this.camera = baked.fence.camera;
       this.decimals = baked.view.decimals;
       this.per = speedUnit(baked.view.velocity)[0];
-      this.cards = baked.run.header.bodies.map(({ name: name3 }) => {
-        const card = need(root, `.carts-card[data-body="${name3}"]`);
+      this.cards = baked.run.header.bodies.map(({ name: name2 }) => {
+        const card = need(root, `.carts-card[data-body="${name2}"]`);
         const outputs = (
           /** @type {NodeListOf<HTMLElement>} */
           card.querySelectorAll(".carts-value")
         );
-        return { name: name3, outputs: new Map([...outputs].map((o3) => [o3.dataset.quantity ?? "", o3])) };
+        return { name: name2, outputs: new Map([...outputs].map((o3) => [o3.dataset.quantity ?? "", o3])) };
       });
     }
     /** @param {Run} run */
@@ -7569,12 +7560,12 @@ ${lines2.join("\n")}
       if (!run) return;
       const { t: times2, x: x2, v: v2, a: a2 } = run.trajectory;
       const told3 = isTold(run);
-      for (const { name: name3, outputs } of this.cards) {
-        const mass = run.header.bodies.find((body2) => body2.name === name3)?.mass ?? 0;
-        const acceleration = told3 ? valueAt(times2, a2[name3] ?? [], null, t3) : null;
+      for (const { name: name2, outputs } of this.cards) {
+        const mass = run.header.bodies.find((body2) => body2.name === name2)?.mass ?? 0;
+        const acceleration = told3 ? valueAt(times2, a2[name2] ?? [], null, t3) : null;
         const values = /* @__PURE__ */ new Map([
-          ["x", valueAt(times2, x2[name3] ?? [], v2[name3] ?? [], t3) - this.camera * t3],
-          ["v", (valueAt(times2, v2[name3] ?? [], a2[name3] ?? [], t3) - this.camera) / this.per],
+          ["x", valueAt(times2, x2[name2] ?? [], v2[name2] ?? [], t3) - this.camera * t3],
+          ["v", (valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], t3) - this.camera) / this.per],
           ["F", acceleration === null ? null : mass * acceleration],
           ["a", acceleration]
         ]);
@@ -7662,7 +7653,7 @@ ${lines2.join("\n")}
     }
   };
   function arrows(run, layout, full, t3, centre) {
-    const styles = new Map(run.header.bodies.map(({ name: name3 }, i2) => [name3, `carts-${styleOf(i2)}`]));
+    const styles = new Map(run.header.bodies.map(({ name: name2 }, i2) => [name2, `carts-${styleOf(i2)}`]));
     const named2 = run.header.bodies.length <= FEW;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
@@ -7689,10 +7680,10 @@ ${lines2.join("\n")}
         pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 4), anchor: "start" });
       }
     }
-    const leaders = [...lowest].map(([name3, y2]) => ({
-      key: `leader ${name3}`,
-      cls: `carts-leader carts-acts ${styles.get(name3)}`,
-      d: `M${px(centre(name3))} ${px(layout.track)}V${px(y2)}`
+    const leaders = [...lowest].map(([name2, y2]) => ({
+      key: `leader ${name2}`,
+      cls: `carts-leader carts-acts ${styles.get(name2)}`,
+      d: `M${px(centre(name2))} ${px(layout.track)}V${px(y2)}`
     }));
     return [...leaders, ...pieces];
   }
@@ -7735,7 +7726,7 @@ ${lines2.join("\n")}
       this.#pushes = [];
       run.header.contacts.forEach((contact, k) => {
         const groups = contact.bodies.map(
-          (name3) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name3}"]`)
+          (name2) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name2}"]`)
         );
         if (groups[0] && groups[1]) {
           const row = this.layout.rows[k] ?? 0;
@@ -7817,8 +7808,8 @@ ${lines2.join("\n")}
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
-        const name3 = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
-        return `${name3}${through}: ${this.#value(size)}`;
+        const name2 = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+        return `${name2}${through}: ${this.#value(size)}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -7954,10 +7945,10 @@ ${lines2.join("\n")}
         );
         this.#velocity(cart, header.bodies[i2]?.name ?? "", centre, t3);
       });
-      const face = (name3, side) => {
-        const i2 = header.bodies.findIndex((body2) => body2.name === name3);
+      const face = (name2, side) => {
+        const i2 = header.bodies.findIndex((body2) => body2.name === name2);
         if (i2 < 0) {
-          const wall = name3 === "left" ? 0 : header.track.length ?? 0;
+          const wall = name2 === "left" ? 0 : header.track.length ?? 0;
           return this.layout.origin + (wall - shift) * this.layout.scale;
         }
         const half = this.#carts[i2]?.half ?? 0;
@@ -7968,7 +7959,7 @@ ${lines2.join("\n")}
       this.#effects.at(
         t3,
         face,
-        (name3) => Number(centres[header.bodies.findIndex((body2) => body2.name === name3)])
+        (name2) => Number(centres[header.bodies.findIndex((body2) => body2.name === name2)])
       );
     }
     /**
@@ -8024,10 +8015,10 @@ ${lines2.join("\n")}
       return { left, right };
     }
     /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
-    #velocity(cart, name3, x2, t3) {
+    #velocity(cart, name2, x2, t3) {
       const { trajectory } = this.#run;
       const { layout, view } = this;
-      const v2 = valueAt(trajectory.t, trajectory.v[name3] ?? [], trajectory.a[name3] ?? [], t3) - this.camera;
+      const v2 = valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], t3) - this.camera;
       const seen = Math.abs(v2) < NOISE * view.velocity ? 0 : v2;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x2, exact, layout.width);
@@ -8047,10 +8038,10 @@ ${lines2.join("\n")}
       put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at2));
       put(text, "y", px(cart.lane + 4));
       put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
-      say(text, outside2 ? tr("{name} is outside: {speed}", { name: name3, speed }) : speed);
+      say(text, outside2 ? tr("{name} is outside: {speed}", { name: name2, speed }) : speed);
     }
   };
-  function drawBox(group2, name3, box2) {
+  function drawBox(group2, name2, box2) {
     const rect = need(group2, '[data-part="box"]');
     put(rect, "x", px(box2.x));
     put(rect, "y", px(-box2.height));
@@ -8062,7 +8053,7 @@ ${lines2.join("\n")}
     const title = need(group2, '[data-part="name"]');
     put(title, "y", px(box2.nameY ?? 0));
     put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
-    say(title, name3);
+    say(title, name2);
     const mass = need(group2, '[data-part="mass"]');
     put(mass, "y", px(box2.labelY));
     say(mass, box2.label);
@@ -8073,9 +8064,9 @@ ${lines2.join("\n")}
   function exits({ header, trajectory }, { low, high }, camera) {
     const { t: times2, x: places, v: v2, a: a2 } = trajectory;
     const found2 = [];
-    for (const { name: name3, length } of header.bodies) {
+    for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
-      const place3 = (t3) => valueAt(times2, places[name3] ?? [], v2[name3] ?? [], t3) - camera * t3;
+      const place3 = (t3) => valueAt(times2, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
       const isOut = (t3) => Math.max(place3(t3) - half - high, low - place3(t3) - half) > 0;
       const row = Array.prototype.findIndex.call(times2, isOut);
       if (row < 1) continue;
@@ -8086,8 +8077,8 @@ ${lines2.join("\n")}
         if (isOut(middle)) after = middle;
         else before = middle;
       }
-      const velocity2 = valueAt(times2, v2[name3] ?? [], a2[name3] ?? [], after) - camera;
-      found2.push({ t: after, name: name3, side: place3(after) > high ? "right" : "left", velocity: velocity2 });
+      const velocity2 = valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
+      found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity: velocity2 });
     }
     return found2;
   }
@@ -8188,6 +8179,7 @@ ${lines2.join("\n")}
 
   // src/scene/timeline.js
   var MOST_EVENTS3 = 60;
+  var BAND = { class: "carts-contact-band", y: 0, height: 18 };
   var Timeline = class {
     #until = 0;
     // s, as far as the axis goes
@@ -8228,7 +8220,7 @@ ${lines2.join("\n")}
       const at2 = (t3) => `${px(100 * t3 / this.#until, 3)}%`;
       const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
       const events = this.#events.filter(({ t: t3 }) => t3 <= this.#seen);
-      fit2(this.bands, touches2.length, { class: "carts-contact-band", y: 0, height: 18 }, "rect");
+      fit(this.bands, touches2.length, () => svg("rect", BAND));
       touches2.forEach(({ start, end }, k) => {
         const band3 = (
           /** @type {Element} */
@@ -8237,7 +8229,7 @@ ${lines2.join("\n")}
         put(band3, "x", at2(start));
         put(band3, "width", at2(Math.min(end, this.#seen) - start));
       });
-      fit2(this.marks, events.length, { y1: 1, y2: 17 }, "line");
+      fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
       events.forEach(({ t: t3, kind }, k) => {
         const mark2 = (
           /** @type {Element} */
@@ -8269,10 +8261,6 @@ ${lines2.join("\n")}
       );
     }
   };
-  function fit2(group2, count2, attributes, tag) {
-    while (group2.children.length > count2) group2.lastElementChild?.remove();
-    while (group2.children.length < count2) group2.append(svg(tag, attributes));
-  }
 
   // src/scene/drawing.js
   var Drawing = class {
@@ -8388,13 +8376,13 @@ ${lines2.join("\n")}
   function graph({ fence, view, run }, quantity) {
     const [title, symbol, unit] = QUANTITIES[quantity] ?? ["", "", ""];
     const isForce = quantity === "F";
-    const name3 = isForce ? sizeName(run.header) : title;
+    const name2 = isForce ? sizeName(run.header) : title;
     const camera = fence.camera && ["x", "v"].includes(quantity) ? tr("seen from the camera, ") : "";
     const measured = quantity === "v" ? speedUnit(view.velocity)[1] : unit;
-    const label = tr("{quantity} against time", { quantity: name3 });
-    const table = tr("Table: {quantity}", { quantity: lower(name3) });
+    const label = tr("{quantity} against time", { quantity: name2 });
+    const table = tr("Table: {quantity}", { quantity: lower(name2) });
     return html2`<div class="carts-graph" data-quantity=${quantity} role="group" aria-label=${label}>
-<p class="carts-graph-title"><span class="carts-graph-name">${name3} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
+<p class="carts-graph-title"><span class="carts-graph-name">${name2} ${camera}<i>${isForce ? "|F|" : symbol}</i>${tr(" in {unit}", { unit: measured })}</span>${TOGGLES[quantity]}</p>
 ${plot(`${fence.id}-${quantity}-clip`, isForce, fence.watch === "first")}
 <p class="carts-key"></p>
 ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
@@ -8731,9 +8719,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       return [];
     }
   }
-  function remember(name3) {
+  function remember(name2) {
     try {
-      sessionStorage.setItem(KEY, JSON.stringify([.../* @__PURE__ */ new Set([...remembered(), name3])]));
+      sessionStorage.setItem(KEY, JSON.stringify([.../* @__PURE__ */ new Set([...remembered(), name2])]));
     } catch {
     }
   }

@@ -12439,6 +12439,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function put(element, name, value) {
     if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   }
+  function fit(group, count, make) {
+    while (group.children.length > count) group.lastElementChild?.remove();
+    while (group.children.length < count) group.append(make());
+  }
   function say(element, text3) {
     if (element.textContent !== text3) element.textContent = text3;
   }
@@ -13934,10 +13938,6 @@ ${found && html`<p class="carts-found" hidden></p>`}
       });
     }
   };
-  function fit(group, count, make) {
-    while (group.children.length > count) group.lastElementChild?.remove();
-    while (group.children.length < count) group.append(make());
-  }
 
   // src/scene/readouts.js
   var Readouts = class {
@@ -14586,6 +14586,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
 
   // src/scene/timeline.js
   var MOST_EVENTS3 = 60;
+  var BAND = { class: "carts-contact-band", y: 0, height: 18 };
   var Timeline = class {
     #until = 0;
     // s, as far as the axis goes
@@ -14626,7 +14627,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const at = (t) => `${px(100 * t / this.#until, 3)}%`;
       const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
       const events = this.#events.filter(({ t }) => t <= this.#seen);
-      fit2(this.bands, touches2.length, { class: "carts-contact-band", y: 0, height: 18 }, "rect");
+      fit(this.bands, touches2.length, () => svg("rect", BAND));
       touches2.forEach(({ start, end }, k) => {
         const band4 = (
           /** @type {Element} */
@@ -14635,7 +14636,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         put(band4, "x", at(start));
         put(band4, "width", at(Math.min(end, this.#seen) - start));
       });
-      fit2(this.marks, events.length, { y1: 1, y2: 17 }, "line");
+      fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
       events.forEach(({ t, kind }, k) => {
         const mark = (
           /** @type {Element} */
@@ -14667,10 +14668,6 @@ ${found && html`<p class="carts-found" hidden></p>`}
       );
     }
   };
-  function fit2(group, count, attributes2, tag) {
-    while (group.children.length > count) group.lastElementChild?.remove();
-    while (group.children.length < count) group.append(svg(tag, attributes2));
-  }
 
   // src/scene/drawing.js
   var Drawing = class {

@@ -29,20 +29,10 @@ export class ArrowsForm {
     const contacts = baked.run.header.contacts;
     const elements = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-guess"));
     this.#rows = [...elements].map((element) => {
-      const pair = element.dataset.pair ?? "";
-      const on = element.dataset.on ?? "";
-      const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
-      const side = bodies[0] === on ? "left" : "right";
-      const by = (side === "left" ? bodies[1] : bodies[0]) ?? "";
       const row = {
-        pair,
-        on,
-        by,
-        side: /** @type {"left" | "right"} */ (side),
-        style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
+        ...asked(element, contacts),
         size: null,
         good: null, // the last size that was not taken back: half-typed numbers do not count
-        slider: /** @type {HTMLInputElement} */ (need(element, 'input[type="range"]')),
         box: /** @type {HTMLInputElement} */ (need(element, 'input[type="text"]')),
         error: need(element, ".carts-error"),
       };
@@ -209,8 +199,26 @@ export class ArrowsForm {
   }
 }
 
-/** @param {Row} row */
-function name({ on, by }) {
+/**
+ * Which force a row of the form asks for, and its slider.
+ * @param {HTMLElement} element @param {import("../../../view/types.js").Contact[]} contacts
+ */
+export function asked(element, contacts) {
+  const { pair = "", on = "" } = element.dataset;
+  const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
+  const side = /** @type {"left" | "right"} */ (bodies[0] === on ? "left" : "right");
+  return {
+    pair,
+    on,
+    by: (side === "left" ? bodies[1] : bodies[0]) ?? "",
+    side,
+    style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
+    slider: /** @type {HTMLInputElement} */ (need(element, 'input[type="range"]')),
+  };
+}
+
+/** @param {{on: string, by: string}} row */
+export function name({ on, by }) {
   return forceOn(body(on), body(by));
 }
 

@@ -3,10 +3,9 @@
  * before the run, but everybody has an idea which body is pushed harder.
  */
 
-import { body, forceOn } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
-import { greatest, LONG, pulled } from "./arrows.js";
+import { asked, greatest, LONG, name, pulled } from "./arrows.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, share: number | null, slider: HTMLInputElement}} Row share: of the longest arrow */
@@ -28,16 +27,10 @@ export class RelativeArrows {
     const { contacts } = baked.run.header;
     const elements = /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(".carts-guess"));
     this.#rows = [...elements].map((element) => {
-      const { pair = "", on = "" } = element.dataset;
-      const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
-      const side = bodies[0] === on ? "left" : "right";
-      const slider = /** @type {HTMLInputElement} */ (need(element, "input[type=range]"));
-      const style = element.className.split(" ").find((one) => /^carts-(b\d|wall)$/.test(one));
-      const by = bodies[side === "left" ? 1 : 0] ?? "";
       /** @type {Row} */
-      const row = { pair, on, by, side, style: style ?? "", share: null, slider };
-      slider.addEventListener("input", () => {
-        row.share = slider.valueAsNumber;
+      const row = { ...asked(element, contacts), share: null };
+      row.slider.addEventListener("input", () => {
+        row.share = row.slider.valueAsNumber;
         this.#show();
         changed();
       });
@@ -138,11 +131,6 @@ function relation(rows, of) {
   const [large, small] = a > b ? [one, other] : [other, one];
   if (!Math.min(a, b)) return tr("only the {force}.", { force: name(large) });
   return tr("the {large} is larger than the {small}.", { large: name(large), small: name(small) });
-}
-
-/** @param {Row} row */
-function name({ on, by }) {
-  return forceOn(body(on), body(by));
 }
 
 /** @param {Row} row @param {number} part of the longest arrow @param {string} look */

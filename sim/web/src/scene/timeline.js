@@ -4,9 +4,10 @@ import { marks } from "../../../view/effects-words.js";
 import { fixed, px } from "../../../view/numbers.js";
 import { axisDecimals, span, ticks } from "../../../view/scales.js";
 import { isTold } from "../../../view/trajectory.js";
-import { need, put, svg } from "../shared/dom.js";
+import { fit, need, put, svg } from "../shared/dom.js";
 
 const MOST_EVENTS = 60;
+const BAND = { class: "carts-contact-band", y: 0, height: 18 };
 
 export class Timeline {
   #until = 0; // s, as far as the axis goes
@@ -49,13 +50,13 @@ export class Timeline {
     const at = (/** @type {number} */ t) => `${px((100 * t) / this.#until, 3)}%`;
     const touches = this.#touches.filter(({ start }) => start <= this.#seen);
     const events = this.#events.filter(({ t }) => t <= this.#seen);
-    fit(this.bands, touches.length, { class: "carts-contact-band", y: 0, height: 18 }, "rect");
+    fit(this.bands, touches.length, () => svg("rect", BAND));
     touches.forEach(({ start, end }, k) => {
       const band = /** @type {Element} */ (this.bands.children[k]);
       put(band, "x", at(start));
       put(band, "width", at(Math.min(end, this.#seen) - start));
     });
-    fit(this.marks, events.length, { y1: 1, y2: 17 }, "line");
+    fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
     events.forEach(({ t, kind }, k) => {
       const mark = /** @type {Element} */ (this.marks.children[k]);
       put(mark, "class", `carts-event carts-event-${kind}`);
@@ -85,10 +86,4 @@ export class Timeline {
       }),
     );
   }
-}
-
-/** Exactly `count` children. @param {Element} group @param {number} count @param {Record<string, string | number>} attributes @param {string} tag */
-function fit(group, count, attributes, tag) {
-  while (group.children.length > count) group.lastElementChild?.remove();
-  while (group.children.length < count) group.append(svg(tag, attributes));
 }

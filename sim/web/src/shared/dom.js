@@ -22,6 +22,12 @@ export function put(element, name, value) {
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
+/** Exactly `count` children. @param {Element} group @param {number} count @param {() => Element} make */
+export function fit(group, count, make) {
+  while (group.children.length > count) group.lastElementChild?.remove();
+  while (group.children.length < count) group.append(make());
+}
+
 /** @param {Element} element @param {string} text */
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;

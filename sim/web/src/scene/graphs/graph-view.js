@@ -8,7 +8,7 @@ import { px, speedUnit } from "../../../../view/numbers.js";
 import { seriesOf } from "../../../../view/series.js";
 import { isTold, valueAt } from "../../../../view/trajectory.js";
 import { graphNote } from "../../../../view/words.js";
-import { need, put, svg } from "../../shared/dom.js";
+import { fit, need, put, svg } from "../../shared/dom.js";
 import { ghostCurves } from "../how/ghost.js";
 import { drawAxes } from "./axes.js";
 import { ImpulseLayer } from "./impulse-layer.js";
@@ -205,10 +205,4 @@ export class GraphView {
       put(dot, "d", MARKERS[style] ?? "");
     });
   }
-}
-
-/** Exactly `count` children. @param {Element} group @param {number} count @param {() => Element} make */
-function fit(group, count, make) {
-  while (group.children.length > count) group.lastElementChild?.remove();
-  while (group.children.length < count) group.append(make());
 }
