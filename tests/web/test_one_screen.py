@@ -47,16 +47,20 @@ def all_shown(page: Page) -> None:
         scene.evaluate("(scene) => scene.reveal().then(() => scene.complete())")
 
 
-@pytest.mark.parametrize("lesson", LESSONS)
-def test_on_a_laptop_everything_one_plays_with_is_seen_together(
-    site: Path, open_page: OpenPage, lesson: str
-) -> None:
-    width, height = LAPTOP
-    page = open_page(
+def opened(site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int]) -> Page:
+    width, height = screen
+    return open_page(
         site / "worksheets" / f"{lesson}.html",
         folder=site,
         viewport={"width": width, "height": height},
     )
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_on_a_laptop_everything_one_plays_with_is_seen_together(
+    site: Path, open_page: OpenPage, lesson: str
+) -> None:
+    page, (_, height) = opened(site, open_page, lesson, LAPTOP), LAPTOP
     parts = {".carts-stage": 1, ".carts-play": 1, ".carts-clock": 1, ".carts-slider": 99}
     assert too_low(page, height, {**parts, ".carts-lock": 1}) == []
     before = page.evaluate(WIDTHS)
@@ -70,10 +74,5 @@ def test_on_a_laptop_everything_one_plays_with_is_seen_together(
 def test_on_a_phone_picture_and_play_are_seen_together(
     site: Path, open_page: OpenPage, lesson: str
 ) -> None:
-    width, height = PHONE
-    page = open_page(
-        site / "worksheets" / f"{lesson}.html",
-        folder=site,
-        viewport={"width": width, "height": height},
-    )
+    page, (_, height) = opened(site, open_page, lesson, PHONE), PHONE
     assert too_low(page, height, {".carts-stage": 1, ".carts-play": 1}) == []
