@@ -69,6 +69,9 @@ class Field:
         return number
 
 
+SKINS = ("cart", "van", "truck", "trailer", "box", "puck")
+"""What a cart is drawn as; its motion does not know."""
+
 CART = (
     Field("mass", quantity.MASS, None, "mass of the cart", least="0", above=True),
     Field("position", quantity.LENGTH, None, "position of the cart's centre at t = 0"),

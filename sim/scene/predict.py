@@ -11,7 +11,10 @@ from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
 KINDS = ("arrows", "curve", "choice", "text")
-WISHES = ("talk", "numbers", "sure")
+WISHES = ("talk", "sure")
+SCALES = ("relative", "newtons")
+Quantity = Literal["F", "v", "x"]
+QUANTITIES: tuple[Quantity, ...] = ("F", "v", "x")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,10 +22,11 @@ class Predict:
     """A prediction to be locked before the run.
 
     arrows: length of the force arrow on each cart of the `pairs` at greatest compression.
-    curve: the contact force on `cart` during the contact. choice: one of `options`.
-    text: a sentence. `ask` is the question shown above. `talk`: after the lock two students
-    compare, and each may change the prediction once before the run. `numbers`: arrows in newtons;
-    else only which one is longer counts. `sure`: how sure the student is, is asked too.
+    curve: a `quantity` of `cart`: the contact force during the contact, velocity or position
+    during the run. choice: one of `options`. text: a sentence. `ask` is the question shown above.
+    `talk`: after the lock two students compare, and each may change the prediction once before the
+    run. `scale`: arrows in newtons, or relative: only which one is longer counts. `sure`: how sure
+    the student is, is asked too.
     """
 
     kind: Literal["arrows", "curve", "choice", "text"]
@@ -31,7 +35,8 @@ class Predict:
     cart: str | None = None
     options: tuple[str, ...] = ()
     talk: bool = False
-    numbers: bool = False
+    scale: Literal["relative", "newtons"] = "relative"
+    quantity: Quantity = "F"
     sure: bool = False
 
 
@@ -44,8 +49,12 @@ def read_predict(value: object, scene: Scene, problems: list[Problem]) -> Predic
             path: Path = ("predict", key)
             message = f"{key} is true or false"
             problems.append(Problem(path, "not-a-choice", message, f"{key}: true"))
-    talk, numbers, sure = (table.get(key) is True for key in WISHES)
-    return found and replace(found, talk=talk, numbers=numbers, sure=sure)
+    talk, sure = (table.get(key) is True for key in WISHES)
+    scale = table.get("scale", "relative")
+    if scale not in SCALES:
+        message = "scale is relative (which arrow is longer?) or newtons"
+        problems.append(Problem(("predict", "scale"), "not-a-choice", message, "scale: newtons"))
+    return found and replace(found, talk=talk, scale=scale, sure=sure)
 
 
 def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict | None:
@@ -54,7 +63,7 @@ def _read_kind(value: object, scene: Scene, problems: list[Problem]) -> Predict 
     table = mapping(value, path, problems, hint)
     if table is None:
         return None
-    unknown_keys(table, (*KINDS, "ask", *WISHES), path, problems)
+    unknown_keys(table, (*KINDS, "ask", "scale", *WISHES), path, problems)
     kinds = [kind for kind in KINDS if kind in table]
     if len(kinds) != 1:
         problems.append(Problem(path, "not-a-choice", "predict names exactly one kind", hint))
@@ -115,14 +124,16 @@ def _arrows(
 def _curve(
     body: object, ask: str | None, scene: Scene, path: Path, problems: list[Problem]
 ) -> Predict | None:
-    quantity, _, cart = str(body).partition(".")
-    if quantity != "F" or cart not in {c.name for c in scene.carts}:
-        problems.append(
-            Problem(path, "unknown-path", f"no curve “{body}”", f"curve: F.{scene.carts[0].name}")
-        )
+    name, _, cart = str(body).partition(".")
+    quantity = next((q for q in QUANTITIES if q == name), None)
+    if quantity is None or cart not in {c.name for c in scene.carts}:
+        first = scene.carts[0].name
+        hint = f"curve: F.{first} (force), v.{first} (velocity) or x.{first} (position)"
+        problems.append(Problem(path, "unknown-path", f"no curve “{body}”", hint))
         return None
-    return Predict(
-        kind="curve",
-        cart=cart,
-        ask=ask or said("How does the force on {cart} change while they touch?", cart=cart),
-    )
+    asks = {
+        "F": said("How does the force on {cart} change while they touch?", cart=cart),
+        "v": said("How does the velocity of {cart} change from start to end?", cart=cart),
+        "x": said("How does the position of {cart} change from start to end?", cart=cart),
+    }
+    return Predict(kind="curve", cart=cart, quantity=quantity, ask=ask or asks[quantity])

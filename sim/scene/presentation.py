@@ -9,6 +9,7 @@ from typing import Any
 
 from sim.scene.controls import Control, read_controls
 from sim.scene.effect_controls import Switch, read_switches
+from sim.scene.fields import SKINS
 from sim.scene.model import Scene
 from sim.scene.predict import Predict, read_predict
 from sim.scene.presets import read_presets
@@ -22,8 +23,8 @@ FENCE_KEYS = (
     *("id", "show", "with", "controls", "presets", "predict"),
     *("forces", "slow", "watch", "view", "boxes", "packages"),
 )
-SHOWS = ("x", "v", "a", "F", "p", "energy")
-FORCE_GRAPHS = ("F", "a")
+SHOWS = ("x", "v", "a", "F", "R", "p", "energy")
+FORCE_GRAPHS = ("F", "R", "a")
 VIEWS = ("free-body", "lens", "bars")
 PACKAGES = ("numpy", "scipy")
 ID = re.compile(r"[a-z][a-z0-9-]{0,63}", re.ASCII)
@@ -45,6 +46,7 @@ class Fence:
     forces: str  # shown | hidden
     slow: str  # auto | never | stops
     watch: str  # first | free: whether a run is watched before it is known; "": as the page has it
+    skins: Mapping[str, str]  # by the name of the cart: what it is drawn as, if not as a cart
     boxes: str  # mass | alike: what the size of a cart's box says
     view_speed: float  # m/s, of the camera; 0: at rest on the track
     packages: tuple[str, ...]
@@ -105,10 +107,17 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         forces=forces,
         slow=slow,
         watch=watch,
+        skins=_skins(scene_part["carts"]),
         boxes=boxes,
         view_speed=speed,
         packages=packages,
     )
+
+
+def _skins(carts: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
+    """What carts are drawn as; of a scene that has been read."""
+    skins = {name: cart.get("skin", SKINS[0]) for name, cart in carts.items()}
+    return {name: skin for name, skin in skins.items() if skin != SKINS[0]}
 
 
 def _identity(table: Mapping[str, Any], problems: list[Problem], *, named: bool) -> str:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from sim.scene.effects import kinds
-from sim.scene.fields import CART, GRAVITY, TRACK_LENGTH, UNTIL
+from sim.scene.fields import CART, GRAVITY, SKINS, TRACK_LENGTH, UNTIL
 from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
@@ -119,7 +119,12 @@ def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fracti
 
 def _cart(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> dict[str, Fraction]:
     keys = tuple(field.key for field in CART)
-    unknown_keys(table, keys, path, problems)
+    unknown_keys(table, (*keys, "skin"), path, problems)
+    if (skin := table.get("skin", SKINS[0])) not in SKINS:
+        message = f"no skin “{str(skin)[:40]}”"
+        problems.append(
+            Problem((*path, "skin"), "not-a-choice", message, f"one of {', '.join(SKINS)}")
+        )
     meant = {nearest(str(key), keys) for key in table if key not in keys}
     exact = {}
     for field in CART:

@@ -14,6 +14,7 @@ from sim.scene.fields import (
     GRAVITY,
     HERTZ_STIFFNESS,
     RESTITUTION,
+    SKINS,
     STIFFNESS,
     TRACK_LENGTH,
     UNTIL,
@@ -41,7 +42,7 @@ def scene_schema() -> dict[str, Any]:
         "carts": {
             "type": "object",
             "minProperties": 1,
-            "patternProperties": {NAME: _table(*CART)},
+            "patternProperties": {NAME: _table(*CART, skin={"enum": list(SKINS)})},
             "additionalProperties": False,
         },
         "track": _table(TRACK_LENGTH, left=SIDES, right=SIDES),

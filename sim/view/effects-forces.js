@@ -36,6 +36,19 @@ export function forcesAt({ header, trajectory }, t, always = false) {
   return found;
 }
 
+/** The force of each effect on one cart, over the whole run. @param {Header} header @param {import("./types.js").Trajectory} run @param {string} name */
+export function partsOf(header, run, name) {
+  return kindsOnOne(header).flatMap((kind) => {
+    const own = header.effects.filter(
+      (effect) => effect.kind === kind && effect.active && effect.carts.includes(name),
+    );
+    const column = run.E[`${kind} ${name}`];
+    return own.length && column?.length
+      ? [{ by: listed([...new Set(own.map(agent))]), column }]
+      : [];
+  });
+}
+
 /** @param {Acting} force @returns {string[]} what may stand beside its arrow; the shorter where room is scarce */
 export function labels({ kind, on, by, size }) {
   const told = { on, by, size };

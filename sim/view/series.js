@@ -1,7 +1,7 @@
 /** The curves of each graph. */
 
 import { brief } from "./bodies.js";
-import { outside } from "./effects-forces.js";
+import { outside, partsOf } from "./effects-forces.js";
 import { tr } from "./language.js";
 import { styleOf } from "./markers.js";
 
@@ -19,6 +19,7 @@ import { styleOf } from "./markers.js";
  */
 export function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
   if (quantity === "F") return forces(header, run, signed);
+  if (quantity === "R") return resultants(header, run);
   const times = Float64Array.from(run.t);
   /** @type {Series[]} */
   const curves = header.bodies.map((body, i) => {
@@ -52,6 +53,22 @@ export function seriesOf(quantity, header, run, camera, signed = false, per = 1)
   if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
   if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
   return curves;
+}
+
+/** The resultant force on each cart, m a, and what it is the sum of: the forces of effects. @param {Header} header @param {Trajectory} run @returns {Series[]} */
+function resultants(header, run) {
+  return header.bodies.flatMap(({ name, mass }, i) => {
+    const style = styleOf(i);
+    const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
+    const parts = partsOf(header, run, name).map(({ by, column }) => ({
+      label: tr("on {on} by {by}", { on: brief(name), by }),
+      style,
+      over: true,
+      values: column,
+      slopes: null,
+    }));
+    return [{ label: name, style, over: false, values, slopes: null }, ...parts];
+  });
 }
 
 /** What the carts have given away: to the wall, and the wall to the Earth. @param {Series[]} curves of all carts @param {string} label @returns {Series} */

@@ -16,6 +16,7 @@ export const QUANTITIES = {
   v: [tr("Velocity"), "v", "m/s"],
   a: [tr("Acceleration"), "a", "m/s²"],
   F: [tr("Contact force"), "F", "N"],
+  R: [tr("Resultant force"), "R", "N"],
   p: [tr("Momentum"), "p", "kg m/s"],
   energy: [tr("Kinetic energy"), "E", "J"],
 };
@@ -153,7 +154,7 @@ export function exitSentence({ name, side, velocity }, decimals, scale) {
 export function graphNote(quantity, events, curves) {
   const struck = events.some((event) => event.kind === "contact" && event.impulse);
   if (struck && quantity === "F") return IMPULSE_ONLY;
-  if (struck && quantity === "a") return JUMP_ONLY;
+  if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
   return quantity === "F" && !curves ? tr("no contact force in this run") : "";
 }
 

@@ -96,6 +96,7 @@ def test_a_teachers_single_file_is_a_whole_lesson(
     expect(page.get_by_role("button", name="My answers")).to_be_visible()
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 def test_an_administrators_zip_works_under_a_sub_path(
     given: Path, open_page: OpenPage, tmp_path: Path, site_server: Callable[[Path], str]

@@ -181,6 +181,7 @@ def test_a_fence_knows_how_it_is_shown():
     [
         ({"id": "Crash 1"}, "id"),
         ({"show": ["x", "q"]}, "show"),
+        ({"carts": {"A": {"mass": 1, "position": 0, "skin": "boat"}}}, "carts.A.skin"),
         ({"view": "moving"}, "view"),
         ({"slow": "maybe"}, "slow"),
         ({"controls": [{"set": "A.colour", "from": 1, "to": 2, "step": 1}]}, "controls.0.set"),
@@ -189,6 +190,8 @@ def test_a_fence_knows_how_it_is_shown():
         ({"controls": [{"set": "A.mass", "from": 0, "to": 2, "step": 1}]}, "controls.0.from"),
         ({"predict": {"arrows": ["A-Z"]}}, "predict.arrows"),
         ({"predict": {"curve": "F.Z"}}, "predict.curve"),
+        ({"predict": {"curve": "a.A"}}, "predict.curve"),
+        ({"predict": {"arrows": ["A-B"], "scale": "pounds"}}, "predict.scale"),
         ({"predict": {"choice": ["one"]}}, "predict.choice"),
         ({"predict": {}}, "predict"),
         ({"predict": {"text": "why?", "talk": "perhaps"}}, "predict.talk"),

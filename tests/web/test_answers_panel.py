@@ -103,6 +103,7 @@ def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site:
     expect(page.locator("#why textarea")).to_have_value("")
 
 
+@pytest.mark.one_browser
 def test_a_file_without_a_code_word_is_asked_for_one_and_takes_it(
     open_page: OpenPage, question_site: Path
 ) -> None:
@@ -150,6 +151,7 @@ def test_a_file_brings_answers_back_without_losing_what_is_there(
     assert values == ["Same force,\nless mass. <b>Äöü</b> 力", "written later"]
 
 
+@pytest.mark.one_browser
 def test_a_damaged_or_foreign_file_changes_nothing(
     open_page: OpenPage, question_site: Path
 ) -> None:

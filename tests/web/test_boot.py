@@ -264,6 +264,7 @@ def test_a_numpy_page_has_numpy(open_page: OpenPage, free_site: Path) -> None:
     assert header["result"] == pytest.approx(-2, rel=1e-15)
 
 
+@pytest.mark.one_browser
 def test_a_scipy_page_has_scipy(open_page: OpenPage, free_site: Path) -> None:
     run = "float(__import__('scipy').integrate.quad(lambda x: x * x, 0, 3)[0])"
     page = write_page(
@@ -275,6 +276,7 @@ def test_a_scipy_page_has_scipy(open_page: OpenPage, free_site: Path) -> None:
     assert header["result"] == pytest.approx(9, rel=1e-12)
 
 
+@pytest.mark.one_browser
 def test_a_numpy_page_starts_the_plain_way_too(open_page: OpenPage, free_site: Path) -> None:
     index = read_index(free_site)
     parts = index["files"].pop("memory.snapshot")

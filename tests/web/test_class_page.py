@@ -198,6 +198,7 @@ def test_reports_and_tables_are_saved(page: Page) -> None:
     assert saved(page, ".carts-class-save-png").startswith(b"\x89PNG")
 
 
+@pytest.mark.one_browser
 def test_everything_can_be_deleted(page: Page) -> None:
     choose(page, [*sources(random_class(BANK, 6)), KEY])
     complete(page)
@@ -209,6 +210,7 @@ def test_everything_can_be_deleted(page: Page) -> None:
     expect(page.locator(".carts-class-report")).to_contain_text("1 of 1 files")
 
 
+@pytest.mark.one_browser
 def test_it_prints_without_its_controls_and_fits_a_phone(page: Page) -> None:
     choose(page, [*sources(random_class(BANK, 6)), KEY])
     complete(page)

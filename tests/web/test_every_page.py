@@ -48,6 +48,9 @@ VIEWS = (
     (360, "dark", "screen"),
     (1280, "dark", "print"),
 )
+# Colours belong to the kind of a page: one of each kind is looked at in all views, the others in
+# those that differ most.
+FEWER = (VIEWS[0], VIEWS[2], VIEWS[4])
 
 
 @dataclass
@@ -68,6 +71,7 @@ def found(site: Path, browser: Browser) -> Found:
     at_once(page)
     page.add_init_script(COUNT_SHIFTS)
     heard = listen(page)
+    first_of_kind = set(one_of_each_kind(site))
     for name in pages(site):
         look(page, *VIEWS[0])
         page.goto((site / name).as_uri())
@@ -75,7 +79,7 @@ def found(site: Path, browser: Browser) -> Found:
             all_.jumps.append((name, shift))
         all_.said += [(name, said) for said in heard]
         heard.clear()
-        for view in VIEWS:
+        for view in VIEWS if name in first_of_kind else FEWER:
             look(page, *view)
             page.evaluate(DRAWN)
             all_.pale += [(name, (view, text)) for text in page.evaluate(PALE)]

@@ -71,6 +71,7 @@ def test_a_found_force_shows_them_all_and_is_kept(open_page: OpenPage, widget_si
     expect(page.locator("#hidden .carts-found")).to_be_visible()
 
 
+@pytest.mark.one_browser
 def test_the_forces_are_hidden_in_whatever_the_page_says_before(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -80,6 +81,7 @@ def test_the_forces_are_hidden_in_whatever_the_page_says_before(
     assert " N " not in page.locator("#hidden").inner_text().replace("Mean force on", "")
 
 
+@pytest.mark.one_browser
 def test_a_locked_prediction_stays_when_the_forces_are_found(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -107,6 +109,7 @@ def test_a_locked_prediction_stays_when_the_forces_are_found(
     expect(page.locator("#asking .carts-compared")).to_be_visible()
 
 
+@pytest.mark.one_browser
 def test_a_run_without_a_contact_that_lasts_says_so(open_page: OpenPage, widget_site: Path) -> None:
     path = write_page(widget_site, "apart", {**HIDDEN, "id": "apart", "until": "1 s"})
     page = live(open_page(path), "apart")

@@ -53,6 +53,7 @@ def test_all_cases_come_out_in_the_browser_as_their_sources_say(
     expect(row).to_have_class(re.compile("carts-hard-fresh"))
 
 
+@pytest.mark.one_browser
 def test_a_run_can_be_stopped(hard_page: Path, open_page: OpenPage) -> None:
     page = open_page(hard_page)
     hard = page.locator("#hard")

@@ -70,6 +70,7 @@ def test_balls_collide_in_the_page_as_they_do_natively(
         assert there[cart.name] == pytest.approx(v, abs=AGREES)
 
 
+@pytest.mark.one_browser
 def test_a_page_without_balls_asks_for_neither_numpy_nor_scipy(
     balls_site: Path, open_page: OpenPage
 ) -> None:

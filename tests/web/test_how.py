@@ -67,6 +67,7 @@ def choose(page: Page, method: str) -> None:
     expect(page.locator("#meeting .carts-how-sign")).to_be_visible(timeout=LIVE)
 
 
+@pytest.mark.one_browser
 def test_nothing_is_made_or_asked_before_a_reader_opens_it(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -82,6 +83,7 @@ def test_nothing_is_made_or_asked_before_a_reader_opens_it(
     assert asked(page) == ["run", "how"]
 
 
+@pytest.mark.one_browser
 def test_the_plan_and_its_cost_stand_there(open_page: OpenPage, widget_site: Path) -> None:
     page = opened(live(open_page(widget_site / "meeting.html")))
     phases = natively()["plan"]
@@ -160,6 +162,7 @@ def choose_exact(page: Page) -> None:
     expect(page.locator("#meeting .carts-how-sign")).to_have_count(0)
 
 
+@pytest.mark.one_browser
 def test_sliders_and_the_step_go_on_working_and_reset_is_exact(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -182,6 +185,7 @@ def test_sliders_and_the_step_go_on_working_and_reset_is_exact(
     expect(page.locator("#meeting .carts-how-method")).to_have_value("exact")
 
 
+@pytest.mark.one_browser
 def test_before_the_lock_it_tells_nothing(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "guessed.html"), "guessed")
     page.evaluate(COUNT)

@@ -41,6 +41,7 @@ def on_map(page: Page, script: str, name: str = "map-velocity") -> Any:
     return page.locator(f"#{name}").evaluate(f"async (el) => {{ {script} }}")
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 @pytest.mark.slow
 def test_numpy_comes_when_a_map_is_opened_and_not_before(
@@ -108,6 +109,7 @@ def test_a_map_shows_and_runs_the_values_of_its_points(site: Path, open_page: Op
     assert "greater than 0" in refused
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 @pytest.mark.slow
 def test_a_map_of_runs_fills_while_the_reader_watches(site: Path, open_page: OpenPage) -> None:

@@ -75,6 +75,7 @@ def test_there_are_more_than_200_payloads() -> None:
     assert len(set(payloads())) > 200
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 def test_nothing_that_an_author_writes_is_run(open_page: OpenPage, poisoned_page: Path) -> None:
     page = open_page(poisoned_page)

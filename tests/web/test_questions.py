@@ -77,6 +77,7 @@ def test_the_file_holds_every_answer_for_people_and_programs(
         assert item["first"] <= item["last"]
 
 
+@pytest.mark.one_browser
 def test_check_says_what_fits_the_answer_and_hints_come_one_by_one(
     open_page: OpenPage, question_site: Path
 ) -> None:

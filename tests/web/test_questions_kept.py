@@ -150,6 +150,7 @@ def test_a_prediction_is_kept_with_its_question_and_asked_anew_when_that_changes
     assert said == ["It turns back", "It sticks"]
 
 
+@pytest.mark.one_browser
 @pytest.mark.parametrize("script", [NO_DATABASE + NO_TEXT_STORE, REFUSING], ids=["none", "full"])
 def test_a_prediction_that_cannot_be_kept_is_in_the_file_all_the_same(
     open_page: OpenPage, question_site: Path, script: str

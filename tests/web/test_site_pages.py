@@ -30,10 +30,12 @@ def test_search_works_from_disk(site: Path, open_page: OpenPage) -> None:
     assert heard == []
 
 
+@pytest.mark.one_browser
 def test_search_works_in_a_folder_further_down(site: Path, open_page: OpenPage) -> None:
     search(open_page(site / "physics" / "index.html", folder=site), "momentum")
 
 
+@pytest.mark.one_browser
 @pytest.mark.parametrize("built", ["site", "hosted_site"])
 def test_search_works_from_a_server(
     built: str,

@@ -49,6 +49,7 @@ def watched(open_page: OpenPage, widget_site: Path) -> Page:
     return live(open_page(put(widget_site, "watched", WATCHED)), "watched")
 
 
+@pytest.mark.one_browser
 def test_before_it_is_played_the_page_holds_the_start_alone(watched: Page) -> None:
     watched.wait_for_timeout(500)  # tables are filled when the page has come to rest
     watched.evaluate("dispatchEvent(new Event('beforeprint'))")
@@ -116,6 +117,7 @@ def test_after_the_lock_it_plays_by_itself_and_is_compared_at_its_end(
     expect(scene.locator(".carts-compared")).to_be_visible(timeout=LIVE)
 
 
+@pytest.mark.one_browser
 def test_where_a_lesson_has_it_free_everything_is_there_after_the_lock(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -128,12 +130,14 @@ def test_where_a_lesson_has_it_free_everything_is_there_after_the_lock(
     assert on_scene(page, "return el.time", name="known") == 0
 
 
+@pytest.mark.one_browser
 def test_on_the_projector_everything_is_there(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(put(widget_site, "class-watched", WATCHED)), "watched")
     page.locator("#watched .carts-project").click()
     assert told(page)["events"] != 0
 
 
+@pytest.mark.one_browser
 def test_a_changed_run_is_watched_anew_until_one_was_seen_to_its_end(watched: Page) -> None:
     on_scene(watched, "el.time = 1", name="watched")
     on_scene(watched, 'el.time = 0; await el.set({ "A.mass": 2 })', name="watched")

@@ -50,6 +50,7 @@ def test_a_slider_and_its_box_are_one(open_page: OpenPage, widget_site: Path) ->
     expect(box).to_have_value("0.5")
 
 
+@pytest.mark.one_browser
 @pytest.mark.parametrize(
     ("typed", "said"),
     [
@@ -99,6 +100,7 @@ def test_everything_is_reached_by_keyboard(open_page: OpenPage, widget_site: Pat
     assert {"carts-number-box", "carts-reset", "carts-window", "carts-sign"} <= reached
 
 
+@pytest.mark.one_browser
 def test_a_table_is_filled_when_it_is_opened(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "meeting.html"))
     on_scene(page, "await el.set({ 'A.velocity': 1 })")
@@ -116,6 +118,7 @@ def value(page: Page, target: str) -> str:
     return page.locator(f'#play [data-set="{target}"] .carts-number-box').input_value()
 
 
+@pytest.mark.one_browser
 def test_presets_are_undone_and_reset(play: Page) -> None:
     scene = play.locator("#play")
     undo = scene.locator(".carts-undo")

@@ -35,6 +35,7 @@ STILL = """el => {
 }"""
 
 
+@pytest.mark.one_browser
 @pytest.mark.parametrize("name", ["meeting", "coasting", "struck"])
 def test_what_python_computes_is_what_was_baked(
     open_page: OpenPage, widget_site: Path, name: str
@@ -67,6 +68,7 @@ def test_nothing_jumps_and_the_marks_are_set(open_page: OpenPage, widget_site: P
     assert shift <= 0.01
 
 
+@pytest.mark.one_browser
 def test_steps_never_pass_over_an_event(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "meeting.html"))
     page.locator("#meeting .carts-speed").select_option("10")
@@ -81,6 +83,7 @@ def test_steps_never_pass_over_an_event(open_page: OpenPage, widget_site: Path) 
     assert set(times[1]) <= set(times[0])
 
 
+@pytest.mark.one_browser
 def test_slow_motion_shows_both_clocks(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "meeting.html"))
     on_scene(page, "el.time = el.trajectory.events.find((e) => e.kind === 'peak').t")
@@ -110,6 +113,7 @@ def test_force_arrows_are_equal_and_point_into_their_bodies(
     assert len({w.split(":")[1] for w in told["words"]}) == 1
 
 
+@pytest.mark.one_browser
 def test_the_live_region_tells_events(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "meeting.html"))
     page.locator("#meeting .carts-speed").select_option("10")
@@ -165,6 +169,7 @@ def test_without_javascript_the_picture_stands(
     expect(page.locator("#meeting .carts-play")).to_be_disabled()
 
 
+@pytest.mark.one_browser
 @pytest.mark.parametrize("width", [360, 800, 1300])
 def test_nothing_sticks_out(open_page: OpenPage, widget_site: Path, width: int) -> None:
     page = live(open_page(widget_site / "meeting.html", viewport={"width": width, "height": 800}))
@@ -193,6 +198,7 @@ def test_two_scenes_share_one_worker(open_page: OpenPage, widget_site: Path) -> 
     assert on_scene(page, "return el.trajectory.t.at(-1)") == 6
 
 
+@pytest.mark.one_browser
 def test_no_page_complains(open_page: OpenPage, widget_site: Path) -> None:
     """No error and no violation of the policy while a reader uses everything once."""
     for name in FENCES:

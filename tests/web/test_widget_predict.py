@@ -49,6 +49,7 @@ def test_nothing_is_told_before_the_lock(open_page: OpenPage, widget_site: Path)
     expect(page.locator("#arrows .carts-results")).to_be_hidden()
 
 
+@pytest.mark.one_browser
 def test_before_the_lock_cards_and_tables_hold_the_start_state_only(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -62,6 +63,7 @@ def test_before_the_lock_cards_and_tables_hold_the_start_state_only(
     page.evaluate("dispatchEvent(new Event('afterprint'))")
 
 
+@pytest.mark.one_browser
 def test_after_the_lock_a_graph_says_what_it_cannot_draw(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -94,6 +96,7 @@ def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_s
     expect(page.locator("#arrows .carts-play")).to_be_enabled()
 
 
+@pytest.mark.one_browser
 def test_a_long_arrow_is_typed_and_drawn_cut(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "arrows.html"), "arrows")
     error = page.locator("#arrows .carts-predict-error")
@@ -130,6 +133,7 @@ def test_the_lock_by_keyboard_leads_to_play_and_is_read_out(
     )
 
 
+@pytest.mark.one_browser
 def test_the_next_student_can_start_again(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "choice.html"), "choice")
     again, asked = page.locator("#choice .carts-again"), page.locator("#choice .carts-forget")
@@ -199,6 +203,23 @@ def test_a_curve_is_typed_or_drawn_and_compared_by_features(
     expect(compared).to_contain_text("is zero again at the end: your curve no, the run yes")
 
 
+@pytest.mark.one_browser
+def test_curves_of_velocity_and_position_have_a_direction_and_need_no_contact(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "speed.html"), "speed")
+    for k, height in enumerate((6, 4, 2, -2, -2)):
+        page.locator("#speed .carts-height").nth(k).fill(str(height))
+    lock(page, "speed")
+    compared = page.locator("#speed .carts-compared")
+    expect(compared).to_contain_text("stays the same from start to end: your curve no, the run yes")
+    expect(compared).to_contain_text("turns round: your curve yes, the run no")
+    drawn = page.locator("#speed .carts-pad [data-part=answer]").get_attribute("d") or ""
+    heights = {point.split()[1] for point in drawn.lstrip("M").split("L")}
+    assert heights == {"10"}, "one height, above the line of rest: to the right"
+
+
+@pytest.mark.one_browser
 def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "choice.html"), "choice")
     page.locator("#choice .carts-lock").click()
@@ -215,6 +236,7 @@ def test_an_option_or_a_sentence_is_enough(open_page: OpenPage, widget_site: Pat
     expect(page.locator("#words .carts-words")).to_have_value("It turns back, <b>I think</b>.")
 
 
+@pytest.mark.one_browser
 def test_without_python_a_prediction_is_kept_and_the_reader_told(
     open_page: OpenPage, widget_site: Path, tmp_path: Path
 ) -> None:
@@ -229,6 +251,7 @@ def test_without_python_a_prediction_is_kept_and_the_reader_told(
     expect(page.locator("#choice .carts-predict-error")).to_contain_text("prediction is kept")
 
 
+@pytest.mark.one_browser
 def test_after_talking_a_prediction_is_changed_once_and_explained(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -256,6 +279,7 @@ def test_after_talking_a_prediction_is_changed_once_and_explained(
     expect(scene.locator(".carts-why textarea")).to_have_value("B pushes A to the left.")
 
 
+@pytest.mark.one_browser
 def test_on_the_projector_hands_are_counted_and_the_run_is_revealed(
     open_page: OpenPage, widget_site: Path
 ) -> None:

@@ -58,6 +58,7 @@ def test_a_link_restores_the_state_and_files_are_saved(
     expect(other.locator("#play .carts-note")).to_contain_text("does not fit this scene")
 
 
+@pytest.mark.one_browser
 def test_a_program_of_the_values_on_screen_can_be_taken_along(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -75,6 +76,7 @@ def test_a_program_of_the_values_on_screen_can_be_taken_along(
     compile(text, "meeting.py", "exec")
 
 
+@pytest.mark.one_browser
 def test_a_hosted_page_shows_its_link_as_a_code_for_phones(
     open_page: OpenPage, widget_site: Path, site_server: Callable[[Path], str]
 ) -> None:

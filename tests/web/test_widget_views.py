@@ -37,6 +37,7 @@ def number(page: Page, body: str, quantity: str) -> float:
     return float(cell.inner_text().replace("−", "-"))
 
 
+@pytest.mark.one_browser
 def test_forces_are_equal_and_what_they_do_is_not(third: Page) -> None:
     assert number(third, "A", "F") == -number(third, "B", "F") < 0
     for quantity in ("a", "dv"):  # masses are 0.5 kg and 1 kg
@@ -52,6 +53,7 @@ def test_forces_are_equal_and_what_they_do_is_not(third: Page) -> None:
     assert len({boxes.nth(i).get_attribute("viewBox") for i in range(2)}) == 1  # one scale
 
 
+@pytest.mark.one_browser
 def test_the_lens_is_ten_times_the_picture(third: Page) -> None:
     wide, bar = on_scene(
         third,
@@ -89,6 +91,7 @@ def test_the_reader_chooses_graphs_and_views(third: Page) -> None:
     assert len(ids) == len(set(ids))
 
 
+@pytest.mark.one_browser
 def test_the_impulse_is_shaded_and_told(third: Page) -> None:
     note = third.locator("#third .carts-area-note")
     expect(note).to_contain_text(re.compile(r"A–B, shaded area so far: 0\.\d+"))
@@ -96,6 +99,7 @@ def test_the_impulse_is_shaded_and_told(third: Page) -> None:
     expect(note).to_contain_text("shaded area: 0.360; m Δv of A: −0.360; m Δv of B: 0.360")
 
 
+@pytest.mark.one_browser
 def test_before_and_now_of_momentum_add_up(third: Page) -> None:
     on_scene(third, "el.time = 5;", name="third")  # after the wall
     rows = third.locator('#third [data-view="bars"] tbody tr')
@@ -108,6 +112,7 @@ def test_before_and_now_of_momentum_add_up(third: Page) -> None:
     assert now[3] == pytest.approx(0.30, abs=0.001)
 
 
+@pytest.mark.one_browser
 def test_playing_stops_at_touch_greatest_force_and_parting(third: Page) -> None:
     scene = third.locator("#third")
     scene.locator(".carts-choose summary").click()
@@ -123,6 +128,7 @@ def test_playing_stops_at_touch_greatest_force_and_parting(third: Page) -> None:
         assert on_scene(third, "return el.time", name="third") == t
 
 
+@pytest.mark.one_browser
 def test_boxes_are_as_large_as_the_masses_or_all_alike(
     open_page: OpenPage, widget_site: Path
 ) -> None:
@@ -154,6 +160,7 @@ ROUGH: dict[str, Any] = {
 }
 
 
+@pytest.mark.one_browser
 def test_the_ledger_with_effects_adds_up_to_what_was_there_and_what_was_given(
     open_page: OpenPage, widget_site: Path
 ) -> None:

@@ -45,7 +45,7 @@ PLAY: dict[str, Any] = {
         {"set": "A.position", "from": "0.2 m", "to": "1 m", "step": "0.1 m"},
     ],
 }
-ARROWS = {**MEETING, "id": "arrows", "predict": {"arrows": ["A-B"], "numbers": True}}
+ARROWS = {**MEETING, "id": "arrows", "predict": {"arrows": ["A-B"], "scale": "newtons"}}
 CURVE = {**MEETING, "id": "curve", "predict": {"curve": "F.A"}}
 CHOICE = {
     **MEETING,
@@ -54,6 +54,12 @@ CHOICE = {
 }
 WORDS = {**MEETING, "id": "words", "predict": {"text": "What does A do?"}}
 QUESTIONS = {fence["id"]: fence for fence in (ARROWS, CURVE, CHOICE, WORDS)}
+SPEED: dict[str, Any] = {
+    "id": "speed",
+    "carts": {"A": {"mass": "0.5 kg", "position": "0.40 m", "velocity": "0.50 m/s"}},
+    "until": "2 s",
+    "predict": {"curve": "v.A"},
+}
 COASTING: dict[str, Any] = {
     "id": "coasting",
     "title": "Seen from a moving camera",
@@ -74,10 +80,10 @@ STRUCK: dict[str, Any] = {
     "track": {"length": 2},
     "contact": {"law": "instant", "restitution": "0.5"},
     "until": 3,
-    "show": ["x", "v", "a", "F", "p", "energy"],
+    "show": ["x", "v", "a", "F", "R", "p", "energy"],
 }
 GUESSED = {**STRUCK, "id": "guessed", "predict": {"choice": ["It stops", "It turns back"]}}
-FENCES = {f["id"]: f for f in (MEETING, *QUESTIONS.values(), COASTING, STRUCK, GUESSED)}
+FENCES = {f["id"]: f for f in (MEETING, *QUESTIONS.values(), SPEED, COASTING, STRUCK, GUESSED)}
 
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8">

@@ -84,22 +84,25 @@ def bars(rows: Sequence[tuple[str, Sequence[tuple[str, float]]]], shown: Sequenc
 def curves(drawn: Sequence[Sequence[float]], highest: float = 10.0) -> str:
     """Curves of a class over each other: many equal ones make a dark line."""
     width, height, left, top = 360, 150, 40, 10
+    signed = any(h < 0 for heights in drawn for h in heights)
+    lowest = -highest if signed else 0.0
     paths = []
     for heights in drawn:
         step = (width - left - 10) / (len(heights) - 1)
-        shares = [1 - min(max(h, 0), highest) / highest for h in heights]
+        shares = [(highest - min(max(h, lowest), highest)) / (highest - lowest) for h in heights]
         points = " ".join(
             f"{left + k * step:.1f} {top + (height - 40) * share:.1f}"
             for k, share in enumerate(shares)
         )
         paths.append(f'<path class="drawn" d="M{points}"/>')
     base = top + height - 40
-    axis = f'<path class="axis" d="M{left} {top}V{base}H{width - 10}"/>'
+    zero = top + (base - top) / 2 if signed else base
+    axis = f'<path class="axis" d="M{left} {top}V{base}M{left} {zero}H{width - 10}"/>'
     words = [
         _text(left, base + 18, "begin", "key"),
         _text(width - 40, base + 18, "end", "key"),
         _text(8, top + 8, "large", "key"),
-        _text(8, base + 4, "0", "key"),
+        _text(8, zero + 4, "0", "key"),
     ]
     label = f"{len(drawn)} drawn curves over each other"
     content = "".join([axis, *paths, *words])

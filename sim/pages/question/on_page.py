@@ -15,7 +15,7 @@ from sim.pages.question.block import QuestionBlock
 from sim.pages.question.quiz import QuizBlock
 from sim.scene import Fence, Problem
 
-OPEN = "nothing"  # after: nothing
+OPEN = "none"  # after: none
 BEFORE_A_RUN = ("idea", "drawn")  # what these ask for is given before a run is seen
 
 

@@ -73,6 +73,7 @@ def _view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict[str, An
 def _fence_facts(fence: Any) -> dict[str, Any]:
     """What the page needs to know about the fence."""
     return {
+        "skins": dict(fence.skins),
         "id": fence.id,
         "scene": dict(fence.plain),
         "show": list(fence.show),
@@ -117,7 +118,8 @@ def _prediction(predict: Any) -> dict[str, Any]:
         "kind": predict.kind,
         "ask": told(predict.ask),
         "talk": predict.talk,
-        "numbers": predict.numbers,
+        "scale": predict.scale,
+        "quantity": predict.quantity,
         "sure": predict.sure,
         "pairs": [list(pair) for pair in predict.pairs],
         "cart": predict.cart,

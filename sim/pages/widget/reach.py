@@ -51,6 +51,7 @@ def reaches(
         "v": Reach(min(speeds) / per, max(speeds) / per, stretch),
         "a": Reach(0.0, 0.0, stretch),
         "F": Reach(0.0, force, 1.0),
+        "R": Reach(0.0, 0.0, stretch),
         "p": Reach(min(momenta), max(momenta), stretch),
         "energy": Reach(0.0, energy, stretch * stretch),
     }

@@ -60,6 +60,7 @@ def read_scales(
         "v": decimals_for(velocity / per, 3 if per == 1 else 2),
         "a": decimals_for((force or lightest) / lightest),
         "F": decimals_for(force or 1.0),
+        "R": decimals_for(force or 1.0),
         "p": decimals_for(velocity * max(b["mass"] for b in header["bodies"])),
         "energy": decimals_for(velocity**2 * max(b["mass"] for b in header["bodies"]) / 2),
     }

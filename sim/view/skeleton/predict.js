@@ -7,6 +7,7 @@ import { body, forceOn } from "../bodies.js";
 import { tr } from "../language.js";
 import { styleOf } from "../markers.js";
 import { html } from "../markup.js";
+import { STEP as APART, HIGHEST, LEFT, POINTS, pad, path } from "../pad.js";
 import { niceAbove } from "../scales.js";
 
 /** @typedef {import("../types.js").Baked} Baked */
@@ -19,7 +20,23 @@ const CERTAINTY = /** @type {[string, string][]} */ ([
   ["think", tr("I think so")],
   ["sure", tr("I am sure")],
 ]);
-const KNOBS = [0, 1, 2, 3, 4];
+const TIMES = {
+  contact: [
+    tr("at first touch"),
+    tr("after a quarter"),
+    tr("in the middle"),
+    tr("after three quarters"),
+    tr("at the end"),
+  ],
+  run: [
+    tr("at the start"),
+    tr("after a quarter"),
+    tr("in the middle"),
+    tr("after three quarters"),
+    tr("at the end"),
+  ],
+};
+const KNOBS = Array.from({ length: POINTS }, (_, k) => k);
 
 /** @type {Record<PredictSpec["kind"], (baked: Baked, spec: PredictSpec) => import("../markup.js").Markup>} */
 const FORMS = { arrows, curve, choice, text };
@@ -54,7 +71,8 @@ function certainty(id) {
 }
 
 /** A length for each force: a slider, and a box where it is asked for in newtons. @param {Baked} baked @param {PredictSpec} spec */
-function arrows({ fence, view, run: { header } }, { pairs, numbers }) {
+function arrows({ fence, view, run: { header } }, { pairs, scale }) {
+  const numbers = scale === "newtons";
   const full = numbers ? view.force || FULL : 1;
   const step = numbers ? niceAbove(full / 100) : STEP;
   const asked = pairs.flatMap(([left, right]) => [
@@ -76,26 +94,31 @@ function arrows({ fence, view, run: { header } }, { pairs, numbers }) {
 ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
 }
 
-/** A curve drawn by hand: five points over the time of the contact. @param {Baked} baked @param {PredictSpec} spec */
-function curve({ run: { header } }, { cart }) {
+/** A curve drawn by hand: five points over the time of the contact, or of the run. @param {Baked} baked @param {PredictSpec} spec */
+function curve({ run: { header } }, { cart, quantity }) {
   const i = header.bodies.findIndex(({ name }) => name === cart);
+  const place = pad(quantity);
   const knobs = KNOBS.map(
-    (k) => html`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`,
+    (k) =>
+      html`<circle class="carts-knob" data-index=${k} cx=${LEFT + APART * k} cy=${place.zero} r="7"/>`,
   );
-  const heights = [
-    tr("at first touch"),
-    tr("after a quarter"),
-    tr("in the middle"),
-    tr("after three quarters"),
-    tr("at the end"),
-  ].map(
+  const heights = TIMES[quantity === "F" ? "contact" : "run"].map(
     (name) =>
-      html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min="0" max="10" step="0.5" disabled></label>`,
+      html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place.low} max=${HIGHEST} step="0.5" disabled></label>`,
   );
+  const flat = path(place, [0, 0, 0, 0, 0]);
   return html`<div class="carts-sketch">
-<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/><text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text><path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d="M40 130L117.5 130L195 130L272.5 130L350 130"/>${knobs}</svg>
-<div class="carts-heights"><p>${tr("Move the five points, or type heights from 0 to 10.")}</p>${heights}</div>
+<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/>${axes(quantity)}<path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d=${flat}/>${knobs}</svg>
+<div class="carts-heights"><p>${quantity === "F" ? tr("Move the five points, or type heights from 0 to 10.") : tr("Move the five points, or type heights from −10 to 10: right is positive.")}</p>${heights}</div>
 </div>`;
+}
+
+/** What the edges of the pad mean. @param {PredictSpec["quantity"]} quantity */
+function axes(quantity) {
+  if (quantity === "F")
+    return html`<text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text>`;
+  const middle = quantity === "v" ? tr("at rest") : tr("start");
+  return html`<text x="46" y="24">${tr("to the right")}</text><text x="46" y="126">${tr("to the left")}</text><text x="346" y="66" text-anchor="end">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
 }
 
 /** @param {Baked} baked @param {PredictSpec} spec */

@@ -17,7 +17,7 @@ import { timeline, transport } from "./time.js";
 /** @typedef {import("../types.js").Baked} Baked */
 /** @typedef {import("../markup.js").Markup} Markup */
 
-const FORCE_QUANTITIES = ["F", "a"]; // left out where the lesson lets students find the force
+const FORCE_QUANTITIES = ["F", "R", "a"]; // left out where the lesson lets students find the force
 
 /**
  * @param {Baked} baked

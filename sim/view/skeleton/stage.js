@@ -7,6 +7,7 @@ import { html } from "../markup.js";
 import { fixed, px, short, speedUnit } from "../numbers.js";
 import { axisDecimals, niceAbove, ticks } from "../scales.js";
 import { blockArrow, lineArrow } from "../shapes.js";
+import { SKINS } from "../skins.js";
 
 /** @typedef {import("../types.js").Baked} Baked */
 /** @typedef {import("../types.js").Layout} Layout */
@@ -34,7 +35,7 @@ export function stage(baked, layout) {
 ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
-${run.header.bodies.map(cart)}
+${run.header.bodies.map((body, i) => cart(body.name, i, fence.skins[body.name] ?? "cart"))}
 <g data-part="effects-front"></g>
 ${forces && pushes(baked)}
 <g data-part="guess"></g>
@@ -48,11 +49,12 @@ function velocity({ name }, i) {
 `;
 }
 
-/** @param {{name: string}} body @param {number} i */
-function cart({ name }, i) {
+/** @param {string} name @param {number} i @param {string} skin */
+function cart(name, i, skin) {
+  const { corner, wheels } = /** @type {import("../skins.js").Skin} */ (SKINS[skin]);
   const face = (/** @type {string} */ side) =>
     html`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-  return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><path data-part="wheels" class="carts-wheels"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+  return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
 }
 

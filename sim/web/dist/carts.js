@@ -402,13 +402,13 @@
     return new Promise((resolve) => requestAnimationFrame(resolve));
   }
   var MEASURES = 200;
-  function waited(name2, at2) {
+  function waited(name2, at3) {
     if (performance.getEntriesByName(name2).length >= MEASURES) performance.clearMeasures(name2);
-    performance.measure(name2, { start: at2, end: performance.now() });
+    performance.measure(name2, { start: at3, end: performance.now() });
   }
-  async function drawn(scene, at2, detail) {
+  async function drawn(scene, at3, detail) {
     await frame();
-    waited("carts:update", at2);
+    waited("carts:update", at3);
     scene.dispatchEvent(new CustomEvent("carts-update", { bubbles: true, detail }));
   }
   function deferred() {
@@ -626,7 +626,7 @@
       const scale = axis(0, 100 * high, 4);
       const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x2 = (t3) => left + t3 / until * (right - left);
-      const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
+      const path3 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
       const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
         const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y2(tick / 100) + 4) });
         label.textContent = `${short(tick)} %`;
@@ -646,9 +646,9 @@
         last,
         svg("path", {
           class: "carts-cost-line carts-cost-true",
-          d: path2(exact.map((e2) => e2 / start))
+          d: path3(exact.map((e2) => e2 / start))
         }),
-        svg("path", { class: "carts-cost-line carts-cost-made", d: path2(finite) }),
+        svg("path", { class: "carts-cost-line carts-cost-made", d: path3(finite) }),
         this.cursor
       );
     }
@@ -677,8 +677,8 @@
   };
 
   // src/cost/table.js
-  function fill(table, lines2) {
-    const body2 = lines2.map(([head = "", ...values]) => {
+  function fill(table, lines3) {
+    const body2 = lines3.map(([head = "", ...values]) => {
       const line = html("tr");
       const first = html("th", "", head);
       first.setAttribute("scope", "row");
@@ -874,8 +874,8 @@
         this.#figure?.show(rows);
         this.#mark();
         const until = Number(this.run?.header.until);
-        const lines2 = rows.map((row) => cells(row, until));
-        fill(need(this, ".carts-cost-table table"), lines2);
+        const lines3 = rows.map((row) => cells(row, until));
+        fill(need(this, ".carts-cost-table table"), lines3);
       }
       /** The ring stands where the chosen method and step were measured. */
       #mark() {
@@ -1478,7 +1478,7 @@
   var view_default5 = {
     name: tr("pushes from outside"),
     row: 2,
-    side: (force) => force < 0 ? "right" : "left",
+    side: (force2) => force2 < 0 ? "right" : "left",
     around: (_2, agent2) => agent2,
     acts: ({ numbers: { from = 0, until = Infinity } }, t3) => t3 >= from && t3 < until,
     phrase: (effect, { agent: agent2, seen }) => [
@@ -1486,17 +1486,17 @@
       seen(forceText(effect.numbers.force ?? 0)),
       times(effect)
     ],
-    pieces({ carts: [name2 = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+    pieces({ carts: [name2 = ""], numbers: { force: force2 = 0 } }, { key, header, layout, centre }) {
       const y2 = layout.track;
-      const way = force >= 0 ? 1 : -1;
+      const way = force2 >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name2);
       const x2 = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
       const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d: d2 }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told3) {
+    marks({ carts, numbers: { from = 0, until: end, force: force2 = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
-      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force2) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
       if (end !== void 0 && from < end && end <= until) {
         marks3.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
@@ -1504,9 +1504,9 @@
       return marks3;
     }
   };
-  function forceText(force) {
-    const size = short(Math.abs(force));
-    return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
+  function forceText(force2) {
+    const size = short(Math.abs(force2));
+    return force2 >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
   }
   function times({ numbers: { from = 0, until } }) {
     if (until !== void 0) {
@@ -1524,11 +1524,11 @@
     leftOut: tr("exploders"),
     link: null,
     // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at: at2 = 0 } }, t3) => t3 < at2,
-    phrase: ({ numbers: { energy = 0, at: at2 = 0 } }, { both, seen }) => [
+    acts: ({ numbers: { at: at3 = 0 } }, t3) => t3 < at3,
+    phrase: ({ numbers: { energy = 0, at: at3 = 0 } }, { both, seen }) => [
       tr("an exploder between {bodies}", { bodies: both }),
       seen(`${short(energy)} J`),
-      tr("at {time} s", { time: short(at2) })
+      tr("at {time} s", { time: short(at3) })
     ],
     pieces({ between: between2 }, { key, layout, face }) {
       const [a2, b2] = between2 ?? ["", ""];
@@ -1714,8 +1714,8 @@
       }
     }
     /** A value from elsewhere than its slider. @param {string} target @param {number} value in the control's unit @param {number} at */
-    take(target, value, at2) {
-      this.#views.get(target)?.take(value, at2);
+    take(target, value, at3) {
+      this.#views.get(target)?.take(value, at3);
     }
     /** @param {string} target @param {string} message @returns {boolean} whether there is such a control */
     complain(target, message) {
@@ -1753,9 +1753,9 @@
       this.box.disabled = !on;
     }
     /** @param {number} value in the control's unit @param {number} at */
-    take(value, at2) {
+    take(value, at3) {
       this.#accept(value);
-      this.change(this.control.set, this.#asked(value), at2);
+      this.change(this.control.set, this.#asked(value), at3);
     }
     /** @param {number} value SI @returns {number} in the control's unit, without the conversion's rounding */
     shown(value) {
@@ -1787,13 +1787,13 @@
       this.box.removeAttribute("aria-invalid");
     }
     /** @param {Change} change @param {number} at */
-    #typed(change2, at2) {
+    #typed(change2, at3) {
       const read = readTyped(this.box.value);
       const { low, high, unit, label } = this.control;
       if ("problem" in read) return this.complain(read.problem);
       if ("text" in read) {
         this.#sent = this.box.value;
-        return change2(this.control.set, read.text, at2);
+        return change2(this.control.set, read.text, at3);
       }
       if (read.value < low || read.value > high) {
         const range = tr("{low} to {high}", { low: this.#text(low), high: this.#text(high) });
@@ -1802,7 +1802,7 @@
         );
       }
       this.#accept(read.value);
-      return change2(this.control.set, this.#asked(read.value), at2);
+      return change2(this.control.set, this.#asked(read.value), at3);
     }
     /** @param {number} value */
     #accept(value) {
@@ -1881,8 +1881,8 @@
     /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
     nearest(value, per = 1) {
       let best = 0;
-      for (const [k, at2] of this.values.entries()) {
-        if (Math.abs(at2 / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
+      for (const [k, at3] of this.values.entries()) {
+        if (Math.abs(at3 / per - value) < Math.abs(Number(this.values[best]) / per - value)) best = k;
       }
       return best;
     }
@@ -1985,17 +1985,17 @@
     const along = facts.axes[0];
     if (!along) return "";
     const [x2, y2] = [span(along.low, along.high, 1), valueAxis(facts)];
-    let path2 = "";
+    let path3 = "";
     let pen = "M";
     for (const [k, point] of points.entries()) {
       const value = Number(values[k]);
       if (Number.isNaN(value)) pen = "M";
       else {
-        path2 += `${pen}${px(across(shown(point, along), x2))} ${px(up(value, y2))}`;
+        path3 += `${pen}${px(across(shown(point, along), x2))} ${px(up(value, y2))}`;
         pen = "L";
       }
     }
-    return path2;
+    return path3;
   }
 
   // ../view/map/pixels.js
@@ -2009,15 +2009,15 @@
     if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
     return a2 * (1 - part) + b2 * part;
   }
-  function between(values, lines2, count2, factor, next, line) {
+  function between(values, lines3, count2, factor, next, line) {
     const fine = (count2 - 1) * factor + 1;
-    const found2 = new Float64Array(lines2 * fine);
-    for (let i2 = 0; i2 < lines2; i2 += 1) {
+    const found2 = new Float64Array(lines3 * fine);
+    for (let i2 = 0; i2 < lines3; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at2 = i2 * line + left * next;
+        const at3 = i2 * line + left * next;
         const part = (k - left * factor) / factor;
-        found2[i2 * fine + k] = mixed(Number(values[at2]), Number(values[at2 + next]), part);
+        found2[i2 * fine + k] = mixed(Number(values[at3]), Number(values[at3 + next]), part);
       }
     }
     return found2;
@@ -2040,18 +2040,18 @@
   function lines(bands, width, { count: count2, zero }) {
     const places = bands.slice();
     const line = 2 * count2 + 1;
-    const compare = (at2, other) => {
-      const own = Number(bands[at2]);
+    const compare = (at3, other) => {
+      const own = Number(bands[at3]);
       const next = Number(bands[other]);
       if (next === own || own === count2) return;
       if (next !== count2 && own >= zero !== next >= zero) {
-        places[at2] = line;
+        places[at3] = line;
         places[other] = line;
-      } else if (places[at2] !== line) places[at2] = count2 + 1 + own;
+      } else if (places[at3] !== line) places[at3] = count2 + 1 + own;
     };
-    for (let at2 = 0; at2 < bands.length; at2 += 1) {
-      if ((at2 + 1) % width) compare(at2, at2 + 1);
-      if (at2 + width < bands.length) compare(at2, at2 + width);
+    for (let at3 = 0; at3 < bands.length; at3 += 1) {
+      if ((at3 + 1) % width) compare(at3, at3 + 1);
+      if (at3 + width < bands.length) compare(at3, at3 + width);
     }
     return places;
   }
@@ -2069,7 +2069,7 @@
     const image = context.createImageData(width, height);
     const words = new Uint32Array(image.data.buffer);
     const colours = packed(scale);
-    for (let at2 = 0; at2 < places.length; at2 += 1) words[at2] = Number(colours[Number(places[at2])]);
+    for (let at3 = 0; at3 < places.length; at3 += 1) words[at3] = Number(colours[Number(places[at3])]);
     context.putImageData(image, 0, 0);
   }
   function packed(scale) {
@@ -2102,8 +2102,8 @@
     show(grid) {
       this.axes = grid.axes;
       if (grid.axes.length === 1) {
-        const path2 = curve(this.facts, grid.axes[0] ?? [], grid.values);
-        return put(need(this.over, '[data-part="curve"]'), "d", path2);
+        const path3 = curve(this.facts, grid.axes[0] ?? [], grid.values);
+        return put(need(this.over, '[data-part="curve"]'), "d", path3);
       }
       this.#canvas ??= this.#laid();
       paint(this.#canvas, grid, this.scale);
@@ -2216,20 +2216,20 @@
   }
   function tableOf(columns, rows, axisText, valueText2) {
     if (rows === 1) {
-      const lines3 = spread(columns, 2 * ROWS - 1).map((k) => [axisText(0, k), valueText2(k)]);
-      return { head: [], lines: lines3 };
+      const lines4 = spread(columns, 2 * ROWS - 1).map((k) => [axisText(0, k), valueText2(k)]);
+      return { head: [], lines: lines4 };
     }
     const across2 = spread(columns, COLUMNS);
-    const lines2 = spread(rows, ROWS).map((row) => [
+    const lines3 = spread(rows, ROWS).map((row) => [
       axisText(1, row),
       ...across2.map((k) => valueText2(row * columns + k))
     ]);
-    return { head: across2.map((k) => axisText(0, k)), lines: lines2 };
+    return { head: across2.map((k) => axisText(0, k)), lines: lines3 };
   }
 
   // src/map/table.js
   function fillTable(table, grid, axisText, facts) {
-    const { head, lines: lines2 } = tableOf(
+    const { head, lines: lines3 } = tableOf(
       grid.columns,
       grid.rows,
       axisText,
@@ -2237,7 +2237,7 @@
     );
     const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
     for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
-    const body2 = lines2.map(([name2 = "", ...cells2]) => {
+    const body2 = lines3.map(([name2 = "", ...cells2]) => {
       const line = html("tr");
       const first = html("th", "", name2);
       first.setAttribute("scope", "row");
@@ -2295,8 +2295,8 @@
             (place3) => this.#choose(this.#places.map((old, other) => other === k ? place3 : old))
           );
         });
-        this.#controls = new Controls(this, facts.controls, (target, value, at2) => {
-          this.set({ [target]: value }, at2).catch((error) => {
+        this.#controls = new Controls(this, facts.controls, (target, value, at3) => {
+          this.set({ [target]: value }, at3).catch((error) => {
             this.#controls?.complain(target, error.message);
           });
         });
@@ -2341,9 +2341,9 @@
        * Changes what all points have in common and resolves when the new map is drawn.
        * @param {Record<string, number | string>} changes @param {number} at time of the input
        */
-      async set(changes2, at2 = performance.now()) {
+      async set(changes2, at3 = performance.now()) {
         const settings = { ...this.#settings, ...changes2 };
-        await this.#compute(settings, at2);
+        await this.#compute(settings, at3);
       }
       async #open() {
         this.dataset.state = "starting";
@@ -2389,7 +2389,7 @@
        * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
        * @param {Record<string, number | string>} settings @param {number} at
        */
-      async #compute(settings, at2) {
+      async #compute(settings, at3) {
         this.#generation += 1;
         const generation = this.#generation;
         const first = await this.#ask(settings, 0);
@@ -2400,7 +2400,7 @@
         const { axes, rows, columns, why, runs } = first.header;
         this.#draw({ axes, rows, columns, why, values: first.numbers });
         await frame();
-        waited("carts:map", at2);
+        waited("carts:map", at3);
         this.#filling = this.#fill(settings, first.header.done, runs, generation);
       }
       /**
@@ -3171,16 +3171,16 @@
     return hermite(times2, values, slopes, k, t3);
   }
   function hermite(times2, values, slopes, k, t3) {
-    const at2 = (
+    const at3 = (
       /** @type {(column: Column, k: number) => number} */
       ((c2, i2) => c2[i2])
     );
-    const h2 = at2(times2, k + 1) - at2(times2, k);
-    const s3 = (t3 - at2(times2, k)) / h2;
-    if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s3;
+    const h2 = at3(times2, k + 1) - at3(times2, k);
+    const s3 = (t3 - at3(times2, k)) / h2;
+    if (!slopes) return at3(values, k) + (at3(values, k + 1) - at3(values, k)) * s3;
     const r2 = 1 - s3;
-    const found2 = at2(values, k) * (1 + 2 * s3) * r2 * r2 + at2(slopes, k) * h2 * s3 * r2 * r2 + at2(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at2(slopes, k + 1) * h2 * r2 * s3 * s3;
-    return Number.isFinite(found2) ? found2 : at2(values, k);
+    const found2 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
+    return Number.isFinite(found2) ? found2 : at3(values, k);
   }
 
   // ../view/windows.js
@@ -3479,10 +3479,10 @@
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
     const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
-    const path2 = location.pathname.split("/").slice(-2).join("/");
+    const path3 = location.pathname.split("/").slice(-2).join("/");
     return {
       site: cartsSite ?? meta("carts-site") ?? "site",
-      page: cartsPage ?? meta("carts-page") ?? path2
+      page: cartsPage ?? meta("carts-page") ?? path3
     };
   }
 
@@ -3598,11 +3598,11 @@
           { other: mean.other, cart: mean.cart }
         );
       }
-      const steps = tr(
+      const steps2 = tr(
         "Not yet. Δv is the velocity of {cart} after minus before, with signs; Δt is how long the two touch.",
         { cart: mean.cart }
       );
-      if (this.#tries < MANY2) return steps;
+      if (this.#tries < MANY2) return steps2;
       const touch = touchOf(
         /** @type {Run} */
         this.#run,
@@ -3623,7 +3623,7 @@
           time: short(touch.end - touch.start)
         }
       );
-      return `${steps} ${here}`;
+      return `${steps2} ${here}`;
     }
     /** @param {string} typed */
     async #keep(typed) {
@@ -3743,6 +3743,15 @@
     }
     return found2;
   }
+  function partsOf(header, run, name2) {
+    return kindsOnOne(header).flatMap((kind) => {
+      const own = header.effects.filter(
+        (effect) => effect.kind === kind && effect.active && effect.carts.includes(name2)
+      );
+      const column = run.E[`${kind} ${name2}`];
+      return own.length && column?.length ? [{ by: listed([...new Set(own.map(agent))]), column }] : [];
+    });
+  }
   function labels({ kind, on, by, size }) {
     const told3 = { on, by, size };
     const brief2 = { ...told3, by: by.replaceAll("the ", "") };
@@ -3796,6 +3805,7 @@
   // ../view/series.js
   function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
+    if (quantity === "R") return resultants(header, run);
     const times2 = Float64Array.from(run.t);
     const curves = header.bodies.map((body2, i2) => {
       const { name: name2, mass } = body2;
@@ -3829,6 +3839,20 @@
     if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
     return curves;
   }
+  function resultants(header, run) {
+    return header.bodies.flatMap(({ name: name2, mass }, i2) => {
+      const style = styleOf(i2);
+      const values = Float64Array.from(run.a[name2] ?? [], (rate) => mass * rate);
+      const parts2 = partsOf(header, run, name2).map(({ by, column }) => ({
+        label: tr("on {on} by {by}", { on: brief(name2), by }),
+        style,
+        over: true,
+        values: column,
+        slopes: null
+      }));
+      return [{ label: name2, style, over: false, values, slopes: null }, ...parts2];
+    });
+  }
   function partner(curves, label) {
     const { values, slopes } = total(curves);
     const start = Number(values[0]);
@@ -3861,27 +3885,27 @@
     const sign = signed ? -1 : 1;
     const curves = [];
     for (const contact of header.contacts) {
-      let force = run.F[contact.pair];
+      let force2 = run.F[contact.pair];
       let slope = run.dF[contact.pair];
-      if (!force || !slope || !Array.prototype.some.call(force, (f2) => f2 !== 0)) continue;
+      if (!force2 || !slope || !Array.prototype.some.call(force2, (f2) => f2 !== 0)) continue;
       if (!signed) {
-        const pulls = Array.from(force, (f2) => f2 < 0);
+        const pulls = Array.from(force2, (f2) => f2 < 0);
         slope = Float64Array.from(slope, (s3, k) => pulls[k] ? -s3 : s3);
-        force = Float64Array.from(force, Math.abs);
+        force2 = Float64Array.from(force2, Math.abs);
       }
       const [left, right] = contact.bodies;
       curves.push({
         label: tr("on {on} by {by}", { on: brief(left), by: brief(right) }),
         style: styles.get(left) ?? "wall",
         over: false,
-        values: Float64Array.from(force, (f2) => sign * f2),
+        values: Float64Array.from(force2, (f2) => sign * f2),
         slopes: Float64Array.from(slope, (s3) => sign * s3)
       });
       curves.push({
         label: tr("on {on} by {by}", { on: brief(right), by: brief(left) }),
         style: styles.get(right) ?? "wall",
         over: true,
-        values: force,
+        values: force2,
         slopes: slope
       });
     }
@@ -4200,20 +4224,114 @@
     return picture2;
   }
 
-  // src/predict/curve.js
+  // ../view/pad.js
   var LEFT3 = 40;
   var STEP2 = 77.5;
-  var BOTTOM3 = 130;
-  var PER_HEIGHT = 12;
+  var POINTS = 5;
   var HIGHEST = 10;
+  var TOP3 = 10;
+  var BOTTOM3 = 130;
+  function pad(quantity) {
+    const low = quantity === "F" ? 0 : -HIGHEST;
+    const per = (BOTTOM3 - TOP3) / (HIGHEST - low);
+    return { low, zero: TOP3 + HIGHEST * per, per };
+  }
+  function path({ zero, per }, heights) {
+    const step = (POINTS - 1) * STEP2 / (heights.length - 1);
+    const points = Array.from(
+      heights,
+      (height, k) => `${px(LEFT3 + k * step)} ${px(zero - per * height)}`
+    );
+    return `M${points.join("L")}`;
+  }
+
+  // src/predict/curve-features.js
+  var LITTLE = 0.05;
+  var FEATURES = { F: force, v: velocity2, x: position };
+  function features(quantity, mine, run) {
+    return FEATURES[quantity]().map(([name2, has]) => [name2, has(mine), has(run)]);
+  }
+  function force() {
+    return [
+      [tr("starts from zero"), (h2) => none(h2, 0)],
+      [
+        tr("is greatest in between"),
+        (h2) => Math.max(...h2.slice(1, -1)) > Math.max(at2(h2, 0), at2(h2, -1))
+      ],
+      [tr("goes up once and down once"), (h2) => hills(h2) === 1],
+      [tr("is zero again at the end"), (h2) => none(h2, -1)]
+    ];
+  }
+  function velocity2() {
+    return [
+      [tr("starts at rest"), (h2) => none(h2, 0)],
+      [tr("stays the same from start to end"), (h2) => Math.max(...h2) - Math.min(...h2) <= little(h2)],
+      [
+        tr("is faster at the end than at the start"),
+        (h2) => Math.abs(at2(h2, -1)) - Math.abs(at2(h2, 0)) > little(h2)
+      ],
+      [tr("turns round"), (h2) => Math.max(...h2) > little(h2) && Math.min(...h2) < -little(h2)],
+      [tr("is at rest at the end"), (h2) => none(h2, -1)]
+    ];
+  }
+  function position() {
+    return [
+      [tr("equal distances in equal times, all the way"), (h2) => even(steps(h2), little(h2))],
+      [
+        tr("goes farther in the last quarter than in the first"),
+        (h2) => {
+          const gone = steps(h2).map(Math.abs);
+          return at2(gone, -1) - at2(gone, 0) > little(h2);
+        }
+      ],
+      [
+        tr("turns round"),
+        (h2) => Math.max(...steps(h2)) > little(h2) && Math.min(...steps(h2)) < -little(h2)
+      ],
+      [tr("stays where it is at the end"), (h2) => Math.abs(at2(steps(h2), -1)) <= little(h2)]
+    ];
+  }
+  function steps(h2) {
+    const quarter = (h2.length - 1) / 4;
+    return [1, 2, 3, 4].map((k) => at2(h2, k * quarter) - at2(h2, (k - 1) * quarter));
+  }
+  function even(gone, little2) {
+    return Math.max(...gone) - Math.min(...gone) <= little2;
+  }
+  function none(h2, k) {
+    return Math.abs(at2(h2, k)) <= little(h2);
+  }
+  function little(h2) {
+    return LITTLE * Math.max(...h2.map(Math.abs));
+  }
+  function at2(h2, k) {
+    return h2.at(k) ?? 0;
+  }
+  function hills(heights) {
+    let found2 = 0;
+    let rising = false;
+    heights.forEach((height, k) => {
+      const before = heights[k - 1] ?? 0;
+      if (height > before) rising = true;
+      if (height < before && rising) {
+        found2 += 1;
+        rising = false;
+      }
+    });
+    return found2 + (rising ? 1 : 0);
+  }
+
+  // src/predict/curve.js
   var FINE2 = 48;
   var CurveForm = class {
     /** @type {(number | null)[]} */
-    #heights = [null, null, null, null, null];
+    #heights = Array(POINTS).fill(null);
     #enabled = false;
     /** @param {HTMLElement} root @param {import("../../../view/types.js").PredictSpec} spec @param {() => void} changed */
     constructor(root, spec, changed) {
       this.cart = spec.cart ?? "";
+      this.quantity = spec.quantity;
+      this.place = pad(spec.quantity);
       this.changed = changed;
       this.pad = /** @type {SVGSVGElement} */
       /** @type {unknown} */
@@ -4258,84 +4376,84 @@
     }
     /** @param {import("../../../view/types.js").Run} run */
     compare(run) {
-      const touch = touches(run.header.events, run.header.until).find(
-        ({ bodies }) => bodies.includes(this.cart)
-      );
-      if (!touch)
+      const seen = this.quantity === "F" ? this.#force(run) : this.#motion(run);
+      if (!seen)
         return [html("p", "", tr("In this run nothing touches {cart}.", { cart: this.cart }))];
-      const { t: t3, F: F2, dF } = run.trajectory;
-      const forces2 = Array.from({ length: FINE2 + 1 }, (_2, k) => {
-        const at2 = touch.start + (touch.end - touch.start) * k / FINE2;
-        return valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at2);
-      });
-      const top = Math.max(...forces2) || 1;
-      const points = forces2.map((force, k) => {
-        const x2 = LEFT3 + 4 * STEP2 * k / FINE2;
-        return `${px(x2)} ${px(BOTTOM3 - HIGHEST * PER_HEIGHT * force / top)}`;
-      });
-      put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
-      const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
-      const mine = this.#heights.map(Number);
-      const rows = [
-        [tr("starts from zero"), mine[0] === 0, Number(forces2[0]) < 0.02 * top],
-        [
-          tr("is greatest in between"),
-          Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
-          true
-        ],
-        [tr("goes up once and down once"), hills(mine) === 1, hills(forces2.map(Number)) === 1],
-        [tr("is zero again at the end"), mine[4] === 0, Number(forces2[FINE2]) < 0.02 * top]
-      ];
+      const top = Math.max(...seen.values.map(Math.abs)) || 1;
+      const scaled = seen.values.map((value) => HIGHEST * value / top);
+      put(need(this.pad, '[data-part="answer"]'), "d", path(this.place, scaled));
       const list = html("ul");
-      for (const [feature, yours, theirs] of rows) {
+      for (const [feature, yours, theirs] of features(
+        this.quantity,
+        this.#heights.map(Number),
+        scaled
+      )) {
         const said = (yes) => yes ? tr("yes") : tr("no");
-        const both = { feature: String(feature), yours: said(yours), theirs: said(theirs) };
+        const both = { feature, yours: said(yours), theirs: said(theirs) };
         list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both)));
       }
+      return [html("p", "", seen.title), list];
+    }
+    /** The force during the first contact. @param {import("../../../view/types.js").Run} run */
+    #force({ header, trajectory: { t: t3, F: F2, dF } }) {
+      const touch = touches(header.events, header.until).find(
+        ({ bodies }) => bodies.includes(this.cart)
+      );
+      if (!touch) return null;
+      const values = evenly(
+        touch.start,
+        touch.end,
+        (at3) => valueAt(t3, F2[touch.pair] ?? [0], dF[touch.pair] ?? [0], at3)
+      );
+      const other = touch.bodies.find((name2) => name2 !== this.cart) ?? "";
       const title = tr(
         "Force on {cart} by {other}: dashed is yours, solid is the run. Only the shape counts.",
         { cart: this.cart, other: body(other) }
       );
-      return [html("p", "", title), list];
+      return { values, title };
+    }
+    /** Velocity, or the way from the start, during the whole run. @param {import("../../../view/types.js").Run} run */
+    #motion({ header, trajectory: { t: t3, x: x2, v: v2, a: a2 } }) {
+      const [values, slopes] = this.quantity === "v" ? [v2, a2] : [x2, v2];
+      const start = this.quantity === "v" ? 0 : Number(values[this.cart]?.[0]);
+      const title = this.quantity === "v" ? tr("Velocity of {cart}: dashed is yours, solid is the run. Only the shape counts.", {
+        cart: this.cart
+      }) : tr(
+        "Way of {cart} from the start: dashed is yours, solid is the run. Only the shape counts.",
+        {
+          cart: this.cart
+        }
+      );
+      const at3 = (time) => valueAt(t3, values[this.cart] ?? [0], slopes[this.cart] ?? [0], time) - start;
+      return { values: evenly(0, header.until, at3), title };
     }
     /** @param {PointerEvent} event */
     #point(event) {
       const frame2 = this.pad.getBoundingClientRect();
       const scale = 360 / frame2.width;
       const k = Math.round(((event.clientX - frame2.left) * scale - LEFT3) / STEP2);
-      const height = (BOTTOM3 - (event.clientY - frame2.top) * scale) / PER_HEIGHT;
+      const height = (this.place.zero - (event.clientY - frame2.top) * scale) / this.place.per;
       if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
     }
     /** @param {number} k @param {number} height */
     #take(k, height) {
-      this.#heights[k] = Math.min(HIGHEST, Math.max(0, height));
+      this.#heights[k] = Math.min(HIGHEST, Math.max(this.place.low, height));
       this.#draw();
       this.changed();
     }
     #draw() {
-      const points = this.#heights.map((height, k) => {
-        const y2 = px(BOTTOM3 - PER_HEIGHT * (height ?? 0));
+      this.#heights.forEach((height, k) => {
         const knob = this.pad.querySelector(`[data-index="${k}"]`);
-        if (knob) put(knob, "cy", y2);
+        if (knob) put(knob, "cy", String(this.place.zero - this.place.per * (height ?? 0)));
         const box2 = this.boxes[k];
         if (box2 && height !== null && box2.valueAsNumber !== height) box2.valueAsNumber = height;
-        return `${px(LEFT3 + STEP2 * k)} ${y2}`;
       });
-      put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
+      const drawn2 = this.#heights.map((height) => height ?? 0);
+      put(need(this.pad, '[data-part="sketch"]'), "d", path(this.place, drawn2));
     }
   };
-  function hills(heights) {
-    let found2 = 0;
-    let rising = false;
-    heights.forEach((height, k) => {
-      const before = heights[k - 1] ?? 0;
-      if (height > before) rising = true;
-      if (height < before && rising) {
-        found2 += 1;
-        rising = false;
-      }
-    });
-    return found2 + (rising ? 1 : 0);
+  function evenly(from, to, value) {
+    return Array.from({ length: FINE2 + 1 }, (_2, k) => value(from + (to - from) * k / FINE2));
   }
 
   // src/predict/relative.js
@@ -4600,7 +4718,7 @@
       };
       const changed = () => void this.#changed();
       const forms = {
-        arrows: () => new (spec.numbers ? ArrowsForm : RelativeArrows)(root, baked, draw, changed),
+        arrows: () => new (spec.scale === "newtons" ? ArrowsForm : RelativeArrows)(root, baked, draw, changed),
         curve: () => new CurveForm(root, spec, changed),
         choice: () => new ChoiceForm(root, changed),
         text: () => new WordsForm(root, changed)
@@ -4832,9 +4950,9 @@
       { all: duration(all), motion: duration(cost.solution), points: duration(cost.points) }
     );
   }
-  function sizeWords({ step, rtol, steps }) {
+  function sizeWords({ step, rtol, steps: steps2 }) {
     if (rtol) return tr("tolerance {size}", { size: toleranceWords(rtol) });
-    return tr("{count} steps of {step}", { count: steps, step: duration(Number(step)) });
+    return tr("{count} steps of {step}", { count: steps2, step: duration(Number(step)) });
   }
   function stepWords(until, parts2) {
     return tr("{step} (run / {parts})", { step: duration(until / parts2), parts: parts2 });
@@ -4967,18 +5085,18 @@
     show({ header }, decimals) {
       this.until = header.until;
       this.#size();
-      const lines2 = header.plan.map((phase) => {
+      const lines3 = header.plan.map((phase) => {
         const [times2, how, why] = phaseWords(phase, decimals);
         const line = html("li");
         line.append(html("b", "", times2), ` ${how}. `, html("span", "carts-quiet", why));
         return line;
       });
-      this.plan.replaceChildren(...lines2);
+      this.plan.replaceChildren(...lines3);
     }
     /** @param {[string, string][]} lines what is told of a stepped run */
-    tell(lines2) {
-      this.table.hidden = lines2.length === 0;
-      const rows = lines2.map(([head, value]) => {
+    tell(lines3) {
+      this.table.hidden = lines3.length === 0;
+      const rows = lines3.map(([head, value]) => {
         const row = html("tr");
         const first = html("th", "", head);
         first.setAttribute("scope", "row");
@@ -5314,10 +5432,10 @@
     const sheet = svg("rect", { width: WIDTH3, fill: paper });
     whole.append(sheet);
     let y2 = GAP;
-    const write4 = (text, x2, at2, weight) => {
+    const write4 = (text, x2, at3, weight) => {
       const line = svg("text", {
         x: x2,
-        y: at2,
+        y: at3,
         fill: ink,
         "font-family": "sans-serif",
         "font-size": 13,
@@ -5350,14 +5468,14 @@
         whole.append(drawn2);
         const entries = [...graph2.querySelectorAll(".carts-key > span")];
         entries.forEach((entry2, i2) => {
-          const at2 = y2 + LINE2 + height + 14 + LINE2 * i2;
+          const at3 = y2 + LINE2 + height + 14 + LINE2 * i2;
           const sample = entry2.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
-            place2(swatch, x2 + GAP, at2 - 10, 26);
+            place2(swatch, x2 + GAP, at3 - 10, 26);
             whole.append(swatch);
           }
-          write4(entry2.textContent ?? "", x2 + GAP + 34, at2, "400");
+          write4(entry2.textContent ?? "", x2 + GAP + 34, at3, "400");
         });
         tallest = Math.max(tallest, LINE2 + height + LINE2 * entries.length);
       });
@@ -5424,6 +5542,7 @@
     v: [tr("Velocity"), "v", "m/s"],
     a: [tr("Acceleration"), "a", "m/s²"],
     F: [tr("Contact force"), "F", "N"],
+    R: [tr("Resultant force"), "R", "N"],
     p: [tr("Momentum"), "p", "kg m/s"],
     energy: [tr("Kinetic energy"), "E", "J"]
   };
@@ -5432,17 +5551,17 @@
   );
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
-  function motion(velocity2, decimals, scale) {
-    if (isRest(velocity2, scale)) return tr("at rest");
+  function motion(velocity3, decimals, scale) {
+    if (isRest(velocity3, scale)) return tr("at rest");
     const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
-    return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
+    const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
+    return velocity3 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
   function lawsOf(contacts) {
     return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
   }
-  function isRest(velocity2, scale) {
-    return Math.abs(velocity2) < NOISE * scale;
+  function isRest(velocity3, scale) {
+    return Math.abs(velocity3) < NOISE * scale;
   }
   function eventSentence(event, telling, laws) {
     const { decimals, scale, camera, forces: forces2 } = telling;
@@ -5468,8 +5587,8 @@
       }
       case "peak":
         if (forces2 && event.force) {
-          const force = `${fixed(event.force, decimals.F ?? 2)} N`;
-          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
+          const force2 = `${fixed(event.force, decimals.F ?? 2)} N`;
+          return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
         }
         return tr("{pair}: bumpers squeezed the most.", { pair });
       case "separate": {
@@ -5516,15 +5635,15 @@
     const seen = Number(after[cart]) - camera;
     return isRest(seen, scale) ? null : motion(seen, decimals.v ?? 2, scale);
   }
-  function exitSentence({ name: name2, side, velocity: velocity2 }, decimals, scale) {
+  function exitSentence({ name: name2, side, velocity: velocity3 }, decimals, scale) {
     const [per, unit] = speedUnit(scale);
-    const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
+    const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
     return side === "right" ? tr("{name} leaves the picture on the right, still {speed}.", { name: name2, speed }) : tr("{name} leaves the picture on the left, still {speed}.", { name: name2, speed });
   }
   function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
     if (struck && quantity === "F") return IMPULSE_ONLY;
-    if (struck && quantity === "a") return JUMP_ONLY;
+    if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
     return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
   function modelSentences(header) {
@@ -5561,11 +5680,11 @@
       }
     }
     if (quantities.includes("F")) columns.push(...effectColumns(run));
-    const lines2 = [columns.map(([name2]) => quoted(name2)).join(",")];
+    const lines3 = [columns.map(([name2]) => quoted(name2)).join(",")];
     for (let k = 0; k < trajectory.t.length; k += 1) {
-      lines2.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
+      lines3.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
     }
-    return `${lines2.join("\r\n")}\r
+    return `${lines3.join("\r\n")}\r
 `;
   }
   function effectColumns({ header, trajectory }) {
@@ -5895,44 +6014,44 @@
   function sceneBlock(fence, settings) {
     const scene = structuredClone(fence.scene);
     for (const [target, value] of Object.entries(settings)) change(scene, target, value);
-    const lines2 = [`id: ${fence.id}-copy`];
+    const lines3 = [`id: ${fence.id}-copy`];
     for (const [key, value] of Object.entries(scene)) {
       if (key === "carts") {
-        lines2.push("carts:");
+        lines3.push("carts:");
         for (const [name2, cart] of Object.entries(
           /** @type {object} */
           value
         )) {
-          lines2.push(`  ${name2}: ${flow(cart)}`);
+          lines3.push(`  ${name2}: ${flow(cart)}`);
         }
-      } else lines2.push(`${key}: ${flow(value)}`);
+      } else lines3.push(`${key}: ${flow(value)}`);
     }
-    lines2.push(`show: ${flow(fence.show)}`);
-    if (fence.slow !== "auto") lines2.push(`slow: ${fence.slow}`);
-    if (fence.boxes === "alike") lines2.push(`boxes: ${fence.boxes}`);
-    if (fence.forces !== "shown") lines2.push(`forces: ${fence.forces}`);
-    if (fence.camera) lines2.push(`view: moving ${fence.camera} m/s`);
+    lines3.push(`show: ${flow(fence.show)}`);
+    if (fence.slow !== "auto") lines3.push(`slow: ${fence.slow}`);
+    if (fence.boxes === "alike") lines3.push(`boxes: ${fence.boxes}`);
+    if (fence.forces !== "shown") lines3.push(`forces: ${fence.forces}`);
+    if (fence.camera) lines3.push(`view: moving ${fence.camera} m/s`);
     const switches = fence.switches ?? [];
-    if (fence.controls.length || switches.length) lines2.push("controls:");
+    if (fence.controls.length || switches.length) lines3.push("controls:");
     for (const { set, low, high, step, unit } of fence.controls) {
       const part = (value) => `${value} ${unit}`.trim();
-      lines2.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
+      lines3.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
     }
-    for (const { set } of switches) lines2.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
+    for (const { set } of switches) lines3.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
     return `\`\`\`scene
-${lines2.join("\n")}
+${lines3.join("\n")}
 \`\`\`
 `;
   }
   function change(scene, target, value) {
     const keys = target.split(".");
-    const path2 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : effectPath(scene, keys) ?? keys;
+    const path3 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : effectPath(scene, keys) ?? keys;
     let place3 = scene;
-    for (const key of path2.slice(0, -1)) {
+    for (const key of path3.slice(0, -1)) {
       place3[key] ??= {};
       place3 = place3[key];
     }
-    place3[String(path2.at(-1))] = value;
+    place3[String(path3.at(-1))] = value;
   }
   function flow(value) {
     if (Array.isArray(value)) return `[${value.map(flow).join(", ")}]`;
@@ -6045,7 +6164,7 @@ ${lines2.join("\n")}
     view.draggable({
       ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
       value: (target) => valueIn(view.run.header, target),
-      change: (control, value, at2) => sliders.take(control.set, value, at2)
+      change: (control, value, at3) => sliders.take(control.set, value, at3)
     });
     const [writing, counting] = [{}, {}];
     const program = async () => {
@@ -6226,11 +6345,11 @@ ${lines2.join("\n")}
       this.acts = acts;
     }
     /** Draws the run of changed values. @param {Settings} changes to be given up if they are refused @param {number} at time of the input, for the measure */
-    async compute(changes2, at2) {
+    async compute(changes2, at3) {
       const run = await this.ask(changes2);
       if (!run) return;
       await this.acts.draw(run);
-      await drawn(this.owner, at2, { ...this.values.good });
+      await drawn(this.owner, at3, { ...this.values.good });
     }
     undo() {
       this.values.undo();
@@ -6422,11 +6541,11 @@ ${lines2.join("\n")}
         const curve2 = this.#curves[k];
         row.hidden = !curve2;
         if (!curve2) return;
-        const at2 = (when) => {
+        const at3 = (when) => {
           const value = valueAt(run.trajectory.t, curve2.values, curve2.slopes, when);
           return Math.abs(value) < NOISE * this.#full ? 0 : value;
         };
-        const [before, now] = [at2(start), at2(t3)];
+        const [before, now] = [at3(start), at3(t3)];
         say(need(row, "th"), curve2.label);
         const texts = [before, now, now - before].map((value) => fixed(value, this.decimals));
         row.querySelectorAll("td[data-when]").forEach((cell2, i2) => {
@@ -6447,8 +6566,8 @@ ${lines2.join("\n")}
   function contactForce({ trajectory }, pair, t3, zero) {
     const column = trajectory.F[pair];
     if (!column) return 0;
-    const force = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
-    return Math.abs(force) < zero ? 0 : force;
+    const force2 = valueAt(trajectory.t, column, trajectory.dF[pair] ?? null, t3);
+    return Math.abs(force2) < zero ? 0 : force2;
   }
   function contactForces(run, name2, t3, zero) {
     return run.header.contacts.filter(
@@ -6479,8 +6598,8 @@ ${lines2.join("\n")}
   function effectForces(run, name2, t3) {
     return forcesAt(run, t3, true).filter(({ on }) => on === name2).map(({ kind, on, by, value, size }) => {
       const { forceName: forceName2 = forceOn, side } = viewOf(kind);
-      const at2 = side?.(value) ?? "middle";
-      return { name: forceName2(on, by), on, by, way: "along", side: at2, value, size };
+      const at3 = side?.(value) ?? "middle";
+      return { name: forceName2(on, by), on, by, way: "along", side: at3, value, size };
     });
   }
   function verticalForces({ header }, name2) {
@@ -6498,7 +6617,7 @@ ${lines2.join("\n")}
         by: "track",
         value: weight
       }
-    ].map((force) => ({ ...force, on: name2, way: "up", side: "middle" }));
+    ].map((force2) => ({ ...force2, on: name2, way: "up", side: "middle" }));
   }
 
   // src/scene/beside/free-body.js
@@ -6550,10 +6669,10 @@ ${lines2.join("\n")}
         this.#draw(name2, this.#vertical ? [...along, ...verticalForces(run, name2)] : along, room);
         const resultant = along.reduce((sum, { value }) => sum + value, 0);
         const { t: times2, v: v2, a: a2 } = run.trajectory;
-        const speed = (at2) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at2);
+        const speed = (at3) => valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], at3);
         const change2 = speed(t3) - speed(touch?.start ?? 0);
-        const { decimals, velocity: velocity2 } = this.view;
-        const seen = Math.abs(change2) < NOISE * velocity2 ? 0 : change2 / this.per;
+        const { decimals, velocity: velocity3 } = this.view;
+        const seen = Math.abs(change2) < NOISE * velocity3 ? 0 : change2 / this.per;
         this.#say(name2, "F", fixed(resultant, decimals.F ?? 2));
         this.#say(name2, "mass", short(mass));
         this.#say(name2, "a", fixed(resultant / mass, decimals.a ?? 2));
@@ -6580,21 +6699,21 @@ ${lines2.join("\n")}
       while (group2.children.length > forces2.length) group2.lastElementChild?.remove();
       while (list.children.length < forces2.length) list.append(document.createElement("li"));
       while (list.children.length > forces2.length) list.lastElementChild?.remove();
-      forces2.forEach((force, k) => {
-        const length = arrowLength(force.value, this.view.force, FULL);
-        const cut = isCut(force.value, this.view.force);
-        const path2 = (
+      forces2.forEach((force2, k) => {
+        const length = arrowLength(force2.value, this.view.force, FULL);
+        const cut = isCut(force2.value, this.view.force);
+        const path3 = (
           /** @type {Element} */
           group2.children[k]
         );
-        const [x2, y2] = tail(force);
-        put(path2, "class", "carts-block-arrow");
-        put(path2, "d", (cut ? cutArrow : blockArrow)(x2, y2, length));
-        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x2)} ${px(y2)})` : "");
+        const [x2, y2] = tail(force2);
+        put(path3, "class", "carts-block-arrow");
+        put(path3, "d", (cut ? cutArrow : blockArrow)(x2, y2, length));
+        put(path3, "transform", force2.way === "up" ? `rotate(-90 ${px(x2)} ${px(y2)})` : "");
         say(
           /** @type {Element} */
           list.children[k],
-          this.#sentence(force, cut)
+          this.#sentence(force2, cut)
         );
       });
       const picture2 = need(card, "svg");
@@ -6689,14 +6808,14 @@ ${lines2.join("\n")}
       const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
       const middle = overlap > 0 ? left.face - share : (left.face + right.face) / 2;
       const faces = [left.face - share, Math.max(right.face, left.face - share)];
-      const force = contactForce(run, touch.pair, t3, NOISE * (this.view.force || 1));
+      const force2 = contactForce(run, touch.pair, t3, NOISE * (this.view.force || 1));
       [left, right].forEach((side, k) => {
-        this.#draw(k, side, Number(faces[k]), middle, force);
+        this.#draw(k, side, Number(faces[k]), middle, force2);
       });
       const pair = listed(touch.bodies.map(body));
       const gap = right.face - left.face;
       const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
-      const size = fixed(force, this.view.decimals.F ?? 2);
+      const size = fixed(force2, this.view.decimals.F ?? 2);
       const push = tr("{size} on each", { size: `${size} N` });
       say(this.note, `${pair}: ${apart}, ${push}; t = ${fixed(t3, 4)} s`);
     }
@@ -6715,13 +6834,13 @@ ${lines2.join("\n")}
       return { name: name2, face, edge: face - way * cart.bumper_length, bumper: cart.bumper_length };
     }
     /** @param {number} k 0: left body @param {Side} side @param {number} face in m, drawn @param {number} middle of the drawing in m @param {number} force in N */
-    #draw(k, side, face, middle, force) {
-      const at2 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
+    #draw(k, side, face, middle, force2) {
+      const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
       const group2 = need(this.root, `[data-side="${k}"]`);
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge2, end] = [at2(side.edge), at2(face)];
+      const [edge2, end] = [at3(side.edge), at3(face)];
       const rect = need(group2, '[data-part="body"]');
       put(rect, "x", px(k === 0 ? edge2 - 2 * WIDTH5 : edge2));
       const bent = need(group2, '[data-part="spring"]');
@@ -6734,8 +6853,8 @@ ${lines2.join("\n")}
       put(name2, "x", px(inside));
       say(name2, index < 0 ? tr("wall") : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
-      const cut = isCut(force, this.view.force);
-      const length = -way * arrowLength(force, this.view.force, this.#perForce);
+      const cut = isCut(force2, this.view.force);
+      const length = -way * arrowLength(force2, this.view.force, this.#perForce);
       put(arrow2, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
     }
   };
@@ -6800,7 +6919,7 @@ ${lines2.join("\n")}
   // ../view/graph.js
   var LEFT4 = 46;
   var RIGHT3 = 350;
-  var TOP3 = 8;
+  var TOP4 = 8;
   var BOTTOM4 = 142;
   var WIDTH6 = 360;
   var HEIGHT3 = 172;
@@ -6812,7 +6931,7 @@ ${lines2.join("\n")}
     return LEFT4 + (t3 - plane.time.low) * ((RIGHT3 - LEFT4) / (plane.time.high - plane.time.low));
   }
   function valueY(plane, value) {
-    return BOTTOM4 - (value - plane.value.low) * ((BOTTOM4 - TOP3) / (plane.value.high - plane.value.low));
+    return BOTTOM4 - (value - plane.value.low) * ((BOTTOM4 - TOP4) / (plane.value.high - plane.value.low));
   }
   function extent(curves) {
     let low = 0;
@@ -6838,10 +6957,10 @@ ${lines2.join("\n")}
   function planeFor(values, window) {
     return { time: span(window[0], window[1], 6), value: axis(values[0], values[1], 5) };
   }
-  function path(curve2, times2, plane, seen = Infinity) {
+  function path2(curve2, times2, plane, seen = Infinity) {
     const { values, slopes } = curve2;
     const kx = (RIGHT3 - LEFT4) / (plane.time.high - plane.time.low);
-    const ky = (BOTTOM4 - TOP3) / (plane.value.high - plane.value.low);
+    const ky = (BOTTOM4 - TOP4) / (plane.value.high - plane.value.low);
     const last = times2.length - 1;
     let drawn2 = 0;
     let x0 = timeX(plane, Number(times2[0]));
@@ -6932,8 +7051,8 @@ ${lines2.join("\n")}
       header.bodies.forEach(({ name: name2 }, i2) => {
         const [x2, v2] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
         const place3 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
-        const at2 = `translate(${px(place3)} ${px(layout.track)})`;
-        this.#group?.children[i2]?.setAttribute("transform", at2);
+        const at3 = `translate(${px(place3)} ${px(layout.track)})`;
+        this.#group?.children[i2]?.setAttribute("transform", at3);
       });
     }
   };
@@ -6945,7 +7064,7 @@ ${lines2.join("\n")}
     const group2 = found2 ?? svg("g", { "data-part": "ghost", "clip-path": clip });
     if (!found2) front?.before(group2);
     group2.replaceChildren(
-      ...curves.filter(({ over }) => !over).map((curve2) => svg("path", { class: "carts-pale", d: path(curve2, times2, plane) }))
+      ...curves.filter(({ over }) => !over).map((curve2) => svg("path", { class: "carts-pale", d: path2(curve2, times2, plane) }))
     );
   }
 
@@ -6954,24 +7073,24 @@ ${lines2.join("\n")}
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
     marks2(need(root, '[data-part="times"]'), times2.length, (line, text, i2) => {
-      const { at: at2, label } = (
+      const { at: at3, label } = (
         /** @type {{at: string, label: string}} */
         times2[i2]
       );
       put(line, "class", "carts-grid");
-      put(line, "d", `M${at2} ${TOP3}V${BOTTOM4}`);
+      put(line, "d", `M${at3} ${TOP4}V${BOTTOM4}`);
       put(text, "class", "carts-tick-x");
-      put(text, "x", at2);
+      put(text, "x", at3);
       put(text, "y", String(BOTTOM4 + 14));
       say(text, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line, text, i2) => {
-      const { at: at2, textY, label, zero } = (
+      const { at: at3, textY, label, zero } = (
         /** @type {(typeof rows)[number]} */
         rows[i2]
       );
       put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${LEFT4} ${at2}H${RIGHT3}`);
+      put(line, "d", `M${LEFT4} ${at3}H${RIGHT3}`);
       put(text, "class", "carts-tick-y");
       put(text, "x", String(LEFT4 - 5));
       put(text, "y", textY);
@@ -7000,8 +7119,8 @@ ${lines2.join("\n")}
     for (let k = Math.max(0, rowAt(t3, from)); k < t3.length - 1 && Number(t3[k]) < to; k += 1) {
       const [low, high] = [Math.max(from, Number(t3[k])), Math.min(to, Number(t3[k + 1]))];
       if (high <= low) continue;
-      const at2 = (when) => hermite(t3, values, slopes, k, when);
-      sum += (high - low) / 6 * (at2(low) + 4 * at2((low + high) / 2) + at2(high));
+      const at3 = (when) => hermite(t3, values, slopes, k, when);
+      sum += (high - low) / 6 * (at3(low) + 4 * at3((low + high) / 2) + at3(high));
     }
     return sum;
   }
@@ -7016,13 +7135,13 @@ ${lines2.join("\n")}
         // what a pair's own spring does is in its F
       );
       if (mass === void 0 || others || acting) return { name: name2, change: null };
-      const v2 = (at2) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at2);
+      const v2 = (at3) => valueAt(trajectory.t, trajectory.v[name2] ?? [], trajectory.a[name2] ?? [], at3);
       return { name: name2, change: mass * (v2(t3) - v2(touch.start)) };
     });
   }
 
   // src/scene/graphs/impulse-layer.js
-  var POINTS = 40;
+  var POINTS2 = 40;
   var ImpulseLayer = class {
     /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").View} view */
     constructor(root, view) {
@@ -7039,17 +7158,17 @@ ${lines2.join("\n")}
     at(run, plane, t3, signed) {
       const touch = latestTouch(this.windows, t3);
       const paths = this.shade.children;
-      for (const path2 of paths) put(path2, "d", "");
+      for (const path3 of paths) put(path3, "d", "");
       if (!touch) {
         const hint = tr("Move into a touch: the shaded area is the impulse.");
         return say(this.note, this.windows.length ? hint : "");
       }
       const end = Math.min(t3, touch.end);
       const outline2 = (sign) => {
-        const points = Array.from({ length: POINTS + 1 }, (_2, k) => {
-          const at2 = touch.start + (end - touch.start) * k / POINTS;
-          const force = sign * contactForce(run, touch.pair, at2, 0);
-          return `${px(timeX(plane, at2))} ${px(valueY(plane, force))}`;
+        const points = Array.from({ length: POINTS2 + 1 }, (_2, k) => {
+          const at3 = touch.start + (end - touch.start) * k / POINTS2;
+          const force2 = sign * contactForce(run, touch.pair, at3, 0);
+          return `${px(timeX(plane, at3))} ${px(valueY(plane, force2))}`;
         });
         const zero = px(valueY(plane, 0));
         return `M${px(timeX(plane, touch.start))} ${zero}L${points.join("L")}V${zero}Z`;
@@ -7214,12 +7333,12 @@ ${lines2.join("\n")}
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
       this.tops.forEach((top, i2) => {
-        const path2 = (
+        const path3 = (
           /** @type {Element} */
           this.areas.children[i2]
         );
-        put(path2, "class", `carts-band carts-${top.style}`);
-        put(path2, "d", band2(this.times, plane, top.values, this.tops[i2 - 1]?.values));
+        put(path3, "class", `carts-band carts-${top.style}`);
+        put(path3, "d", band2(this.times, plane, top.values, this.tops[i2 - 1]?.values));
       });
       this.key.replaceChildren(
         ...this.entries.map(({ style }) => {
@@ -7509,7 +7628,7 @@ ${lines2.join("\n")}
           /** @type {Element} */
           group2.children[i2]
         );
-        put(line, "d", path(curve2, this.#times(run), this.#plane, this.#seen));
+        put(line, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
       const end = Math.min(RIGHT3, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
@@ -7581,6 +7700,119 @@ ${lines2.join("\n")}
       }
     }
   };
+
+  // ../view/skins.js
+  var NARROW = 24;
+  var SKINS = {
+    cart: { wheels: true, corner: 4, lines: () => "" },
+    van: { wheels: true, corner: 7, lines: van },
+    truck: { wheels: true, corner: 3, lines: truck },
+    trailer: { wheels: true, corner: 1, lines: trailer },
+    box: { wheels: false, corner: 1, lines: crate },
+    puck: { wheels: false, corner: 12, lines: puck }
+  };
+  function van(box2, front) {
+    return lines2(box2, front, [
+      [
+        [0.06, 0.9],
+        [0.34, 0.9],
+        [0.46, 0.68],
+        [0.06, 0.68],
+        [0.06, 0.9]
+      ],
+      [
+        [-0.42, 0.9],
+        [-0.08, 0.9],
+        [-0.08, 0.68],
+        [-0.42, 0.68],
+        [-0.42, 0.9]
+      ],
+      [
+        [0.4, 0.26],
+        [0.5, 0.26]
+      ]
+    ]);
+  }
+  function truck(box2, front) {
+    return lines2(box2, front, [
+      [
+        [0.22, 0],
+        [0.22, 1]
+      ],
+      [
+        [0.28, 0.9],
+        [0.42, 0.9],
+        [0.46, 0.66],
+        [0.28, 0.66],
+        [0.28, 0.9]
+      ],
+      [
+        [-0.5, 0.16],
+        [0.22, 0.16]
+      ]
+    ]);
+  }
+  function trailer(box2, front) {
+    return lines2(box2, front, [
+      [
+        [-0.5, 0.2],
+        [0.5, 0.2]
+      ],
+      ...[-0.4, -0.27, 0.27, 0.4].map(
+        (x2) => (
+          /** @type {Point[]} */
+          [
+            [x2, 0.2],
+            [x2, 1]
+          ]
+        )
+      )
+    ]);
+  }
+  function crate(box2, front) {
+    return lines2(box2, front, [
+      [
+        [-0.4, 0.1],
+        [0.4, 0.1],
+        [0.4, 0.9],
+        [-0.4, 0.9],
+        [-0.4, 0.1]
+      ],
+      [
+        [-0.4, 0.3],
+        [-0.22, 0.1]
+      ],
+      [
+        [0.4, 0.3],
+        [0.22, 0.1]
+      ],
+      [
+        [-0.4, 0.7],
+        [-0.22, 0.9]
+      ],
+      [
+        [0.4, 0.7],
+        [0.22, 0.9]
+      ]
+    ]);
+  }
+  function puck(box2, front) {
+    return lines2(box2, front, [
+      [
+        [-0.48, 0.15],
+        [0.48, 0.15]
+      ],
+      [
+        [-0.48, 0.85],
+        [0.48, 0.85]
+      ]
+    ]);
+  }
+  function lines2({ width, height }, front, strokes) {
+    if (width < NARROW) return "";
+    const at3 = ([x2, y2]) => `${px(front * x2 * width)} ${px(-y2 * height)}`;
+    return strokes.map((points) => `M${points.map(at3).join("L")}`).join("");
+  }
 
   // ../view/effects-props.js
   function props(header, layout, t3, face, centre) {
@@ -7657,26 +7889,26 @@ ${lines2.join("\n")}
     const named2 = run.header.bodies.length <= FEW;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
-    for (const force of forcesAt(run, t3)) {
-      const key = `${force.kind} ${force.on}`;
-      const x2 = centre(force.on);
+    for (const force2 of forcesAt(run, t3)) {
+      const key = `${force2.kind} ${force2.on}`;
+      const x2 = centre(force2.on);
       const y2 = layout.slots[key] ?? layout.track;
-      const exact = arrowLength(force.value, full, layout.force);
+      const exact = arrowLength(force2.value, full, layout.force);
       const length = Math.abs(exact) < SLIVER ? 0 : exact;
-      const cut = isCut(force.value, full);
-      const style = styles.get(force.on);
-      lowest.set(force.on, Math.max(y2, lowest.get(force.on) ?? y2));
+      const cut = isCut(force2.value, full);
+      const style = styles.get(force2.on);
+      lowest.set(force2.on, Math.max(y2, lowest.get(force2.on) ?? y2));
       const d2 = (cut ? cutArrow : blockArrow)(x2, y2, length);
       pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d: d2 });
-      const row = `row ${force.kind}`;
+      const row = `row ${force2.kind}`;
       if (named2) {
-        const told3 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const told3 = labels(force2).map((one) => one + (cut ? tr(", arrow cut") : ""));
         const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
-        const [at2, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
+        const [at3, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key}`, cls, text, x: px(at2), y: px(y2 + 4), anchor });
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at3), y: px(y2 + 4), anchor });
       } else if (!pieces.some((piece) => piece.key === row)) {
-        const text = tr("by {by}", { by: force.by });
+        const text = tr("by {by}", { by: force2.by });
         pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 4), anchor: "start" });
       }
     }
@@ -7748,8 +7980,8 @@ ${lines2.join("\n")}
       for (const push of this.#pushes) {
         const { t: times2, F: F2, dF } = run.trajectory;
         const [column, slopes] = [F2[push.pair], dF[push.pair]];
-        const force = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
-        const signed = Math.abs(force) < NOISE * view.force ? 0 : force;
+        const force2 = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
+        const signed = Math.abs(force2) < NOISE * view.force ? 0 : force2;
         const size = Math.abs(signed);
         const length = arrowLength(signed, view.force, layout.force);
         const y2 = layout.track - PUSH;
@@ -7787,15 +8019,15 @@ ${lines2.join("\n")}
         if (!text || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
         const half = label.length * PER_CHARACTER2 / 2;
-        const at2 = Math.min(Math.max(x2, low + half), high - half);
+        const at3 = Math.min(Math.max(x2, low + half), high - half);
         const free = [...new Set(this.layout.rows)].find(
-          (y2) => taken.every(([row, from, to]) => row !== y2 || at2 + half < from || at2 - half > to)
+          (y2) => taken.every(([row, from, to]) => row !== y2 || at3 + half < from || at3 - half > to)
         );
         put(other, "visibility", "hidden");
         if (free === void 0) put(text, "visibility", "hidden");
         else {
-          taken.push([free, at2 - half, at2 + half]);
-          write3(text, label, at2, free, "middle");
+          taken.push([free, at3 - half, at3 + half]);
+          write3(text, label, at3, free, "middle");
         }
       }
     }
@@ -7873,6 +8105,8 @@ ${lines2.join("\n")}
       this.layout = layout;
       this.view = baked.view;
       this.camera = baked.fence.camera;
+      this.skins = baked.fence.skins;
+      this.starts = baked.run.header.bodies.map(({ velocity: velocity3 }) => velocity3);
       this.#run = baked.run;
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
@@ -7893,6 +8127,9 @@ ${lines2.join("\n")}
           boxes[i2]
         );
         drawBox(group2, body2.name, box2);
+        const skin = group2.querySelector('[data-part="skin"]');
+        const front = Number(this.starts[i2]) < 0 ? -1 : 1;
+        if (skin) put(skin, "d", SKINS[this.skins[body2.name] ?? ""]?.lines(box2, front) ?? "");
         return {
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
@@ -7997,15 +8234,15 @@ ${lines2.join("\n")}
       const { bodies, track } = this.#run.header;
       const left = bodies.map(() => 0);
       const right = bodies.map(() => 0);
-      const at2 = (
+      const at3 = (
         /** @param {number} x */
         (x2) => this.layout.origin + (x2 - shift) * this.layout.scale
       );
       for (let gap = 0; gap <= bodies.length; gap += 1) {
         const [a2, b2] = [this.#carts[gap - 1], this.#carts[gap]];
         if (!a2 && track.left !== "wall" || !b2 && track.right !== "wall") continue;
-        const end = a2 ? Number(centres[gap - 1]) + a2.half : at2(0);
-        const start = b2 ? Number(centres[gap]) - b2.half : at2(track.length ?? 0);
+        const end = a2 ? Number(centres[gap - 1]) + a2.half : at3(0);
+        const start = b2 ? Number(centres[gap]) - b2.half : at3(track.length ?? 0);
         const overlap = Math.max(0, end - start);
         const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
         const rest = Math.min(b2?.bumper ?? 0, overlap - share);
@@ -8022,7 +8259,7 @@ ${lines2.join("\n")}
       const seen = Math.abs(v2) < NOISE * view.velocity ? 0 : v2;
       const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
       const length = keptInside(x2, exact, layout.width);
-      const [at2, anchor] = velocityText(x2, length, layout.width);
+      const [at3, anchor] = velocityText(x2, length, layout.width);
       put(need(cart.velocity, '[data-part="arrow"]'), "d", lineArrow(x2, cart.lane, length));
       put(
         need(cart.velocity, '[data-part="leader"]'),
@@ -8035,7 +8272,7 @@ ${lines2.join("\n")}
       const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
       const text = need(cart.velocity, '[data-part="text"]');
       const outside2 = x2 < 0 || x2 > layout.width;
-      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at2));
+      put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at3));
       put(text, "y", px(cart.lane + 4));
       put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
       say(text, outside2 ? tr("{name} is outside: {speed}", { name: name2, speed }) : speed);
@@ -8047,7 +8284,8 @@ ${lines2.join("\n")}
     put(rect, "y", px(-box2.height));
     put(rect, "width", px(box2.width));
     put(rect, "height", px(box2.height));
-    put(need(group2, '[data-part="wheels"]'), "d", wheels(box2));
+    const wheels2 = group2.querySelector('[data-part="wheels"]');
+    if (wheels2) put(wheels2, "d", wheels(box2));
     const cut = need(group2, '[data-part="break"]');
     put(cut, "visibility", box2.cut ? "visible" : "hidden");
     const title = need(group2, '[data-part="name"]');
@@ -8077,8 +8315,8 @@ ${lines2.join("\n")}
         if (isOut(middle)) after = middle;
         else before = middle;
       }
-      const velocity2 = valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
-      found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity: velocity2 });
+      const velocity3 = valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
+      found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity: velocity3 });
     }
     return found2;
   }
@@ -8217,7 +8455,7 @@ ${lines2.join("\n")}
     }
     /** Bands and ticks of what was seen. */
     #mark() {
-      const at2 = (t3) => `${px(100 * t3 / this.#until, 3)}%`;
+      const at3 = (t3) => `${px(100 * t3 / this.#until, 3)}%`;
       const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
       const events = this.#events.filter(({ t: t3 }) => t3 <= this.#seen);
       fit(this.bands, touches2.length, () => svg("rect", BAND));
@@ -8226,8 +8464,8 @@ ${lines2.join("\n")}
           /** @type {Element} */
           this.bands.children[k]
         );
-        put(band3, "x", at2(start));
-        put(band3, "width", at2(Math.min(end, this.#seen) - start));
+        put(band3, "x", at3(start));
+        put(band3, "width", at3(Math.min(end, this.#seen) - start));
       });
       fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
       events.forEach(({ t: t3, kind }, k) => {
@@ -8236,8 +8474,8 @@ ${lines2.join("\n")}
           this.marks.children[k]
         );
         put(mark2, "class", `carts-event carts-event-${kind}`);
-        put(mark2, "x1", at2(t3));
-        put(mark2, "x2", at2(t3));
+        put(mark2, "x1", at3(t3));
+        put(mark2, "x2", at3(t3));
       });
     }
     /** @param {number} t in s @param {string} spoken */
@@ -8393,7 +8631,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   function plot(clip, isForce, growing) {
     const inside = html2`clip-path="url(#${clip})"`;
     const shade = html2`<path class="carts-impulse" d=""/>`;
-    const room = html2`<rect x=${LEFT4} y=${TOP3 - 4} width=${RIGHT3 - LEFT4 + 1} height=${BOTTOM4 - TOP3 + 8}/>`;
+    const room = html2`<rect x=${LEFT4} y=${TOP4 - 4} width=${RIGHT3 - LEFT4 + 1} height=${BOTTOM4 - TOP4 + 8}/>`;
     const seen = `${clip}-seen`;
     return html2`<svg class="carts-plot" viewBox="0 0 ${WIDTH6} ${HEIGHT3}" width=${WIDTH6} height=${HEIGHT3} aria-hidden="true">
 <defs><clipPath id=${clip}>${room}</clipPath>${growing && html2`<clipPath id=${seen} class="carts-seen">${room}</clipPath>`}</defs>
@@ -8402,7 +8640,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
 <text class="carts-unit" x=${RIGHT3} y=${HEIGHT3 - 3} text-anchor="end">${tr("time t in s")}</text>
 <g data-part="areas" clip-path="url(#${growing ? seen : clip})">${isForce && [shade, shade]}</g>
 <g data-part="curves" ${inside}></g>
-<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP3}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
+<g data-part="cursor" ${inside}><path class="carts-cursor" d="M0 ${TOP4}V${BOTTOM4}" transform="translate(${LEFT4} 0)"/></g>
 </svg>`;
   }
 
@@ -8410,7 +8648,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var AREAS = tr("boxes as large as the masses");
   var STILLS = tr("in stills, without motion");
   var STOPS = tr("stops at touch, greatest force and parting");
-  var FORCES = ["F", "a"];
+  var FORCES = ["F", "R", "a"];
   var Choose = class {
     /**
      * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
@@ -8795,7 +9033,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           found: () => void this.#showForces(),
           settings: () => this.#values.good,
           told: () => this.#told && this.#free,
-          change: (target, value, at2) => void this.set({ [target]: value }, at2).catch((error) => this.#complain(target, error))
+          change: (target, value, at3) => void this.set({ [target]: value }, at3).catch((error) => this.#complain(target, error))
         });
         this.#inside = inside;
         this.#predict = askFirst(this, baked, view, {
@@ -8863,10 +9101,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
        * and leaves the run as it is when a value makes no sense.
        * @param {Settings} changes @param {number} at time of the input, for the measure
        */
-      async set(changes2, at2 = performance.now()) {
+      async set(changes2, at3 = performance.now()) {
         if (!this.#told) throw new Error(ASK_FIRST);
         this.#values.ask(changes2);
-        await this.#runs.compute(changes2, at2);
+        await this.#runs.compute(changes2, at3);
       }
       get #values() {
         return this.#runs.values;

@@ -8301,9 +8301,9 @@
       var name, priority = "", styleRule, mediaRule, supportsRule, importRule, fontFaceRule, keyframesRule, documentRule, hostRule;
       var atKeyframesRegExp = /@(-(?:\w+-)+)?keyframes/g;
       var parseError = function(message) {
-        var lines2 = token.substring(0, i).split("\n");
-        var lineCount = lines2.length;
-        var charCount = lines2.pop().length + 1;
+        var lines3 = token.substring(0, i).split("\n");
+        var lineCount = lines3.length;
+        var charCount = lines3.pop().length + 1;
         var error = new Error(message + " (line " + lineCount + ", char " + charCount + ")");
         error.line = lineCount;
         error["char"] = charCount;
@@ -10394,10 +10394,10 @@
     return `10${superscript(exponent2)}`;
   }
   function standalone({ title, rows }) {
-    const lines2 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name) })).filter(({ points }) => points.length);
-    const height = HEIGHT + LEGEND * Math.ceil(lines2.length / 2) + 8;
+    const lines3 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name) })).filter(({ points }) => points.length);
+    const height = HEIGHT + LEGEND * Math.ceil(lines3.length / 2) + 8;
     const { x, y } = grid();
-    const series = lines2.map(({ line, points, mark, colour, label }, k) => {
+    const series = lines3.map(({ line, points, mark, colour, label }, k) => {
       const legend2 = [px(LEFT + 240 * (k % 2)), px(HEIGHT + 8 + LEGEND * Math.floor(k / 2))];
       const marks3 = [...points, legend2].map(
         ([across3, down]) => html`<path transform="translate(${across3} ${down})" d=${mark} fill=${colour}/>`
@@ -10535,11 +10535,11 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
 <ul class="carts-cost-key">${key2}</ul>`;
   }
   function table(rows, until) {
-    const lines2 = rows.map((row2) => {
+    const lines3 = rows.map((row2) => {
       const [head, ...values] = cells(row2, until);
       return html`<tr><th scope="row">${head}</th>${values.map((value) => html`<td>${value}</td>`)}</tr>`;
     });
-    return html`<details class="carts-more carts-cost-table"><summary>Table of all measurements</summary><div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">method</th><th scope="col">step</th><th scope="col">forces computed</th><th scope="col">time</th><th scope="col">error of v in m/s</th><th scope="col">error of energy, of that at the start</th></tr></thead><tbody>${lines2}</tbody></table></div></details>`;
+    return html`<details class="carts-more carts-cost-table"><summary>Table of all measurements</summary><div class="carts-scroll"><table class="carts-table"><thead><tr><th scope="col">method</th><th scope="col">step</th><th scope="col">forces computed</th><th scope="col">time</th><th scope="col">error of v in m/s</th><th scope="col">error of energy, of that at the start</th></tr></thead><tbody>${lines3}</tbody></table></div></details>`;
   }
 
   // ../view/hard/words.js
@@ -10593,9 +10593,9 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
   var METHODS2 = { euler: "Euler", "semi-implicit": "semi-implicit Euler", rk4: "RK4" };
   var MOST_TOLD = 3;
   function expectedLines(wanted) {
-    const lines2 = wanted.slice(0, MOST_TOLD).map(([what, value]) => `${measure(what)}: ${amount(what, value, 6)}`);
-    const more = wanted.length - lines2.length;
-    return more ? [...lines2, `and ${more} more`] : lines2;
+    const lines3 = wanted.slice(0, MOST_TOLD).map(([what, value]) => `${measure(what)}: ${amount(what, value, 6)}`);
+    const more = wanted.length - lines3.length;
+    return more ? [...lines3, `and ${more} more`] : lines3;
   }
 
   // ../view/hard/skeleton.js
@@ -10619,7 +10619,7 @@ ${rows.map(row)}</tbody>
 </div>`;
   }
   function row({ name, sentence: sentence2, why, wanted, known: known2, yaml, commands }) {
-    const lines2 = expectedLines(wanted).map((line, k) => html`${k > 0 && html`<br>`}${line}`);
+    const lines3 = expectedLines(wanted).map((line, k) => html`${k > 0 && html`<br>`}${line}`);
     const heads = Object.values(METHODS2);
     const cells2 = known2.stepped.map((one, k) => {
       const [verdict, off] = steppedCell(wanted, one);
@@ -10627,7 +10627,7 @@ ${rows.map(row)}</tbody>
     });
     const step = short(known2.stepped[0]?.step ?? 0, 3);
     return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence2}</th>
-<td data-head="must come out">${lines2}</td><td data-head="exact" data-part="exact">${exactCell(wanted, known2.exact)}</td>${cells2}</tr>
+<td data-head="must come out">${lines3}</td><td data-head="exact" data-part="exact">${exactCell(wanted, known2.exact)}</td>${cells2}</tr>
 <tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>Why, and the scene</summary><p>${why} The methods took steps of ${step} s.</p><pre tabindex="0">${yaml}</pre><p>Save this as ${name}.yml, then:</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
 `;
   }
@@ -10739,10 +10739,10 @@ ${rows.map(row)}</tbody>
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
     return a * (1 - part) + b * part;
   }
-  function between(values, lines2, count, factor, next, line) {
+  function between(values, lines3, count, factor, next, line) {
     const fine = (count - 1) * factor + 1;
-    const found = new Float64Array(lines2 * fine);
-    for (let i = 0; i < lines2; i += 1) {
+    const found = new Float64Array(lines3 * fine);
+    for (let i = 0; i < lines3; i += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count - 2);
         const at = i * line + left * next;
@@ -10817,7 +10817,7 @@ ${rows.map(row)}</tbody>
   var TICKS = 5;
   var MOST_NUMBERS = 7;
   var BASELINE = 4;
-  var heightOf = ({ axes }) => axes.length === 1 ? HEIGHT_OF_CURVE : HEIGHT2;
+  var heightOf = ({ axes: axes2 }) => axes2.length === 1 ? HEIGHT_OF_CURVE : HEIGHT2;
   var valueAxis = ({ low, high }) => axis(low, high, TICKS);
   function across(value, { low, high }) {
     return LEFT2 + (value - low) * ((RIGHT2 - LEFT2) / (high - low));
@@ -10829,17 +10829,17 @@ ${rows.map(row)}</tbody>
     const along = facts.axes[0];
     if (!along) return "";
     const [x, y] = [span(along.low, along.high, 1), valueAxis(facts)];
-    let path2 = "";
+    let path3 = "";
     let pen = "M";
     for (const [k, point] of points.entries()) {
       const value = Number(values[k]);
       if (Number.isNaN(value)) pen = "M";
       else {
-        path2 += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
+        path3 += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
         pen = "L";
       }
     }
-    return path2;
+    return path3;
   }
   function under(facts, picture) {
     const [first, second] = facts.axes;
@@ -10899,15 +10899,15 @@ ${second && bar(facts)}
   }
   function tableOf(columns, rows, axisText2, valueText2) {
     if (rows === 1) {
-      const lines3 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
-      return { head: [], lines: lines3 };
+      const lines4 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
+      return { head: [], lines: lines4 };
     }
     const across3 = spread(columns, COLUMNS2);
-    const lines2 = spread(rows, ROWS).map((row2) => [
+    const lines3 = spread(rows, ROWS).map((row2) => [
       axisText2(1, row2),
       ...across3.map((k) => valueText2(row2 * columns + k))
     ]);
-    return { head: across3.map((k) => axisText2(0, k)), lines: lines2 };
+    return { head: across3.map((k) => axisText2(0, k)), lines: lines3 };
   }
 
   // ../view/map/skeleton.js
@@ -10944,8 +10944,8 @@ ${table2(facts, draw)}
 </svg>`;
   }
   function side(facts, { id }) {
-    const { label, unit, axes, here, of, controls } = facts;
-    const points = axes.map(({ set, label: name, unit: measured2, values }, k) => {
+    const { label, unit, axes: axes2, here, of, controls } = facts;
+    const points = axes2.map(({ set, label: name, unit: measured2, values }, k) => {
       const place = here[k] ?? 0;
       const text3 = axisText(facts, k, place);
       const range = html`min="0" max=${values.length - 1} step="1" value=${place}`;
@@ -10959,7 +10959,7 @@ ${table2(facts, draw)}
         ""
       );
     });
-    const ids = axes.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
+    const ids = axes2.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
     const at = valueText(facts.at ?? Number.NaN, facts);
     return html`<div class="carts-map-side">
 <p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>Open the map</button> <span class="carts-map-wait" hidden>The map is a picture until you open it. Then every point can be asked for its value.</span></p>
@@ -10983,7 +10983,7 @@ ${further}</div>`;
   function table2(facts, draw) {
     const [first, second] = facts.axes;
     const columns = first?.values.length ?? 0;
-    const { head, lines: lines2 } = tableOf(
+    const { head, lines: lines3 } = tableOf(
       columns,
       second?.values.length ?? 1,
       (axis2, place) => axisText(facts, axis2, place),
@@ -10991,7 +10991,7 @@ ${further}</div>`;
     );
     const heads = second ? head : [facts.label];
     const across3 = html`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
-    const rows = lines2.map(
+    const rows = lines3.map(
       ([name, ...cells2]) => html`<tr><th scope="row">${name}</th>${cells2.map((cell) => html`<td>${cell}</td>`)}</tr>`
     );
     return html`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
@@ -11100,9 +11100,9 @@ ${table3(facts)}
   function table3({ read }) {
     const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
     const heads = head.map((cell) => html`<th scope="col">${cell}</th>`);
-    const lines2 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell) => html`<td>${cell}</td>`)}</tr>`);
-    const more = rows.length - lines2.length;
-    return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines2}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+    const lines3 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell) => html`<td>${cell}</td>`)}</tr>`);
+    const more = rows.length - lines3.length;
+    return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
   }
 
   // ../view/language.js
@@ -11561,6 +11561,7 @@ ${table3(facts)}
     v: [tr("Velocity"), "v", "m/s"],
     a: [tr("Acceleration"), "a", "m/s²"],
     F: [tr("Contact force"), "F", "N"],
+    R: [tr("Resultant force"), "R", "N"],
     p: [tr("Momentum"), "p", "kg m/s"],
     energy: [tr("Kinetic energy"), "E", "J"]
   };
@@ -11661,7 +11662,7 @@ ${table3(facts)}
   function graphNote(quantity, events, curves) {
     const struck = events.some((event) => event.kind === "contact" && event.impulse);
     if (struck && quantity === "F") return IMPULSE_ONLY;
-    if (struck && quantity === "a") return JUMP_ONLY;
+    if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
     return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
   function modelSentences(header) {
@@ -11756,6 +11757,15 @@ ${table3(facts)}
     }
     return found;
   }
+  function partsOf(header, run, name) {
+    return kindsOnOne(header).flatMap((kind) => {
+      const own = header.effects.filter(
+        (effect) => effect.kind === kind && effect.active && effect.carts.includes(name)
+      );
+      const column = run.E[`${kind} ${name}`];
+      return own.length && column?.length ? [{ by: listed([...new Set(own.map(agent))]), column }] : [];
+    });
+  }
   function labels({ kind, on, by, size }) {
     const told3 = { on, by, size };
     const brief2 = { ...told3, by: by.replaceAll("the ", "") };
@@ -11830,7 +11840,7 @@ ${bars(baked)}
       ({ name }, i) => html`<div class="carts-alone carts-${styleOf(i)}" data-body=${name}><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
 `
     );
-    const lines2 = rows.map(
+    const lines3 = rows.map(
       ([name, symbol, unit, quantity]) => html`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body2) => html`<td data-body=${body2.name} data-quantity=${quantity}>–</td>`)}</tr>
 `
     );
@@ -11840,7 +11850,7 @@ ${bars(baked)}
 ${alone}</div>
 <p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
 <div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html`<th scope="col">${name}</th>`)}</tr></thead><tbody>
-${lines2}</tbody></table></div>
+${lines3}</tbody></table></div>
 <p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>
 </section>`;
   }
@@ -12133,9 +12143,30 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   }
   var ownerOf = (set) => set.split(".")[0] ?? "";
 
+  // ../view/pad.js
+  var LEFT4 = 40;
+  var STEP = 77.5;
+  var POINTS = 5;
+  var HIGHEST = 10;
+  var TOP4 = 10;
+  var BOTTOM4 = 130;
+  function pad(quantity) {
+    const low = quantity === "F" ? 0 : -HIGHEST;
+    const per = (BOTTOM4 - TOP4) / (HIGHEST - low);
+    return { low, zero: TOP4 + HIGHEST * per, per };
+  }
+  function path2({ zero, per }, heights) {
+    const step = (POINTS - 1) * STEP / (heights.length - 1);
+    const points = Array.from(
+      heights,
+      (height, k) => `${px(LEFT4 + k * step)} ${px(zero - per * height)}`
+    );
+    return `M${points.join("L")}`;
+  }
+
   // ../view/skeleton/predict.js
   var FULL = 10;
-  var STEP = 0.05;
+  var STEP2 = 0.05;
   var CERTAINTY = (
     /** @type {[string, string][]} */
     [
@@ -12144,7 +12175,23 @@ ${own.map((one) => control(one, fence.id))}</div>`;
       ["sure", tr("I am sure")]
     ]
   );
-  var KNOBS = [0, 1, 2, 3, 4];
+  var TIMES2 = {
+    contact: [
+      tr("at first touch"),
+      tr("after a quarter"),
+      tr("in the middle"),
+      tr("after three quarters"),
+      tr("at the end")
+    ],
+    run: [
+      tr("at the start"),
+      tr("after a quarter"),
+      tr("in the middle"),
+      tr("after three quarters"),
+      tr("at the end")
+    ]
+  };
+  var KNOBS = Array.from({ length: POINTS }, (_, k) => k);
   var FORMS = { arrows, curve: curve2, choice: choice2, text };
   function predict(baked, spec) {
     const { id } = baked.fence;
@@ -12170,9 +12217,10 @@ ${spec.sure && certainty(id)}
     );
     return html`<p class="carts-certainty" role="radiogroup" aria-label=${label}><span>${label}</span> ${choices}</p>`;
   }
-  function arrows({ fence, view, run: { header } }, { pairs, numbers }) {
+  function arrows({ fence, view, run: { header } }, { pairs, scale }) {
+    const numbers = scale === "newtons";
     const full = numbers ? view.force || FULL : 1;
-    const step = numbers ? niceAbove(full / 100) : STEP;
+    const step = numbers ? niceAbove(full / 100) : STEP2;
     const asked = pairs.flatMap(([left, right]) => [
       { pair: `${left}-${right}`, on: left, by: right },
       { pair: `${left}-${right}`, on: right, by: left }
@@ -12191,24 +12239,26 @@ ${spec.sure && certainty(id)}
     return html`${!numbers && html`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
 ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
   }
-  function curve2({ run: { header } }, { cart: cart2 }) {
+  function curve2({ run: { header } }, { cart: cart2, quantity }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
+    const place = pad(quantity);
     const knobs = KNOBS.map(
-      (k) => html`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`
+      (k) => html`<circle class="carts-knob" data-index=${k} cx=${LEFT4 + STEP * k} cy=${place.zero} r="7"/>`
     );
-    const heights = [
-      tr("at first touch"),
-      tr("after a quarter"),
-      tr("in the middle"),
-      tr("after three quarters"),
-      tr("at the end")
-    ].map(
-      (name) => html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min="0" max="10" step="0.5" disabled></label>`
+    const heights = TIMES2[quantity === "F" ? "contact" : "run"].map(
+      (name) => html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place.low} max=${HIGHEST} step="0.5" disabled></label>`
     );
+    const flat = path2(place, [0, 0, 0, 0, 0]);
     return html`<div class="carts-sketch">
-<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/><text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text><path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d="M40 130L117.5 130L195 130L272.5 130L350 130"/>${knobs}</svg>
-<div class="carts-heights"><p>${tr("Move the five points, or type heights from 0 to 10.")}</p>${heights}</div>
+<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/>${axes(quantity)}<path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d=${flat}/>${knobs}</svg>
+<div class="carts-heights"><p>${quantity === "F" ? tr("Move the five points, or type heights from 0 to 10.") : tr("Move the five points, or type heights from −10 to 10: right is positive.")}</p>${heights}</div>
 </div>`;
+  }
+  function axes(quantity) {
+    if (quantity === "F")
+      return html`<text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text>`;
+    const middle = quantity === "v" ? tr("at rest") : tr("start");
+    return html`<text x="46" y="24">${tr("to the right")}</text><text x="46" y="126">${tr("to the left")}</text><text x="346" y="66" text-anchor="end">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
   }
   function choice2({ fence: { id } }, { options }) {
     const rows = options.map(
@@ -12218,6 +12268,119 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
   }
   function text({ fence: { id } }) {
     return html`<textarea class="carts-words" rows="3" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
+  }
+
+  // ../view/skins.js
+  var NARROW = 24;
+  var SKINS = {
+    cart: { wheels: true, corner: 4, lines: () => "" },
+    van: { wheels: true, corner: 7, lines: van },
+    truck: { wheels: true, corner: 3, lines: truck },
+    trailer: { wheels: true, corner: 1, lines: trailer },
+    box: { wheels: false, corner: 1, lines: crate },
+    puck: { wheels: false, corner: 12, lines: puck }
+  };
+  function van(box2, front) {
+    return lines2(box2, front, [
+      [
+        [0.06, 0.9],
+        [0.34, 0.9],
+        [0.46, 0.68],
+        [0.06, 0.68],
+        [0.06, 0.9]
+      ],
+      [
+        [-0.42, 0.9],
+        [-0.08, 0.9],
+        [-0.08, 0.68],
+        [-0.42, 0.68],
+        [-0.42, 0.9]
+      ],
+      [
+        [0.4, 0.26],
+        [0.5, 0.26]
+      ]
+    ]);
+  }
+  function truck(box2, front) {
+    return lines2(box2, front, [
+      [
+        [0.22, 0],
+        [0.22, 1]
+      ],
+      [
+        [0.28, 0.9],
+        [0.42, 0.9],
+        [0.46, 0.66],
+        [0.28, 0.66],
+        [0.28, 0.9]
+      ],
+      [
+        [-0.5, 0.16],
+        [0.22, 0.16]
+      ]
+    ]);
+  }
+  function trailer(box2, front) {
+    return lines2(box2, front, [
+      [
+        [-0.5, 0.2],
+        [0.5, 0.2]
+      ],
+      ...[-0.4, -0.27, 0.27, 0.4].map(
+        (x) => (
+          /** @type {Point[]} */
+          [
+            [x, 0.2],
+            [x, 1]
+          ]
+        )
+      )
+    ]);
+  }
+  function crate(box2, front) {
+    return lines2(box2, front, [
+      [
+        [-0.4, 0.1],
+        [0.4, 0.1],
+        [0.4, 0.9],
+        [-0.4, 0.9],
+        [-0.4, 0.1]
+      ],
+      [
+        [-0.4, 0.3],
+        [-0.22, 0.1]
+      ],
+      [
+        [0.4, 0.3],
+        [0.22, 0.1]
+      ],
+      [
+        [-0.4, 0.7],
+        [-0.22, 0.9]
+      ],
+      [
+        [0.4, 0.7],
+        [0.22, 0.9]
+      ]
+    ]);
+  }
+  function puck(box2, front) {
+    return lines2(box2, front, [
+      [
+        [-0.48, 0.15],
+        [0.48, 0.15]
+      ],
+      [
+        [-0.48, 0.85],
+        [0.48, 0.85]
+      ]
+    ]);
+  }
+  function lines2({ width, height }, front, strokes) {
+    if (width < NARROW) return "";
+    const at = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
+    return strokes.map((points) => `M${points.map(at).join("L")}`).join("");
   }
 
   // ../view/skeleton/stage.js
@@ -12240,7 +12403,7 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
 ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
-${run.header.bodies.map(cart)}
+${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
 ${forces2 && pushes(baked)}
 <g data-part="guess"></g>
@@ -12251,9 +12414,13 @@ ${legend(baked, layout)}
     return html`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
 `;
   }
-  function cart({ name }, i) {
+  function cart(name, i, skin) {
+    const { corner, wheels: wheels2 } = (
+      /** @type {import("../skins.js").Skin} */
+      SKINS[skin]
+    );
     const face = (side2) => html`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><path data-part="wheels" class="carts-wheels"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+    return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
   function pushes({ run: { header } }) {
@@ -12356,7 +12523,7 @@ ${fence.watch === "first" && html`<button type="button" class="carts-button cart
   }
 
   // ../view/skeleton/scene.js
-  var FORCE_QUANTITIES = ["F", "a"];
+  var FORCE_QUANTITIES = ["F", "R", "a"];
   function inside5(baked, found = false) {
     const { fence, view, run } = baked;
     const { id, predict: asked } = fence;
@@ -12553,7 +12720,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const scale = axis(0, 100 * high, 4);
       const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
       const x = (t) => left + t / until * (right - left);
-      const path2 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
+      const path3 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
       const parts2 = ticks(scale).filter((tick) => tick >= 0).flatMap((tick) => {
         const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
         label.textContent = `${short(tick)} %`;
@@ -12573,9 +12740,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         last,
         svg("path", {
           class: "carts-cost-line carts-cost-true",
-          d: path2(exact.map((e) => e / start))
+          d: path3(exact.map((e) => e / start))
         }),
-        svg("path", { class: "carts-cost-line carts-cost-made", d: path2(finite) }),
+        svg("path", { class: "carts-cost-line carts-cost-made", d: path3(finite) }),
         this.cursor
       );
     }
@@ -12604,7 +12771,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   };
 
   // src/measured/figure.js
-  var [LEFT4, RIGHT4, TOP4, BOTTOM4] = [58, 630, 10, 250];
+  var [LEFT5, RIGHT4, TOP5, BOTTOM5] = [58, 630, 10, 250];
   var LOW = { top: 8, bottom: 104 };
   var ROOM = 0.06;
   var HEAD = 1.15;
@@ -12619,15 +12786,15 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     return [low, high];
   }
-  var across2 = (axis2, value) => LEFT4 + (value - axis2.low) / (axis2.high - axis2.low) * (RIGHT4 - LEFT4);
-  var up2 = (axis2, value, top = TOP4, bottom = BOTTOM4) => bottom - (value - axis2.low) / (axis2.high - axis2.low) * (bottom - top);
+  var across2 = (axis2, value) => LEFT5 + (value - axis2.low) / (axis2.high - axis2.low) * (RIGHT4 - LEFT5);
+  var up2 = (axis2, value, top = TOP5, bottom = BOTTOM5) => bottom - (value - axis2.low) / (axis2.high - axis2.low) * (bottom - top);
   function planes(tracks) {
     const [begin, end] = reach(tracks.map((track) => track.t));
     const [low, high] = reach(tracks.map((track) => track.value));
     const room = ROOM * (high - low) || 1;
     return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
   }
-  function dots(t, values, axis2, up_, room = [TOP4, BOTTOM4]) {
+  function dots(t, values, axis2, up_, room = [TOP5, BOTTOM5]) {
     return t.map((time, k) => `M${px(across2(axis2, time))} ${px(up2(up_, Number(values[k]), ...room))}h0`).join("");
   }
   var Figure = class {
@@ -12649,8 +12816,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.#axis = t;
       this.#cursor = svg("path", { class: "carts-measured-cursor" });
       this.place.replaceChildren(
-        ...frame(t, x, BOTTOM4, TOP4, unit, true),
-        ...touch === null ? [] : band2(t, touch, TOP4, BOTTOM4),
+        ...frame(t, x, BOTTOM5, TOP5, unit, true),
+        ...touch === null ? [] : band2(t, touch, TOP5, BOTTOM5),
         ...tracks.map(
           (track, k) => svg("path", {
             class: `carts-measured-dots carts-b${k}`,
@@ -12661,7 +12828,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           (values, k) => svg("path", {
             class: `carts-measured-curve carts-b${k}`,
             d: values.map((value, n) => {
-              const y = Math.min(BOTTOM4, Math.max(TOP4, up2(x, value)));
+              const y = Math.min(BOTTOM5, Math.max(TOP5, up2(x, value)));
               return `${n ? "L" : "M"}${px(across2(t, Number(curve3?.t[n])))} ${px(y)}`;
             }).join("")
           })
@@ -12680,7 +12847,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         ...frame(t, axis2, LOW.bottom, LOW.top, unit, false),
         svg("path", {
           class: "carts-measured-zero",
-          d: `M${LEFT4} ${px(up2(axis2, 0, LOW.top, LOW.bottom))}H${RIGHT4}`
+          d: `M${LEFT5} ${px(up2(axis2, 0, LOW.top, LOW.bottom))}H${RIGHT4}`
         }),
         ...tracks.map(
           (track, k) => svg("path", {
@@ -12699,7 +12866,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** Marks an instant. @param {number} time s */
     at(time) {
       if (!this.#cursor || !this.#axis) return;
-      put(this.#cursor, "d", `M${px(across2(this.#axis, time))} ${TOP4}V${BOTTOM4}`);
+      put(this.#cursor, "d", `M${px(across2(this.#axis, time))} ${TOP5}V${BOTTOM5}`);
     }
   };
   function band2(t, touch, top, bottom) {
@@ -12720,8 +12887,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     for (const tick of ticks(x)) {
       const at = px(up2(x, tick, top, bottom));
-      parts2.push(svg("path", { class: "carts-grid", d: `M${LEFT4} ${at}H${RIGHT4}` }));
-      parts2.push(text2("carts-tick-y", LEFT4 - 6, Number(at) + 4, fixed(tick, axisDecimals(x))));
+      parts2.push(svg("path", { class: "carts-grid", d: `M${LEFT5} ${at}H${RIGHT4}` }));
+      parts2.push(text2("carts-tick-y", LEFT5 - 6, Number(at) + 4, fixed(tick, axisDecimals(x))));
     }
     const label = svg("text", {
       class: "carts-unit",
@@ -12782,6 +12949,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   // ../view/series.js
   function seriesOf(quantity, header, run, camera, signed = false, per = 1) {
     if (quantity === "F") return forces(header, run, signed);
+    if (quantity === "R") return resultants(header, run);
     const times2 = Float64Array.from(run.t);
     const curves = header.bodies.map((body2, i) => {
       const { name, mass } = body2;
@@ -12814,6 +12982,20 @@ ${found && html`<p class="carts-found" hidden></p>`}
     if (quantity === "p" && outside(header)) curves.push(partner(curves, outside(header)));
     if ((quantity === "p" || quantity === "energy") && curves.length > 1) curves.push(total(curves));
     return curves;
+  }
+  function resultants(header, run) {
+    return header.bodies.flatMap(({ name, mass }, i) => {
+      const style = styleOf(i);
+      const values = Float64Array.from(run.a[name] ?? [], (rate) => mass * rate);
+      const parts2 = partsOf(header, run, name).map(({ by, column }) => ({
+        label: tr("on {on} by {by}", { on: brief(name), by }),
+        style,
+        over: true,
+        values: column,
+        slopes: null
+      }));
+      return [{ label: name, style, over: false, values, slopes: null }, ...parts2];
+    });
   }
   function partner(curves, label) {
     const { values, slopes } = total(curves);
@@ -13078,14 +13260,14 @@ ${found && html`<p class="carts-found" hidden></p>`}
       forces2.forEach((force, k) => {
         const length = arrowLength(force.value, this.view.force, FULL2);
         const cut = isCut(force.value, this.view.force);
-        const path2 = (
+        const path3 = (
           /** @type {Element} */
           group.children[k]
         );
         const [x, y] = tail2(force);
-        put(path2, "class", "carts-block-arrow");
-        put(path2, "d", (cut ? cutArrow : blockArrow)(x, y, length));
-        put(path2, "transform", force.way === "up" ? `rotate(-90 ${px(x)} ${px(y)})` : "");
+        put(path3, "class", "carts-block-arrow");
+        put(path3, "d", (cut ? cutArrow : blockArrow)(x, y, length));
+        put(path3, "transform", force.way === "up" ? `rotate(-90 ${px(x)} ${px(y)})` : "");
         say(
           /** @type {Element} */
           list.children[k],
@@ -13117,7 +13299,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/beside/lens.js
-  var TIMES2 = 10;
+  var TIMES3 = 10;
   var WIDTH6 = 360;
   var TRACK = 96;
   var BAR = 70;
@@ -13152,7 +13334,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const [shown2, own] = [stage2?.clientWidth ?? 0, this.plot.clientWidth];
         if (!shown2 || !own) continue;
         const unit = shown2 / layout.width * (WIDTH6 / own);
-        this.#perMetre = TIMES2 * layout.scale * unit;
+        this.#perMetre = TIMES3 * layout.scale * unit;
         this.#perForce = layout.force * unit;
       }
       const length = niceAbove(BAR / this.#perMetre / 2.5);
@@ -13378,7 +13560,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/graphs/impulse-layer.js
-  var POINTS = 40;
+  var POINTS2 = 40;
   var ImpulseLayer = class {
     /** @param {HTMLElement} root of the graph @param {import("../../../../view/types.js").View} view */
     constructor(root, view) {
@@ -13395,15 +13577,15 @@ ${found && html`<p class="carts-found" hidden></p>`}
     at(run, plane, t, signed) {
       const touch = latestTouch(this.windows, t);
       const paths = this.shade.children;
-      for (const path2 of paths) put(path2, "d", "");
+      for (const path3 of paths) put(path3, "d", "");
       if (!touch) {
         const hint = tr("Move into a touch: the shaded area is the impulse.");
         return say(this.note, this.windows.length ? hint : "");
       }
       const end = Math.min(t, touch.end);
       const outline = (sign) => {
-        const points = Array.from({ length: POINTS + 1 }, (_, k) => {
-          const at = touch.start + (end - touch.start) * k / POINTS;
+        const points = Array.from({ length: POINTS2 + 1 }, (_, k) => {
+          const at = touch.start + (end - touch.start) * k / POINTS2;
           const force = sign * contactForce(run, touch.pair, at, 0);
           return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
         });
@@ -13621,12 +13803,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
       while (this.areas.children.length < this.tops.length) this.areas.append(svg("path"));
       while (this.areas.children.length > this.tops.length) this.areas.lastElementChild?.remove();
       this.tops.forEach((top, i) => {
-        const path2 = (
+        const path3 = (
           /** @type {Element} */
           this.areas.children[i]
         );
-        put(path2, "class", `carts-band carts-${top.style}`);
-        put(path2, "d", band3(this.times, plane, top.values, this.tops[i - 1]?.values));
+        put(path3, "class", `carts-band carts-${top.style}`);
+        put(path3, "d", band3(this.times, plane, top.values, this.tops[i - 1]?.values));
       });
       this.key.replaceChildren(
         ...this.entries.map(({ style }) => {
@@ -14280,6 +14462,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.layout = layout;
       this.view = baked.view;
       this.camera = baked.fence.camera;
+      this.skins = baked.fence.skins;
+      this.starts = baked.run.header.bodies.map(({ velocity: velocity2 }) => velocity2);
       this.#run = baked.run;
       this.#pushes = new Pushes(root, layout, baked.view);
       this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
@@ -14300,6 +14484,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
           boxes[i]
         );
         drawBox(group, body2.name, box2);
+        const skin = group.querySelector('[data-part="skin"]');
+        const front = Number(this.starts[i]) < 0 ? -1 : 1;
+        if (skin) put(skin, "d", SKINS[this.skins[body2.name] ?? ""]?.lines(box2, front) ?? "");
         return {
           half: body2.length * layout.scale / 2,
           edge: -box2.x,
@@ -14454,7 +14641,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     put(rect, "y", px(-box2.height));
     put(rect, "width", px(box2.width));
     put(rect, "height", px(box2.height));
-    put(need(group, '[data-part="wheels"]'), "d", wheels(box2));
+    const wheels2 = group.querySelector('[data-part="wheels"]');
+    if (wheels2) put(wheels2, "d", wheels(box2));
     const cut = need(group, '[data-part="break"]');
     put(cut, "visibility", box2.cut ? "visible" : "hidden");
     const title = need(group, '[data-part="name"]');

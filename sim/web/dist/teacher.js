@@ -870,10 +870,10 @@
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
     const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
-    const path = location.pathname.split("/").slice(-2).join("/");
+    const path2 = location.pathname.split("/").slice(-2).join("/");
     return {
       site: cartsSite ?? meta("carts-site") ?? "site",
-      page: cartsPage ?? meta("carts-page") ?? path
+      page: cartsPage ?? meta("carts-page") ?? path2
     };
   }
 
@@ -1173,7 +1173,7 @@
   var TICKS = 5;
   var MOST_NUMBERS = 7;
   var BASELINE = 4;
-  var heightOf = ({ axes }) => axes.length === 1 ? HEIGHT_OF_CURVE : HEIGHT;
+  var heightOf = ({ axes: axes2 }) => axes2.length === 1 ? HEIGHT_OF_CURVE : HEIGHT;
   var valueAxis = ({ low, high }) => axis(low, high, TICKS);
   function across(value, { low, high }) {
     return LEFT + (value - low) * ((RIGHT - LEFT) / (high - low));
@@ -1185,17 +1185,17 @@
     const along = facts.axes[0];
     if (!along) return "";
     const [x, y] = [span(along.low, along.high, 1), valueAxis(facts)];
-    let path = "";
+    let path2 = "";
     let pen = "M";
     for (const [k, point] of points.entries()) {
       const value = Number(values[k]);
       if (Number.isNaN(value)) pen = "M";
       else {
-        path += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
+        path2 += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
         pen = "L";
       }
     }
-    return path;
+    return path2;
   }
   function under(facts, picture) {
     const [first, second] = facts.axes;
@@ -1255,15 +1255,15 @@ ${second && bar(facts)}
   }
   function tableOf(columns, rows, axisText2, valueText2) {
     if (rows === 1) {
-      const lines3 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
-      return { head: [], lines: lines3 };
+      const lines4 = spread(columns, 2 * ROWS - 1).map((k) => [axisText2(0, k), valueText2(k)]);
+      return { head: [], lines: lines4 };
     }
     const across2 = spread(columns, COLUMNS);
-    const lines2 = spread(rows, ROWS).map((row) => [
+    const lines3 = spread(rows, ROWS).map((row) => [
       axisText2(1, row),
       ...across2.map((k) => valueText2(row * columns + k))
     ]);
-    return { head: across2.map((k) => axisText2(0, k)), lines: lines2 };
+    return { head: across2.map((k) => axisText2(0, k)), lines: lines3 };
   }
 
   // ../view/map/skeleton.js
@@ -1300,8 +1300,8 @@ ${table(facts, draw)}
 </svg>`;
   }
   function side(facts, { id }) {
-    const { label, unit, axes, here, of, controls } = facts;
-    const points = axes.map(({ set, label: name, unit: measured, values }, k) => {
+    const { label, unit, axes: axes2, here, of, controls } = facts;
+    const points = axes2.map(({ set, label: name, unit: measured, values }, k) => {
       const place3 = here[k] ?? 0;
       const text2 = axisText(facts, k, place3);
       const range = html2`min="0" max=${values.length - 1} step="1" value=${place3}`;
@@ -1315,7 +1315,7 @@ ${table(facts, draw)}
         ""
       );
     });
-    const ids = axes.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
+    const ids = axes2.map(({ set }) => `${id}-${set.replaceAll(".", "-")} `).join("");
     const at = valueText(facts.at ?? Number.NaN, facts);
     return html2`<div class="carts-map-side">
 <p class="carts-map-start"><button type="button" class="carts-button carts-map-open" hidden>Open the map</button> <span class="carts-map-wait" hidden>The map is a picture until you open it. Then every point can be asked for its value.</span></p>
@@ -1339,7 +1339,7 @@ ${further}</div>`;
   function table(facts, draw) {
     const [first, second] = facts.axes;
     const columns = first?.values.length ?? 0;
-    const { head, lines: lines2 } = tableOf(
+    const { head, lines: lines3 } = tableOf(
       columns,
       second?.values.length ?? 1,
       (axis2, place3) => axisText(facts, axis2, place3),
@@ -1347,7 +1347,7 @@ ${further}</div>`;
     );
     const heads = second ? head : [facts.label];
     const across2 = html2`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
-    const rows = lines2.map(
+    const rows = lines3.map(
       ([name, ...cells]) => html2`<tr><th scope="row">${name}</th>${cells.map((cell) => html2`<td>${cell}</td>`)}</tr>`
     );
     return html2`<details class="carts-more carts-map-table"><summary>Table: ${facts.label} in ${facts.unit}</summary>
@@ -1456,9 +1456,9 @@ ${table2(facts)}
   function table2({ read }) {
     const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
     const heads = head.map((cell) => html2`<th scope="col">${cell}</th>`);
-    const lines2 = rows.slice(0, MOST_ROWS).map((row) => html2`<tr>${row.map((cell) => html2`<td>${cell}</td>`)}</tr>`);
-    const more = rows.length - lines2.length;
-    return html2`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines2}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
+    const lines3 = rows.slice(0, MOST_ROWS).map((row) => html2`<tr>${row.map((cell) => html2`<td>${cell}</td>`)}</tr>`);
+    const more = rows.length - lines3.length;
+    return html2`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
   }
 
   // ../view/bodies.js
@@ -1802,6 +1802,7 @@ ${table2(facts)}
     v: [tr("Velocity"), "v", "m/s"],
     a: [tr("Acceleration"), "a", "m/s²"],
     F: [tr("Contact force"), "F", "N"],
+    R: [tr("Resultant force"), "R", "N"],
     p: [tr("Momentum"), "p", "kg m/s"],
     energy: [tr("Kinetic energy"), "E", "J"]
   };
@@ -1894,7 +1895,7 @@ ${bars(baked)}
       ({ name }, i) => html2`<div class="carts-alone carts-${styleOf(i)}" data-body=${name}><svg viewBox="0 0 260 60" width="260" height="60" aria-hidden="true"><rect class="carts-box" x="20" y="8" width="220" height="44" rx="4"/><text class="carts-name" x="130" y="24">${name}</text><g data-part="forces"></g></svg><ul></ul></div>
 `
     );
-    const lines2 = rows.map(
+    const lines3 = rows.map(
       ([name, symbol, unit, quantity]) => html2`<tr><th scope="row">${name} <i>${symbol}</i>${quantity === "dv" && html2` <span class="carts-touch-note"></span>`}, ${unit}</th>${bodies.map((body2) => html2`<td data-body=${body2.name} data-quantity=${quantity}>–</td>`)}</tr>
 `
     );
@@ -1904,7 +1905,7 @@ ${bars(baked)}
 ${alone2}</div>
 <p class="carts-vertical-note">${tr("Weight and support are equal and opposite here, but both act on one cart: they balance. They are no third-law pair: the partner of the weight pulls on the Earth.")}</p>
 <div class="carts-scroll"><table class="carts-table carts-pairs"><thead><tr><th scope="col"><span class="carts-hidden">${tr("quantity")}</span></th>${bodies.map(({ name }) => html2`<th scope="col">${name}</th>`)}</tr></thead><tbody>
-${lines2}</tbody></table></div>
+${lines3}</tbody></table></div>
 <p class="carts-quiet">${tr("The two forces of a contact have the same size at every instant. How much a velocity changes depends on the mass too.")}</p>
 </section>`;
   }
@@ -2083,9 +2084,30 @@ ${own.map((one) => control(one, fence.id))}</div>`;
   }
   var ownerOf = (set) => set.split(".")[0] ?? "";
 
+  // ../view/pad.js
+  var LEFT3 = 40;
+  var STEP = 77.5;
+  var POINTS = 5;
+  var HIGHEST = 10;
+  var TOP3 = 10;
+  var BOTTOM3 = 130;
+  function pad(quantity) {
+    const low = quantity === "F" ? 0 : -HIGHEST;
+    const per = (BOTTOM3 - TOP3) / (HIGHEST - low);
+    return { low, zero: TOP3 + HIGHEST * per, per };
+  }
+  function path({ zero, per }, heights) {
+    const step = (POINTS - 1) * STEP / (heights.length - 1);
+    const points = Array.from(
+      heights,
+      (height, k) => `${px(LEFT3 + k * step)} ${px(zero - per * height)}`
+    );
+    return `M${points.join("L")}`;
+  }
+
   // ../view/skeleton/predict.js
   var FULL = 10;
-  var STEP = 0.05;
+  var STEP2 = 0.05;
   var CERTAINTY = (
     /** @type {[string, string][]} */
     [
@@ -2094,7 +2116,23 @@ ${own.map((one) => control(one, fence.id))}</div>`;
       ["sure", tr("I am sure")]
     ]
   );
-  var KNOBS = [0, 1, 2, 3, 4];
+  var TIMES = {
+    contact: [
+      tr("at first touch"),
+      tr("after a quarter"),
+      tr("in the middle"),
+      tr("after three quarters"),
+      tr("at the end")
+    ],
+    run: [
+      tr("at the start"),
+      tr("after a quarter"),
+      tr("in the middle"),
+      tr("after three quarters"),
+      tr("at the end")
+    ]
+  };
+  var KNOBS = Array.from({ length: POINTS }, (_, k) => k);
   var FORMS = { arrows, curve: curve2, choice, text };
   function predict(baked, spec) {
     const { id } = baked.fence;
@@ -2120,9 +2158,10 @@ ${spec.sure && certainty(id)}
     );
     return html2`<p class="carts-certainty" role="radiogroup" aria-label=${label}><span>${label}</span> ${choices}</p>`;
   }
-  function arrows({ fence, view, run: { header } }, { pairs, numbers }) {
+  function arrows({ fence, view, run: { header } }, { pairs, scale }) {
+    const numbers = scale === "newtons";
     const full = numbers ? view.force || FULL : 1;
-    const step = numbers ? niceAbove(full / 100) : STEP;
+    const step = numbers ? niceAbove(full / 100) : STEP2;
     const asked = pairs.flatMap(([left, right]) => [
       { pair: `${left}-${right}`, on: left, by: right },
       { pair: `${left}-${right}`, on: right, by: left }
@@ -2141,24 +2180,26 @@ ${spec.sure && certainty(id)}
     return html2`${!numbers && html2`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
 ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`;
   }
-  function curve2({ run: { header } }, { cart: cart2 }) {
+  function curve2({ run: { header } }, { cart: cart2, quantity }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
+    const place3 = pad(quantity);
     const knobs = KNOBS.map(
-      (k) => html2`<circle class="carts-knob" data-index=${k} cx=${40 + 77.5 * k} cy="130" r="7"/>`
+      (k) => html2`<circle class="carts-knob" data-index=${k} cx=${LEFT3 + STEP * k} cy=${place3.zero} r="7"/>`
     );
-    const heights = [
-      tr("at first touch"),
-      tr("after a quarter"),
-      tr("in the middle"),
-      tr("after three quarters"),
-      tr("at the end")
-    ].map(
-      (name) => html2`<label>${name} <input type="number" class="carts-height" autocomplete="off" min="0" max="10" step="0.5" disabled></label>`
+    const heights = TIMES[quantity === "F" ? "contact" : "run"].map(
+      (name) => html2`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place3.low} max=${HIGHEST} step="0.5" disabled></label>`
     );
+    const flat = path(place3, [0, 0, 0, 0, 0]);
     return html2`<div class="carts-sketch">
-<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/><text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text><path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d="M40 130L117.5 130L195 130L272.5 130L350 130"/>${knobs}</svg>
-<div class="carts-heights"><p>${tr("Move the five points, or type heights from 0 to 10.")}</p>${heights}</div>
+<svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/>${axes(quantity)}<path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d=${flat}/>${knobs}</svg>
+<div class="carts-heights"><p>${quantity === "F" ? tr("Move the five points, or type heights from 0 to 10.") : tr("Move the five points, or type heights from −10 to 10: right is positive.")}</p>${heights}</div>
 </div>`;
+  }
+  function axes(quantity) {
+    if (quantity === "F")
+      return html2`<text x="40" y="147">${tr("touch")}</text><text x="350" y="147" text-anchor="end">${tr("apart")}</text><text x="195" y="164" text-anchor="middle">${tr("time during the contact")}</text><text class="carts-pad-up" x="34" y="16" text-anchor="end">${tr("large")}</text><text x="28" y="134" text-anchor="end">0</text>`;
+    const middle = quantity === "v" ? tr("at rest") : tr("start");
+    return html2`<text x="46" y="24">${tr("to the right")}</text><text x="46" y="126">${tr("to the left")}</text><text x="346" y="66" text-anchor="end">${middle}</text><text x="195" y="164" text-anchor="middle">${tr("time from start to end")}</text>`;
   }
   function choice({ fence: { id } }, { options }) {
     const rows = options.map(
@@ -2168,6 +2209,119 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
   }
   function text({ fence: { id } }) {
     return html2`<textarea class="carts-words" rows="3" autocomplete="off" aria-labelledby="${id}-ask" disabled></textarea>`;
+  }
+
+  // ../view/skins.js
+  var NARROW = 24;
+  var SKINS = {
+    cart: { wheels: true, corner: 4, lines: () => "" },
+    van: { wheels: true, corner: 7, lines: van },
+    truck: { wheels: true, corner: 3, lines: truck },
+    trailer: { wheels: true, corner: 1, lines: trailer },
+    box: { wheels: false, corner: 1, lines: crate },
+    puck: { wheels: false, corner: 12, lines: puck }
+  };
+  function van(box, front) {
+    return lines(box, front, [
+      [
+        [0.06, 0.9],
+        [0.34, 0.9],
+        [0.46, 0.68],
+        [0.06, 0.68],
+        [0.06, 0.9]
+      ],
+      [
+        [-0.42, 0.9],
+        [-0.08, 0.9],
+        [-0.08, 0.68],
+        [-0.42, 0.68],
+        [-0.42, 0.9]
+      ],
+      [
+        [0.4, 0.26],
+        [0.5, 0.26]
+      ]
+    ]);
+  }
+  function truck(box, front) {
+    return lines(box, front, [
+      [
+        [0.22, 0],
+        [0.22, 1]
+      ],
+      [
+        [0.28, 0.9],
+        [0.42, 0.9],
+        [0.46, 0.66],
+        [0.28, 0.66],
+        [0.28, 0.9]
+      ],
+      [
+        [-0.5, 0.16],
+        [0.22, 0.16]
+      ]
+    ]);
+  }
+  function trailer(box, front) {
+    return lines(box, front, [
+      [
+        [-0.5, 0.2],
+        [0.5, 0.2]
+      ],
+      ...[-0.4, -0.27, 0.27, 0.4].map(
+        (x) => (
+          /** @type {Point[]} */
+          [
+            [x, 0.2],
+            [x, 1]
+          ]
+        )
+      )
+    ]);
+  }
+  function crate(box, front) {
+    return lines(box, front, [
+      [
+        [-0.4, 0.1],
+        [0.4, 0.1],
+        [0.4, 0.9],
+        [-0.4, 0.9],
+        [-0.4, 0.1]
+      ],
+      [
+        [-0.4, 0.3],
+        [-0.22, 0.1]
+      ],
+      [
+        [0.4, 0.3],
+        [0.22, 0.1]
+      ],
+      [
+        [-0.4, 0.7],
+        [-0.22, 0.9]
+      ],
+      [
+        [0.4, 0.7],
+        [0.22, 0.9]
+      ]
+    ]);
+  }
+  function puck(box, front) {
+    return lines(box, front, [
+      [
+        [-0.48, 0.15],
+        [0.48, 0.15]
+      ],
+      [
+        [-0.48, 0.85],
+        [0.48, 0.85]
+      ]
+    ]);
+  }
+  function lines({ width, height }, front, strokes) {
+    if (width < NARROW) return "";
+    const at = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
+    return strokes.map((points) => `M${points.map(at).join("L")}`).join("");
   }
 
   // ../view/skeleton/stage.js
@@ -2190,7 +2344,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
 ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
-${run.header.bodies.map(cart)}
+${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
 ${forces && pushes(baked)}
 <g data-part="guess"></g>
@@ -2201,9 +2355,13 @@ ${legend(baked, layout)}
     return html2`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
 `;
   }
-  function cart({ name }, i) {
+  function cart(name, i, skin) {
+    const { corner, wheels } = (
+      /** @type {import("../skins.js").Skin} */
+      SKINS[skin]
+    );
     const face = (side2) => html2`<rect data-part="face-${side2}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
-    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx="4"/><path data-part="wheels" class="carts-wheels"/><g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
   function pushes({ run: { header } }) {
@@ -2306,7 +2464,7 @@ ${fence.watch === "first" && html2`<button type="button" class="carts-button car
   }
 
   // ../view/skeleton/scene.js
-  var FORCE_QUANTITIES = ["F", "a"];
+  var FORCE_QUANTITIES = ["F", "R", "a"];
   function inside3(baked, found = false) {
     const { fence, view, run } = baked;
     const { id, predict: asked } = fence;
@@ -2384,10 +2542,10 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
     return a * (1 - part) + b * part;
   }
-  function between(values, lines2, count, factor, next, line) {
+  function between(values, lines3, count, factor, next, line) {
     const fine = (count - 1) * factor + 1;
-    const found = new Float64Array(lines2 * fine);
-    for (let i = 0; i < lines2; i += 1) {
+    const found = new Float64Array(lines3 * fine);
+    for (let i = 0; i < lines3; i += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count - 2);
         const at = i * line + left * next;
@@ -2410,9 +2568,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
       }
     }
-    return { places: lines(bands, width, scale), width, height };
+    return { places: lines2(bands, width, scale), width, height };
   }
-  function lines(bands, width, { count, zero }) {
+  function lines2(bands, width, { count, zero }) {
     const places = bands.slice();
     const line = 2 * count + 1;
     const compare = (at, other) => {
@@ -2721,7 +2879,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     }
     /** @param {Field[]} fields @param {import("./types.js").Finding[]} findings of the block */
     show(fields, findings) {
-      const form = JSON.stringify(fields.map(({ path, kind, group }) => [path, kind, group]));
+      const form = JSON.stringify(fields.map(({ path: path2, kind, group }) => [path2, kind, group]));
       if (form !== this.#form) this.#build(fields);
       this.#form = form;
       for (const field of fields) {
@@ -2853,8 +3011,8 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     }
     /** @param {number} line number @param {number} col from 1 */
     goTo(line, col) {
-      const lines2 = this.area.value.split("\n");
-      const before = lines2.slice(0, line - this.first).join("\n").length;
+      const lines3 = this.area.value.split("\n");
+      const before = lines3.slice(0, line - this.first).join("\n").length;
       const at = Math.min(before + (line > this.first ? 1 : 0) + col - 1, this.area.value.length);
       this.area.focus();
       this.area.setSelectionRange(at, at);

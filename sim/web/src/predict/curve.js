@@ -1,27 +1,25 @@
-/** Prediction: how the force changes during the contact. Compared by features, not by pixels. */
+/** Prediction: how a force changes during the contact, a velocity or a position during the run. */
 
 import { body } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
-import { px } from "../../../view/numbers.js";
+import { HIGHEST, LEFT, POINTS, pad, path, STEP } from "../../../view/pad.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { touches } from "../../../view/windows.js";
 import { html, need, put } from "../shared/dom.js";
+import { features } from "./curve-features.js";
 
-const LEFT = 40;
-const STEP = 77.5;
-const BOTTOM = 130;
-const PER_HEIGHT = 12; // units per step of height; the highest is 10
-const HIGHEST = 10;
-const FINE = 48;
+const FINE = 48; // pieces of the run's own curve: a multiple of four
 
 export class CurveForm {
   /** @type {(number | null)[]} */
-  #heights = [null, null, null, null, null];
+  #heights = Array(POINTS).fill(null);
   #enabled = false;
 
   /** @param {HTMLElement} root @param {import("../../../view/types.js").PredictSpec} spec @param {() => void} changed */
   constructor(root, spec, changed) {
     this.cart = spec.cart ?? "";
+    this.quantity = spec.quantity;
+    this.place = pad(spec.quantity);
     this.changed = changed;
     this.pad = /** @type {SVGSVGElement} */ (/** @type {unknown} */ (need(root, ".carts-pad")));
     this.boxes = /** @type {HTMLInputElement[]} */ ([...root.querySelectorAll(".carts-height")]);
@@ -69,45 +67,60 @@ export class CurveForm {
 
   /** @param {import("../../../view/types.js").Run} run */
   compare(run) {
-    const touch = touches(run.header.events, run.header.until).find(({ bodies }) =>
-      bodies.includes(this.cart),
-    );
-    if (!touch)
+    const seen = this.quantity === "F" ? this.#force(run) : this.#motion(run);
+    if (!seen)
       return [html("p", "", tr("In this run nothing touches {cart}.", { cart: this.cart }))];
-    const { t, F, dF } = run.trajectory;
-    const forces = Array.from({ length: FINE + 1 }, (_, k) => {
-      const at = touch.start + ((touch.end - touch.start) * k) / FINE;
-      return valueAt(t, F[touch.pair] ?? [0], dF[touch.pair] ?? [0], at);
-    });
-    const top = Math.max(...forces) || 1;
-    const points = forces.map((force, k) => {
-      const x = LEFT + (4 * STEP * k) / FINE;
-      return `${px(x)} ${px(BOTTOM - (HIGHEST * PER_HEIGHT * force) / top)}`;
-    });
-    put(need(this.pad, '[data-part="answer"]'), "d", `M${points.join("L")}`);
-    const other = touch.bodies.find((name) => name !== this.cart) ?? "";
-    const mine = this.#heights.map(Number);
-    const rows = [
-      [tr("starts from zero"), mine[0] === 0, Number(forces[0]) < 0.02 * top],
-      [
-        tr("is greatest in between"),
-        Math.max(...mine.slice(1, 4)) > Math.max(Number(mine[0]), Number(mine[4])),
-        true,
-      ],
-      [tr("goes up once and down once"), hills(mine) === 1, hills(forces.map(Number)) === 1],
-      [tr("is zero again at the end"), mine[4] === 0, Number(forces[FINE]) < 0.02 * top],
-    ];
+    const top = Math.max(...seen.values.map(Math.abs)) || 1;
+    const scaled = seen.values.map((value) => (HIGHEST * value) / top);
+    put(need(this.pad, '[data-part="answer"]'), "d", path(this.place, scaled));
     const list = html("ul");
-    for (const [feature, yours, theirs] of rows) {
-      const said = (/** @type {unknown} */ yes) => (yes ? tr("yes") : tr("no"));
-      const both = { feature: String(feature), yours: said(yours), theirs: said(theirs) };
+    for (const [feature, yours, theirs] of features(
+      this.quantity,
+      this.#heights.map(Number),
+      scaled,
+    )) {
+      const said = (/** @type {boolean} */ yes) => (yes ? tr("yes") : tr("no"));
+      const both = { feature, yours: said(yours), theirs: said(theirs) };
       list.append(html("li", "", tr("{feature}: your curve {yours}, the run {theirs}", both)));
     }
+    return [html("p", "", seen.title), list];
+  }
+
+  /** The force during the first contact. @param {import("../../../view/types.js").Run} run */
+  #force({ header, trajectory: { t, F, dF } }) {
+    const touch = touches(header.events, header.until).find(({ bodies }) =>
+      bodies.includes(this.cart),
+    );
+    if (!touch) return null;
+    const values = evenly(touch.start, touch.end, (at) =>
+      valueAt(t, F[touch.pair] ?? [0], dF[touch.pair] ?? [0], at),
+    );
+    const other = touch.bodies.find((name) => name !== this.cart) ?? "";
     const title = tr(
       "Force on {cart} by {other}: dashed is yours, solid is the run. Only the shape counts.",
       { cart: this.cart, other: body(other) },
     );
-    return [html("p", "", title), list];
+    return { values, title };
+  }
+
+  /** Velocity, or the way from the start, during the whole run. @param {import("../../../view/types.js").Run} run */
+  #motion({ header, trajectory: { t, x, v, a } }) {
+    const [values, slopes] = this.quantity === "v" ? [v, a] : [x, v];
+    const start = this.quantity === "v" ? 0 : Number(values[this.cart]?.[0]);
+    const title =
+      this.quantity === "v"
+        ? tr("Velocity of {cart}: dashed is yours, solid is the run. Only the shape counts.", {
+            cart: this.cart,
+          })
+        : tr(
+            "Way of {cart} from the start: dashed is yours, solid is the run. Only the shape counts.",
+            {
+              cart: this.cart,
+            },
+          );
+    const at = (/** @type {number} */ time) =>
+      valueAt(t, values[this.cart] ?? [0], slopes[this.cart] ?? [0], time) - start;
+    return { values: evenly(0, header.until, at), title };
   }
 
   /** @param {PointerEvent} event */
@@ -115,41 +128,30 @@ export class CurveForm {
     const frame = this.pad.getBoundingClientRect();
     const scale = 360 / frame.width;
     const k = Math.round(((event.clientX - frame.left) * scale - LEFT) / STEP);
-    const height = (BOTTOM - (event.clientY - frame.top) * scale) / PER_HEIGHT;
+    const height = (this.place.zero - (event.clientY - frame.top) * scale) / this.place.per;
     if (k >= 0 && k < this.#heights.length) this.#take(k, Math.round(2 * height) / 2);
   }
 
   /** @param {number} k @param {number} height */
   #take(k, height) {
-    this.#heights[k] = Math.min(HIGHEST, Math.max(0, height));
+    this.#heights[k] = Math.min(HIGHEST, Math.max(this.place.low, height));
     this.#draw();
     this.changed();
   }
 
   #draw() {
-    const points = this.#heights.map((height, k) => {
-      const y = px(BOTTOM - PER_HEIGHT * (height ?? 0));
+    this.#heights.forEach((height, k) => {
       const knob = this.pad.querySelector(`[data-index="${k}"]`);
-      if (knob) put(knob, "cy", y);
+      if (knob) put(knob, "cy", String(this.place.zero - this.place.per * (height ?? 0)));
       const box = this.boxes[k];
       if (box && height !== null && box.valueAsNumber !== height) box.valueAsNumber = height;
-      return `${px(LEFT + STEP * k)} ${y}`;
     });
-    put(need(this.pad, '[data-part="sketch"]'), "d", `M${points.join("L")}`);
+    const drawn = this.#heights.map((height) => height ?? 0);
+    put(need(this.pad, '[data-part="sketch"]'), "d", path(this.place, drawn));
   }
 }
 
-/** @param {number[]} heights @returns {number} how often they go up and then down */
-function hills(heights) {
-  let found = 0;
-  let rising = false;
-  heights.forEach((height, k) => {
-    const before = heights[k - 1] ?? 0;
-    if (height > before) rising = true;
-    if (height < before && rising) {
-      found += 1;
-      rising = false;
-    }
-  });
-  return found + (rising ? 1 : 0);
+/** @param {number} from @param {number} to @param {(t: number) => number} value @returns {number[]} */
+function evenly(from, to, value) {
+  return Array.from({ length: FINE + 1 }, (_, k) => value(from + ((to - from) * k) / FINE));
 }

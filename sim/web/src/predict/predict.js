@@ -58,7 +58,8 @@ export class Predict {
     };
     const changed = () => void this.#changed();
     const forms = {
-      arrows: () => new (spec.numbers ? ArrowsForm : RelativeArrows)(root, baked, draw, changed),
+      arrows: () =>
+        new (spec.scale === "newtons" ? ArrowsForm : RelativeArrows)(root, baked, draw, changed),
       curve: () => new CurveForm(root, spec, changed),
       choice: () => new ChoiceForm(root, changed),
       text: () => new WordsForm(root, changed),

@@ -4,6 +4,7 @@ import { tr } from "../../../view/language.js";
 import { styleOf } from "../../../view/markers.js";
 import { fixed, NOISE, px, speedUnit } from "../../../view/numbers.js";
 import * as shapes from "../../../view/shapes.js";
+import { SKINS } from "../../../view/skins.js";
 import { valueAt } from "../../../view/trajectory.js";
 import { need, put, say, svg } from "../shared/dom.js";
 import { Effects } from "./effects.js";
@@ -32,6 +33,8 @@ export class Stage {
     this.layout = layout;
     this.view = baked.view;
     this.camera = baked.fence.camera;
+    this.skins = baked.fence.skins;
+    this.starts = baked.run.header.bodies.map(({ velocity }) => velocity);
     this.#run = baked.run;
     this.#pushes = new Pushes(root, layout, baked.view);
     this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
@@ -50,6 +53,9 @@ export class Stage {
       const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
       const box = /** @type {shapes.Box} */ (boxes[i]);
       drawBox(group, body.name, box);
+      const skin = group.querySelector('[data-part="skin"]');
+      const front = Number(this.starts[i]) < 0 ? -1 : 1;
+      if (skin) put(skin, "d", SKINS[this.skins[body.name] ?? ""]?.lines(box, front) ?? "");
       return {
         half: (body.length * layout.scale) / 2,
         edge: -box.x,
@@ -204,7 +210,8 @@ function drawBox(group, name, box) {
   put(rect, "y", px(-box.height));
   put(rect, "width", px(box.width));
   put(rect, "height", px(box.height));
-  put(need(group, '[data-part="wheels"]'), "d", shapes.wheels(box));
+  const wheels = group.querySelector('[data-part="wheels"]');
+  if (wheels) put(wheels, "d", shapes.wheels(box));
   const cut = need(group, '[data-part="break"]');
   put(cut, "visibility", box.cut ? "visible" : "hidden");
   const title = need(group, '[data-part="name"]');

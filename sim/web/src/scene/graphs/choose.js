@@ -10,7 +10,7 @@ import { html, need, parsed } from "../../shared/dom.js";
 const AREAS = tr("boxes as large as the masses");
 const STILLS = tr("in stills, without motion");
 const STOPS = tr("stops at touch, greatest force and parting");
-const FORCES = ["F", "a"]; // not offered where the forces are hidden
+const FORCES = ["F", "R", "a"]; // not offered where the forces are hidden
 
 export class Choose {
   /**
