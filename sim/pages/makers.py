@@ -66,6 +66,14 @@ def _quiz(block: Block, page: Page) -> str:
     return render_quiz(read.form)
 
 
+def _challenge(block: Block, page: Page) -> str:
+    """A `challenge` block: a goal for the runs of a scene above."""
+    from sim.pages.question.challenge import challenge
+
+    scenes = page.items.scenes
+    return challenge(block, page.lesson, page.ids, scenes, first_line=page.first_line)
+
+
 def _map(block: Block, page: Page) -> str:
     """A `map` block: its figure, and what the page needs to compute it anew."""
     from sim.pages.map.bake import bake_map
@@ -129,6 +137,7 @@ MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "hard-cases": _hard_cases,
     "question": _question,
     "quiz": _quiz,
+    "challenge": _challenge,
     "evidence": _evidence,
     "measured": _measured,
 }

@@ -63,6 +63,7 @@ class Needs:
     classroom: bool = False
     measured: bool = False  # readings of real carts
     language: str = ENGLISH  # of the interface words
+    challenge: bool = False  # a goal for the runs of a scene
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -155,6 +156,7 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     and on every page the one that keeps answers and has the panel “My answers”."""
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
     names += ["carts.js"] if needs.scenes else []
+    names += ["challenge.js"] if needs.challenge else []
     names += ["measured.js"] if needs.measured else []
     names += ["class-keys.js", "class.js"] if needs.classroom else []
     yield from (f'<script src="{assets}{name}"></script>' for name in names)

@@ -106,11 +106,13 @@ class SiteBuild:
         outline = page.items.outline(lesson) if page.items.answers else None
         classroom = "<carts-class" in html
         measured = "<carts-measured" in html
+        challenge = "<carts-challenge" in html
         self.needs[name] = Needs(
             page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
-            page.language,
+            page.language, challenge,
         )  # fmt: skip
-        ours = r'<carts-(?:scene|map|cost|hard|measured|question|quiz)\b[^>]*\sid="([^"]+)"'
+        kinds = "scene|map|cost|hard|measured|question|quiz|challenge"
+        ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
                 self.report(
@@ -199,6 +201,9 @@ class SiteBuild:
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
+            if any(needs.challenge for needs in self.needs.values()):
+                script = site_files.challenge_script()
+                (site / site_files.ASSETS / "challenge.js").write_bytes(script)
             if any(needs.measured for needs in self.needs.values()):
                 script = site_files.measured_script()
                 (site / site_files.ASSETS / "measured.js").write_bytes(script)

@@ -52,6 +52,11 @@ def measured_script() -> bytes:
     return _read(_WEB / "dist" / "measured.js", "make bundle")
 
 
+def challenge_script() -> bytes:
+    """The committed bundle of pages with a challenge: assets/carts/challenge.js."""
+    return _read(_WEB / "dist" / "challenge.js", "make bundle")
+
+
 def teacher_files() -> tuple[bytes, bytes]:
     """Script and style of teacher mode: assets/carts/teacher.js and teacher.css."""
     style = _read(_WEB / "teach" / "teacher.css", "git restore sim/web/teach")

@@ -10,6 +10,7 @@ const here = path.dirname(fileURLToPath(import.meta.url));
 const ENTRIES = {
   "dist/carts.js": "src/main.js",
   "dist/answers.js": "src/answers-main.js",
+  "dist/challenge.js": "src/challenge-main.js",
   "dist/class.js": "src/class-main.js",
   "dist/teacher.js": "src/teacher-main.js",
   "dist/measured.js": "src/measured-main.js",

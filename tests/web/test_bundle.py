@@ -11,6 +11,7 @@ from tests.web.boot_site import ROOT, bundle
 DIST = ROOT / "sim" / "web" / "dist"
 ENTRIES = {"carts.js": "main.js", "answers.js": "answers-main.js", "class.js": "class-main.js"}
 ENTRIES |= {"measured.js": "measured-main.js", "teacher.js": "teacher-main.js"}
+ENTRIES |= {"challenge.js": "challenge-main.js"}
 ENTRIES |= {"draw.js": "draw-main.js"}
 
 

@@ -85,6 +85,7 @@ def predict_hash(scene: Fence) -> str:
     predict = scene.predict
     asked = predict and [
         predict.kind, predict.ask, predict.pairs, predict.cart, predict.options,
+        *([] if predict.quantity == "F" else [predict.quantity]),  # older predictions were of F
         {key: str(value) for key, value in scene.plain.items() if key != "title"},
     ]  # fmt: skip
     text = json.dumps(asked, ensure_ascii=False, sort_keys=True)

@@ -112,6 +112,10 @@ class Desk:
             return self._question(block, lesson, ids, items)
         if block.name == "quiz":
             return self._quiz(block, lesson, ids, items)
+        if block.name == "challenge":
+            from sim.pages.question.challenge import challenge
+
+            return Shown("shown", challenge(block, lesson, ids, items.scenes, first_line=1))
         if block.name == "map":
             return self._map(block, lesson, ids, parts)
         if block.name == "measured":

@@ -13,7 +13,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-KINDS = ("scene", "map", "cost", "hard-cases", "question", "quiz", "evidence", "measured")
+KINDS = (
+    *(
+        "scene",
+        "map",
+        "cost",
+        "hard-cases",
+        "question",
+        "quiz",
+        "challenge",
+        "evidence",
+        "measured",
+    ),
+)
 
 _OPEN = re.compile(
     r"(?P<indent>[ \t]*)(?P<quote>(?:>[ \t]?)*)(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>[^`]*)"

@@ -2004,7 +2004,7 @@
       document.getElementById(facts.scene)
     );
     const run = scene?.trajectory;
-    const set = changes.get(scene) ?? {};
+    const set = setBy(scene);
     if (!run) return { own: null, set };
     const value = reading(run, masses(scene), facts.quantity, facts.at);
     return { own: value === null ? null : value / facts.per, set };
@@ -2017,14 +2017,17 @@
     );
     if (target instanceof Element) changes.set(target, detail);
   });
+  function setBy(scene) {
+    return changes.get(
+      /** @type {Element} */
+      scene
+    ) ?? {};
+  }
   function masses(scene) {
     const found2 = {};
     const baked = scene?.querySelector("script.carts-baked")?.textContent;
     for (const body of JSON.parse(baked ?? "{}").bodies ?? []) found2[body.name] = body.mass;
-    for (const [path, value] of Object.entries(changes.get(
-      /** @type {Element} */
-      scene
-    ) ?? {})) {
+    for (const [path, value] of Object.entries(setBy(scene))) {
       if (!path.endsWith(".mass")) continue;
       const mass = readNumber(String(value), KILOGRAMS);
       if ("value" in mass) found2[path.slice(0, -".mass".length)] = mass.value;

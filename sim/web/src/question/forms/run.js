@@ -12,7 +12,7 @@ const KILOGRAMS = { kg: 1, g: 0.001, mg: 1e-6, t: 1000 };
 export function ownReading(facts) {
   const scene = /** @type {any} */ (document.getElementById(facts.scene));
   const run = scene?.trajectory;
-  const set = changes.get(scene) ?? {};
+  const set = setBy(scene);
   if (!run) return { own: null, set };
   const value = reading(run, masses(scene), facts.quantity, facts.at);
   return { own: value === null ? null : value / facts.per, set };
@@ -25,13 +25,18 @@ document.addEventListener("carts-update", (event) => {
   if (target instanceof Element) changes.set(target, detail);
 });
 
+/** What the student set in a scene. @param {Element | null} scene @returns {Record<string, unknown>} */
+export function setBy(scene) {
+  return changes.get(/** @type {Element} */ (scene)) ?? {};
+}
+
 /** @param {Element | null} scene @returns {Record<string, number>} kg, by cart, as set by the student */
-function masses(scene) {
+export function masses(scene) {
   /** @type {Record<string, number>} */
   const found = {};
   const baked = scene?.querySelector("script.carts-baked")?.textContent;
   for (const body of JSON.parse(baked ?? "{}").bodies ?? []) found[body.name] = body.mass;
-  for (const [path, value] of Object.entries(changes.get(/** @type {Element} */ (scene)) ?? {})) {
+  for (const [path, value] of Object.entries(setBy(scene))) {
     if (!path.endsWith(".mass")) continue;
     const mass = readNumber(String(value), KILOGRAMS);
     if ("value" in mass) found[path.slice(0, -".mass".length)] = mass.value;
