@@ -98,7 +98,7 @@ def test_a_lesson_with_mistakes_or_several_scenes_says_so(tmp_path: Path) -> Non
     assert "two.md:16:" in said
     code, said = write(["worksheets/newtons-third-law.md"])
     assert code == 2
-    assert "--scene third-equal | " in said
+    assert "--scene third-pushed-along | " in said
     code, said = write(["worksheets/test-forces-and-motion.md"])
     assert code == 2
     assert "no scene" in said

@@ -28,6 +28,7 @@ _LINK = re.compile(r"(?<!!)\[[^\]\n]+\]\(([^)\s]+)[^)]*\)")
 _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
+_MORE = re.compile(r"\{.*\.more\b")  # a part for who has time: the lesson is whole without it
 _OWN_MINUTES = re.compile(r"^[ \t]*minutes:[ \t]*(\d+)[ \t]*$", re.MULTILINE)
 _AT_THE_TOP = r"\A---\s*\n(?:(?!---).*\n)*?"  # what may stand before a key of the front matter
 _ORDER = re.compile(_AT_THE_TOP + r"order:[ \t]*([^\n#]*)")
@@ -176,7 +177,8 @@ def _braces_match(formula: str) -> bool:
 
 def _minutes(text: str, prose: str) -> Iterator[_Found]:
     stated = _STATED.match(text)
-    parts = [int(m[1]) for m in _MINUTES.finditer(prose)]
+    core = (m for m in _MINUTES.finditer(prose) if _MORE.search(m[0]) is None)
+    parts = [int(m[1]) for m in core]
     if stated and parts and sum(parts) != int(stated[1]):
         message = f"the parts of this lesson take {sum(parts)} minutes, not {stated[1]}"
         hint = "change data-minutes of the headings, or minutes: above"
