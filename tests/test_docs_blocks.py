@@ -20,7 +20,17 @@ from sim.pages.runtime.node import node_program
 ROOT = Path(__file__).parents[1]
 TEXTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("worksheets/*.md")])
 MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
-OURS = {"scene", "question", "quiz", "map", "cost", "hard-cases", "evidence", "measured", "challenge"}
+OURS = {
+    "scene",
+    "question",
+    "quiz",
+    "map",
+    "cost",
+    "hard-cases",
+    "evidence",
+    "measured",
+    "challenge",
+}
 SHOWN_AS_IT_IS = {"text", "markdown", "csv", "html"}  # output, lessons (their blocks are found too)
 PROGRAMS = re.compile(r"^(?:\.venv/bin/)?(carts|make|pip|cd|python|mkdocs) ?(.*)$")
 

@@ -12,6 +12,7 @@ from sim.lesson.kinds.idea import Idea
 from sim.lesson.kinds.number import Number
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
+from sim.lesson.kinds.table import Table
 from sim.lesson.kinds.words import Long, Short
 from sim.lesson.problems import LessonError
 from sim.lesson.question import COMMON_KEYS, Question, read_common
@@ -22,7 +23,7 @@ KINDS: dict[str, type[Question]] = {
     kind.KIND: kind
     for kind in (
         Single, Multiple, Number, Short, Long, Ordering, Matching, Confidence, Reading, Drawn,
-        Idea,
+        Idea, Table,
     )
 }  # fmt: skip
 

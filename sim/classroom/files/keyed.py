@@ -19,6 +19,7 @@ from sim.lesson.kinds.idea import Idea
 from sim.lesson.kinds.number import Number, Wrong
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
+from sim.lesson.kinds.table import Open, Table
 from sim.lesson.kinds.words import Long, Short
 from sim.lesson.mark import Mark
 from sim.lesson.question import Common, Question
@@ -165,6 +166,8 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
         return Ordering(common=common, order=tuple(texts[f"line-{k}"] for k in key["order"]))
     if kind == "matching":
         return _matching(row, common)
+    if kind == "table":
+        return _table(row, common)
     if kind == "reading":
         return Reading(
             common=common, scene=str(row["scene"]), quantity=str(row["quantity"]),
@@ -176,6 +179,25 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
     if kind == "drawn":
         return Drawn(common=common, scene=str(row["scene"]))
     raise ValueError(kind)
+
+
+def _table(row: Mapping[str, Any], common: Common) -> Table:
+    """Heads, given cells, and the interval of each other one."""
+    cells, asked = row["key"]["cells"], row["cells"]
+
+    def cell(name: str, given: str | None) -> str | Open:
+        if given is not None:
+            return given
+        right = cells[name]
+        unit = str(asked[name]["unit"])
+        return Open(float(right["answer"]), float(right["tolerance"]), unit, {})
+
+    rows = tuple(
+        tuple(cell(f"{r}-{c}", given) for c, given in enumerate(line, start=1))
+        for r, line in enumerate(row["rows"], start=1)
+    )
+    plot = (int(row["plot"][0]) - 1, int(row["plot"][1]) - 1) if row["plot"] else None
+    return Table(common=common, columns=tuple(row["columns"]), rows=rows, plot=plot)
 
 
 def _matching(row: Mapping[str, Any], common: Common) -> Matching:

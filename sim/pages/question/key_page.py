@@ -90,6 +90,13 @@ def answer_words(item: Question, key: dict[str, Any]) -> str:
         return f"{data['quantity']} at {data['at']} in the student's own run, ± {near}"
     if item.KIND == "ordering":
         return " → ".join(texts[f"line-{line}"] for line in key["order"])
+    if item.KIND == "table":
+        cells = key["cells"].items()
+        asked = data["cells"]
+        return "; ".join(
+            f"{name}: {cell['answer']:g} {asked[name]['unit']} ± {cell['tolerance']:g}".strip()
+            for name, cell in cells
+        )
     if item.KIND == "matching":
         pairs = key["pairs"].items()
         return "; ".join(

@@ -49,11 +49,20 @@
   }
 
   // src/shared/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made2 = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made2.setAttribute(name, String(value));
+    return made2;
+  }
   function html(tag, className = "", text = "") {
     const made2 = document.createElement(tag);
     if (className) made2.className = className;
     if (text) made2.textContent = text;
     return made2;
+  }
+  function put(element, name, value) {
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   }
   function say(element, text) {
     if (element.textContent !== text) element.textContent = text;
@@ -211,10 +220,10 @@
   }
 
   // src/shared/newest-first.js
-  function newestFirst(put) {
+  function newestFirst(put2) {
     const flights = /* @__PURE__ */ new Map();
     function start(key, value, alone2) {
-      const now = put(key, value, alone2);
+      const now = put2(key, value, alone2);
       flights.set(key, { now, next: null });
       const over = () => {
         if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
@@ -307,8 +316,8 @@
     await transaction(begin, act, "relaxed");
     clearTimeout(settling);
     settling = setTimeout(() => {
-      const mark2 = (answers) => void answers.put(Date.now(), SETTLED);
-      transaction(begin, mark2, "strict").catch(() => {
+      const mark3 = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark3, "strict").catch(() => {
       });
     }, SETTLE_AFTER);
   }
@@ -871,15 +880,15 @@
     return row;
   }
   function codeBox(text) {
-    const label = html("label", "", `${text} `);
+    const label2 = html("label", "", `${text} `);
     const box = (
       /** @type {HTMLInputElement} */
       html("input", "carts-answers-code")
     );
     Object.assign(box, { type: "text", maxLength: 90, autocomplete: "off", spellcheck: false });
     box.placeholder = "BLUE-FOX-27";
-    label.append(box);
-    return { label, box };
+    label2.append(box);
+    return { label: label2, box };
   }
   function status() {
     const made2 = html("p", "carts-answers-status");
@@ -962,7 +971,7 @@
     });
   }
   function askWhose(place2, book2, keep) {
-    const { label, box } = codeBox(tr("Whose file is it? Code word from your card"));
+    const { label: label2, box } = codeBox(tr("Whose file is it? Code word from your card"));
     const told = status();
     const withCode = async () => {
       const found2 = readCode(box.value);
@@ -979,7 +988,7 @@
       keep("");
     };
     place2.replaceChildren(
-      label,
+      label2,
       " ",
       button(tr("Save with this code word"), () => void withCode(), "carts-answers-with-code"),
       " ",
@@ -1011,14 +1020,14 @@
   }
   function importRow(book2, told) {
     const row = html("p", "carts-answers-import");
-    const label = html("label", "", `${tr("Bring answers back from a file")} `);
+    const label2 = html("label", "", `${tr("Bring answers back from a file")} `);
     const box = (
       /** @type {HTMLInputElement} */
       html("input", "carts-answers-open")
     );
     Object.assign(box, { type: "file", accept: ".json,application/json" });
-    label.append(box);
-    row.append(label);
+    label2.append(box);
+    row.append(label2);
     box.addEventListener("change", async () => {
       const file = box.files?.[0];
       if (!file) return;
@@ -1207,12 +1216,12 @@
       const body = question.querySelector(".carts-q-options");
       const labels = [...body?.querySelectorAll("label") ?? []];
       const order = new Map(
-        labels.map((label) => [label, hash(`${student}/${question.id}/${label.dataset.option}`)])
+        labels.map((label2) => [label2, hash(`${student}/${question.id}/${label2.dataset.option}`)])
       );
       labels.sort((a, b) => (order.get(a) ?? 0) - (order.get(b) ?? 0));
-      labels.forEach((label, k) => {
-        body?.append(label);
-        const letter = label.querySelector(".carts-q-letter");
+      labels.forEach((label2, k) => {
+        body?.append(label2);
+        const letter = label2.querySelector(".carts-q-letter");
         if (letter) letter.textContent = LETTERS[k] ?? "";
       });
     }
@@ -1464,7 +1473,7 @@
     const root = part("who", tr("Who works here"));
     const { student } = book2;
     const now = student ? tr("These are the answers of {student}.", { student }) : tr("No code word yet: the next person at this computer sees these answers.");
-    const { label, box } = codeBox(
+    const { label: label2, box } = codeBox(
       student ? tr("Somebody else? Code word") : tr("Code word from your card")
     );
     const told = status();
@@ -1474,7 +1483,7 @@
       if (key === "Enter") void look();
     });
     const row = html("p");
-    row.append(label, " ", go);
+    row.append(label2, " ", go);
     const two = html(
       "p",
       "carts-quiet",
@@ -1570,6 +1579,11 @@
   function trim(text) {
     return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
   }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
 
   // src/question/marking/plain.js
   function plain(text) {
@@ -1632,6 +1646,19 @@
       const all = good.length === entries.length && good.length === Object.keys(key.pairs).length;
       return whole(all, good.length > 0, marks);
     },
+    table({ key, marks }, value) {
+      const names = Object.keys(key.cells);
+      const fits2 = typeof value === "object" && !Array.isArray(value);
+      if (!fits2 || !Object.keys(value).every((name) => names.includes(name))) {
+        return made("unclear", 0, marks);
+      }
+      const good = names.filter((name) => {
+        const { answer, tolerance } = key.cells[name];
+        return near(value[name], answer, tolerance, 1).verdict === "right";
+      });
+      const shown = good.map((name) => `cell-${name}`);
+      return whole(good.length === names.length, good.length > 0, marks, shown);
+    },
     confidence: ({ options }, value) => options.includes(value) ? made("open", null, 0) : made("unclear", null, 0),
     drawn: () => made("open", null, 0),
     idea: ({ options }, value) => typeof value === "string" && (!options.length || options.includes(value)) ? made("open", null, 0) : made("unclear", null, 0)
@@ -1681,8 +1708,11 @@
     /**
      * @param {HTMLElement} root the question, with its facts
      * @param {() => {value: any, own: number | null, tries: number} | null} attempt
+     * @param {(shown: string[]) => void} marked parts of an answer that are marked one by one
      */
-    constructor(root, attempt) {
+    constructor(root, attempt, marked = () => {
+    }) {
+      this.marked = marked;
       this.root = root;
       this.place = need(root, ".carts-q-feedback");
       root.querySelector(".carts-q-check")?.addEventListener("click", () => {
@@ -1716,6 +1746,7 @@
       );
       const found2 = mark(facts, value, own);
       this.root.dataset.verdict = found2.verdict;
+      this.marked(found2.shown);
       const names = new Set(found2.shown);
       if (tries >= SHOW_AFTER) names.add("explain");
       this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found2.verdict]));
@@ -1867,9 +1898,9 @@
       said: () => picked().map((input) => words(input.closest("label"))).join("; ")
     };
   }
-  function words(label) {
-    const letter = label?.querySelector(".carts-q-letter")?.textContent;
-    const text = plainText(label?.querySelector(".carts-q-text"));
+  function words(label2) {
+    const letter = label2?.querySelector(".carts-q-letter")?.textContent;
+    const text = plainText(label2?.querySelector(".carts-q-text"));
     return letter ? `${letter}: ${text}` : text;
   }
 
@@ -2052,6 +2083,140 @@
     };
   }
 
+  // ../view/scales.js
+  var STEP_SLACK = 1e-9;
+  var HEADROOM = 0.05;
+  function axisDecimals(axis2) {
+    return Math.max(0, -exponent(axis2.step));
+  }
+  function ticks(axis2) {
+    const first = Math.ceil(axis2.low / axis2.step - STEP_SLACK);
+    const last = Math.floor(axis2.high / axis2.step + STEP_SLACK);
+    const found2 = [];
+    for (let k = first; k <= last; k += 1) found2.push(k * axis2.step);
+    return found2;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+  function axis(low, high, count) {
+    const bottom = Math.min(0, low);
+    const top = Math.max(0, high) === bottom ? 1 : Math.max(0, high);
+    const room = HEADROOM * (top - bottom);
+    return { low: bottom - room, high: top + room, step: niceAbove((top - bottom) / count) };
+  }
+
+  // src/question/forms/table.js
+  var [LEFT, RIGHT, TOP, BOTTOM] = [50, 305, 15, 160];
+  var COUNT = 4;
+  function tableForm(root, changed, facts) {
+    const places = (
+      /** @type {HTMLElement[]} */
+      [...root.querySelectorAll("[data-cell]")]
+    );
+    const name = (place2) => String(place2.dataset.cell);
+    const box = (place2) => (
+      /** @type {HTMLInputElement} */
+      place2.querySelector("input")
+    );
+    const read = (place2) => readNumber(box(place2).value, facts.cells[name(place2)]?.units ?? {});
+    const filled2 = () => places.filter((place2) => box(place2).value.trim());
+    const draw = () => facts.plot && plot(root, facts, typed());
+    const typed = () => Object.fromEntries(
+      filled2().map((place2) => {
+        const found2 = read(place2);
+        return [name(place2), "value" in found2 ? found2.value : box(place2).value];
+      })
+    );
+    for (const place2 of places) {
+      box(place2).addEventListener("input", () => {
+        for (const other of places) mark2(other, "");
+        changed();
+        draw();
+      });
+    }
+    draw();
+    return {
+      get value() {
+        return typed();
+      },
+      set value(value) {
+        for (const place2 of places) {
+          const kept = value && Object.hasOwn(value, name(place2)) ? value[name(place2)] : "";
+          box(place2).value = String(kept);
+        }
+        draw();
+      },
+      enable(on) {
+        for (const place2 of places) box(place2).readOnly = !on;
+      },
+      said: () => filled2().map((place2) => {
+        const { unit } = facts.cells[name(place2)] ?? { unit: "" };
+        return `${box(place2).getAttribute("aria-label")}: ${box(place2).value.trim()} ${unit}`.trim();
+      }).join("; "),
+      problem: () => {
+        for (const place2 of filled2()) {
+          const found2 = read(place2);
+          if ("problem" in found2) return `${box(place2).getAttribute("aria-label")}: ${found2.problem}`;
+        }
+        return "";
+      },
+      marked: (shown) => {
+        for (const place2 of filled2())
+          mark2(place2, shown.includes(`cell-${name(place2)}`) ? "right" : "wrong");
+      }
+    };
+  }
+  function mark2(place2, verdict) {
+    const sign = (
+      /** @type {HTMLElement} */
+      place2.querySelector(".carts-q-cell-mark")
+    );
+    const words2 = { right: tr("right"), wrong: tr("not yet"), "": "" };
+    place2.dataset.verdict = verdict;
+    sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words2[verdict];
+  }
+  function plot(root, { rows: rows2, plot: plot2, given }, value) {
+    const known2 = (
+      /** @type {Record<string, unknown>} */
+      { ...given, ...value }
+    );
+    const [x, y] = plot2 ?? [1, 2];
+    const points = rows2.map((_, r) => [known2[`${r + 1}-${x}`], known2[`${r + 1}-${y}`]]).filter((pair) => pair.every((number2) => typeof number2 === "number"));
+    const columns = [0, 1].map((k) => (
+      /** @type {number[]} */
+      points.map((point) => point[k])
+    ));
+    const [across, up] = columns.map((all) => axis(Math.min(0, ...all), Math.max(0, ...all), COUNT));
+    if (!across || !up) return;
+    const at2 = (number2) => px(LEFT + (number2 - across.low) / (across.high - across.low) * (RIGHT - LEFT));
+    const high = (number2) => px(BOTTOM - (number2 - up.low) / (up.high - up.low) * (BOTTOM - TOP));
+    const numbers = (one) => ticks(one).map((tick) => ({ tick, text: fixed(tick, axisDecimals(one)) }));
+    const grid = (
+      /** @type {Element} */
+      root.querySelector(".carts-q-plot .carts-grid")
+    );
+    put(grid, "d", `M${at2(0)} ${TOP}V${BOTTOM}M${LEFT} ${high(0)}H${RIGHT}`);
+    const place2 = (
+      /** @type {Element} */
+      root.querySelector(".carts-q-points")
+    );
+    place2.replaceChildren(
+      ...numbers(across).map(({ tick, text }) => label(text, at2(tick), `${BOTTOM + 16}`, "middle")),
+      ...numbers(up).map(({ tick, text }) => label(text, `${LEFT - 6}`, high(tick), "end")),
+      ...points.map(([a, b]) => svg("circle", { cx: at2(Number(a)), cy: high(Number(b)), r: 4.5 }))
+    );
+  }
+  function label(text, x, y, anchor) {
+    const made2 = svg("text", { x, y, "text-anchor": anchor });
+    made2.textContent = text;
+    return made2;
+  }
+
   // src/question/forms/typed.js
   function wordsForm(root, changed) {
     const box = typedBox(root, changed);
@@ -2117,6 +2282,7 @@
     long: wordsForm,
     ordering: orderForm,
     matching: matchForm,
+    table: tableForm,
     drawn: drawnForm,
     idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed)
   };
@@ -2149,7 +2315,12 @@
         setTimeout(() => {
           if (!this.#ready) this.#say(tr("Opening your answers …"));
         }, SOON);
-        if (this.facts.key) this.#feedback = new Feedback(this, () => this.#attempt());
+        if (this.facts.key)
+          this.#feedback = new Feedback(
+            this,
+            () => this.#attempt(),
+            (shown) => this.#form?.marked?.(shown)
+          );
         book2.addEventListener("elsewhere", (event) => {
           const key = (
             /** @type {CustomEvent} */

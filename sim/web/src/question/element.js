@@ -7,6 +7,7 @@ import { Feedback } from "./feedback.js";
 import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";
 import { drawnForm, ownReading } from "./forms/run.js";
+import { tableForm } from "./forms/table.js";
 import { numberForm, wordsForm } from "./forms/typed.js";
 import { wait } from "./gate.js";
 import { plainText } from "./plain-text.js";
@@ -14,7 +15,7 @@ import { plainText } from "./plain-text.js";
 /**
  * What every kind of form offers. `said` is the answer in words; `recall` brings typed words back.
  * @typedef {{value: any, enable: (on: boolean) => void, said: () => string, recall?: (said: string) => void,
- *   problem?: () => string, follow?: (book: import("../answers/book.js").Book) => void}} Form
+ *   problem?: () => string, marked?: (shown: string[]) => void, follow?: (book: import("../answers/book.js").Book) => void}} Form
  */
 
 /** @type {Record<string, (root: HTMLElement, changed: () => void, facts: any) => Form>} */
@@ -28,6 +29,7 @@ const FORMS = {
   long: wordsForm,
   ordering: orderForm,
   matching: matchForm,
+  table: tableForm,
   drawn: drawnForm,
   idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed),
 };
@@ -62,7 +64,12 @@ export function questionElement(book) {
       setTimeout(() => {
         if (!this.#ready) this.#say(tr("Opening your answers …"));
       }, SOON);
-      if (this.facts.key) this.#feedback = new Feedback(this, () => this.#attempt());
+      if (this.facts.key)
+        this.#feedback = new Feedback(
+          this,
+          () => this.#attempt(),
+          (shown) => this.#form?.marked?.(shown),
+        );
       book.addEventListener("elsewhere", (event) => {
         const key = /** @type {CustomEvent} */ (event).detail;
         if (key === book.key(this.formName ?? "worksheet", this.facts.id)) this.#show();

@@ -19,8 +19,10 @@ export class Feedback {
   /**
    * @param {HTMLElement} root the question, with its facts
    * @param {() => {value: any, own: number | null, tries: number} | null} attempt
+   * @param {(shown: string[]) => void} marked parts of an answer that are marked one by one
    */
-  constructor(root, attempt) {
+  constructor(root, attempt, marked = () => {}) {
+    this.marked = marked;
     this.root = root;
     this.place = need(root, ".carts-q-feedback");
     root.querySelector(".carts-q-check")?.addEventListener("click", () => {
@@ -47,6 +49,7 @@ export class Feedback {
     const facts = /** @type {any} */ (this.root).facts;
     const found = mark(facts, value, own);
     this.root.dataset.verdict = found.verdict;
+    this.marked(found.shown);
     const names = new Set(found.shown);
     if (tries >= SHOW_AFTER) names.add("explain");
     this.place.replaceChildren(html("p", "carts-q-verdict", WORDS[found.verdict]));

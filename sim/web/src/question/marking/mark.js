@@ -83,6 +83,20 @@ const RULES = {
     return whole(all, good.length > 0, marks);
   },
 
+  table({ key, marks }, value) {
+    const names = Object.keys(key.cells);
+    const fits = typeof value === "object" && !Array.isArray(value);
+    if (!fits || !Object.keys(value).every((name) => names.includes(name))) {
+      return made("unclear", 0, marks);
+    }
+    const good = names.filter((name) => {
+      const { answer, tolerance } = key.cells[name];
+      return near(value[name], answer, tolerance, 1).verdict === "right";
+    });
+    const shown = good.map((name) => `cell-${name}`);
+    return whole(good.length === names.length, good.length > 0, marks, shown);
+  },
+
   confidence: ({ options }, value) =>
     options.includes(value) ? made("open", null, 0) : made("unclear", null, 0),
 
