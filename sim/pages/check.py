@@ -15,7 +15,7 @@ from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
-from sim.pages.question.challenge import challenge
+from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
@@ -59,7 +59,7 @@ def _read(block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> None:
     if block.name == "question":
         items.questions.append(read_question_block(block, lesson, ids, first_line=1))
     elif block.name == "challenge":
-        challenge(block, lesson, ids, items.scenes, first_line=1)
+        read_challenge_block(block, lesson, ids, items.scenes, first_line=1)
     elif block.name == "quiz":
         items.quizzes.append(read_quiz_block(block, lesson, ids, first_line=1))
     else:

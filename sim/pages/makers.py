@@ -11,6 +11,7 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.map_block import read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
+from sim.pages.question.challenge import read_challenge_block
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import Block
 
@@ -68,10 +69,12 @@ def _quiz(block: Block, page: Page) -> str:
 
 def _challenge(block: Block, page: Page) -> str:
     """A `challenge` block: a goal for the runs of a scene above."""
-    from sim.pages.question.challenge import challenge
+    from sim.pages.question.render import render_challenge
 
     scenes = page.items.scenes
-    return challenge(block, page.lesson, page.ids, scenes, first_line=page.first_line)
+    return render_challenge(
+        read_challenge_block(block, page.lesson, page.ids, scenes, first_line=page.first_line)
+    )
 
 
 def _map(block: Block, page: Page) -> str:

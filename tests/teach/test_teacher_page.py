@@ -74,8 +74,10 @@ def test_a_teacher_changes_a_scene_and_sees_it_and_takes_it_home(
     field(page, "mass").fill("0.8 kg")
     settled(page)
     assert saved(page).decode() == withhold(source()).replace("mass: 0.5 kg", "mass: 0.8 kg", 1)
-    expect(page.locator("#third-equal svg").first).to_contain_text("0.8 kg")
-    expect(page.locator("#third-equal")).to_have_attribute("data-state", "live", timeout=WAIT)
+    expect(page.locator("#third-pushed-along svg").first).to_contain_text("0.8 kg")
+    expect(page.locator("#third-pushed-along")).to_have_attribute(
+        "data-state", "live", timeout=WAIT
+    )
     assert untouched.get_attribute("data-same") == "yes"  # the others were not made anew
 
     field(page, "mass").fill("-1 kg")
@@ -90,7 +92,7 @@ def test_a_teacher_changes_a_scene_and_sees_it_and_takes_it_home(
         page.click(".carts-teach-undo")
     settled(page)
     assert saved(page).decode() == withhold(source())
-    expect(page.locator("#third-equal svg").first).to_contain_text("0.5 kg")
+    expect(page.locator("#third-pushed-along svg").first).to_contain_text("0.5 kg")
     assert complaints == []
 
 

@@ -11,16 +11,12 @@ goal: v.A = 0
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
-
-from markupsafe import Markup
+from dataclasses import dataclass
 
 from sim.lesson import keys
-from sim.lesson.goal import EXAMPLE, NEAR, read_goal
+from sim.lesson.goal import EXAMPLE, Goal, read_goal
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.question.inside import to_html
 from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
-from sim.pages.templates import script_json, templates
 from sim.pages.text.fence_scan import Block
 from sim.scene import Fence, Problem
 from sim.scene.presentation import ID
@@ -29,10 +25,20 @@ from sim.scene.tables import unknown_keys
 KEYS = ("id", "scene", "ask", "goal")
 
 
-def challenge(
+@dataclass(frozen=True, slots=True)
+class Challenge:
+    """A challenge that makes sense."""
+
+    id: str
+    ask: str  # Markdown
+    goal: Goal
+    scene: Fence
+
+
+def read_challenge_block(
     block: Block, lesson: Lesson, ids: SiteIds, scenes: Sequence[Fence], *, first_line: int
-) -> str:
-    """HTML of `<carts-challenge>`; raises `AuthorError`. `scenes`: those above it on the page."""
+) -> Challenge:
+    """The challenge of `block`; raises `AuthorError`. `scenes`: those above it on the page."""
     source = load_block(block, lesson.file, first_line=first_line)
     places, table = Places(lesson.file, source), source.plain
     problems: list[Problem] = []
@@ -59,10 +65,7 @@ def challenge(
     if problems or goal is None or scene is None:
         raise AuthorError(map(places.finding, problems))
     ids.claim(identity, Finding(lesson.file, *source.place(("id",)), "id", ""))
-    labels = {c.set: {"label": str(c.label), "unit": c.unit, "per": c.per} for c in scene.controls}
-    facts = {"scene": name, "goal": asdict(goal), "near": NEAR, "labels": labels}
-    view = {"id": identity, "ask": Markup(to_html(ask)), "facts": script_json(facts)}
-    return str(templates("sim.pages.question").get_template("challenge.html.j2").render(view))
+    return Challenge(identity, ask, goal, scene)
 
 
 def _names(scene: Fence, quantity: str) -> list[str]:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 from markupsafe import Markup
 
 from sim.lesson import Question
 from sim.lesson.form import Form
+from sim.lesson.goal import NEAR
 from sim.lesson.question import CERTAINTY
 from sim.pages.language import mark, tr
+from sim.pages.question.challenge import Challenge
 from sim.pages.question.inside import to_html, to_inline
 from sim.pages.templates import script_json, templates
 
@@ -78,6 +81,23 @@ def render_quiz(form: Form) -> str:
         ],
     }
     return str(templates("sim.pages.question").get_template("quiz.html.j2").render(view))
+
+
+def render_challenge(challenge: Challenge) -> str:
+    """HTML of `<carts-challenge>`, with what its script needs to judge a run."""
+    labels = {
+        control.set: {"label": str(control.label), "unit": control.unit, "per": control.per}
+        for control in challenge.scene.controls
+    }
+    facts = {
+        "scene": challenge.scene.id, "goal": asdict(challenge.goal), "near": NEAR, "labels": labels,
+    }  # fmt: skip
+    view = {
+        "id": challenge.id,
+        "ask": Markup(to_html(challenge.ask)),
+        "facts": script_json(facts),
+    }
+    return str(templates("sim.pages.question").get_template("challenge.html.j2").render(view))
 
 
 def _feedback(question: Question) -> dict[str, Markup]:

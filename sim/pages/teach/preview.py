@@ -18,6 +18,7 @@ from sim.pages.bake import bake
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import speaking
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
+from sim.pages.question.challenge import read_challenge_block
 from sim.pages.scene_block import Lesson, SiteIds, load_block, read_scene_block
 from sim.pages.text.fence_scan import Block, after_front_matter, scan
 from sim.pages.text.lesson_text import text_findings
@@ -113,9 +114,10 @@ class Desk:
         if block.name == "quiz":
             return self._quiz(block, lesson, ids, items)
         if block.name == "challenge":
-            from sim.pages.question.challenge import challenge
+            from sim.pages.question.render import render_challenge
 
-            return Shown("shown", challenge(block, lesson, ids, items.scenes, first_line=1))
+            read = read_challenge_block(block, lesson, ids, items.scenes, first_line=1)
+            return Shown("shown", render_challenge(read))
         if block.name == "map":
             return self._map(block, lesson, ids, parts)
         if block.name == "measured":
