@@ -6,7 +6,7 @@ import errno
 import logging
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -75,10 +75,12 @@ def build_site(
     strict: bool,
     site_dir: Path | None = None,
     seen: Callable[[SiteBuild], None] | None = None,
+    settings: Mapping[str, object] | None = None,
 ) -> Path | None:
     """Run MkDocs in `root`; the absolute path of the site, or None after messages on stderr.
 
     `site_dir` is where the site goes; None: where mkdocs.yml says. `seen` is told what was built.
+    `settings`: of the plugin, in place of those in mkdocs.yml.
     """
     os.environ["NO_MKDOCS_2_WARNING"] = "1"  # the theme's notice to programmers
     from mkdocs.commands.build import build
@@ -92,7 +94,7 @@ def build_site(
             if "carts" not in config.plugins:
                 raise Abort("mkdocs.yml: error: the plugin “carts” is not listed under plugins:")
             plugin: Any = config.plugins["carts"]
-            plugin.config["hosted"] = hosted
+            plugin.config.update({"hosted": hosted, **(settings or {})})
             with pages_on_terminal(config):
                 config.plugins.on_startup(command="build", dirty=False)
                 for one in config.plugins.values():  # MkDocs keeps them from a preview before

@@ -26,18 +26,30 @@ KINDS = {"scorm": "site.scorm.zip", "hosted": "site.hosted.zip", "stick": "site.
 @click.option("--hosted", "kind", flag_value="hosted", help="For a web server.")
 @click.option("--scorm", "kind", flag_value="scorm", help="SCORM 1.2, for a learning platform.")
 @click.option("--single", is_flag=True, help="Each lesson as one HTML file; a zip of them.")
+@click.option("--teacher", is_flag=True, help="With “Change this lesson” in every lesson.")
+@click.option("--teacher-word", default="", help="With it, behind this word of yours.")
 @click.option(
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
     help="The zip to write (default: build/site.zip, build/site.hosted.zip …).",
 )
 @click.pass_context
-def command(ctx: click.Context, kind: str | None, single: bool, out: Path | None) -> None:
+def command(
+    ctx: click.Context,
+    kind: str | None,
+    single: bool,
+    teacher: bool,
+    teacher_word: str,
+    out: Path | None,
+) -> None:
     """Build the site and pack it into one zip.
 
     Students unpack it and double-click OPEN ME, which checks the browser and leads to the lessons.
     With --hosted: for whoever has a web server. With --scorm a learning platform shows it; the
     platform is told that the lessons were opened and for how long, and no answer.
+
+    Students get no “Change this lesson”, which shows right answers, unless you ask for it with
+    --teacher or --teacher-word.
 
     \b
     carts pack
@@ -45,6 +57,7 @@ def command(ctx: click.Context, kind: str | None, single: bool, out: Path | None
     carts pack --hosted
     carts pack --scorm
     carts pack --single
+    carts pack --teacher-word OWL
     """
     here = site_folder.here()
     if single and kind:
@@ -58,7 +71,11 @@ def command(ctx: click.Context, kind: str | None, single: bool, out: Path | None
     out = out or here.root / "build" / KINDS[kind]
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "site"
-        site = build_site(here.root, hosted=kind != "stick", strict=True, site_dir=place)
+        settings: dict[str, object] = {"teacher_mode": teacher or bool(teacher_word)}
+        if teacher_word:
+            settings["teacher_word"] = teacher_word
+        hosted = kind != "stick"
+        site = build_site(here.root, hosted=hosted, strict=True, site_dir=place, settings=settings)
         if site is None:
             click.echo("The site was not built, so there is no zip.", err=True)
             ctx.exit(1)

@@ -50,6 +50,7 @@ class CartsConfig(Config):  # type: ignore[no-untyped-call]
 
     lessons = c.Type(str, default="worksheets")  # folder of the lessons, beside mkdocs.yml
     hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
+    teacher_word = c.Type(str, default="")  # that opens it; empty: a click does
     teacher_mode = c.Type(bool, default=True)  # “Change this lesson” at the foot of lessons
     offline = c.Type(bool, default=True)  # hosted: readers' browsers keep the site for later
 
@@ -98,7 +99,9 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
         if self.config.teacher_mode:
             names, settings = config.markdown_extensions, config.mdx_configs
-            self.build.doors = Doors(root, self.folder, names, settings)
+            self.build.doors = Doors(
+                root, self.folder, names, settings, word=self.config.teacher_word.strip()
+            )
         config.use_directory_urls = False
         config.markdown_extensions.append(CartsExtension())  # type: ignore[arg-type]
         config.watch.append(str(self.folder))

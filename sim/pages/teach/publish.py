@@ -17,6 +17,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from sim.lesson.opening import word_sum
 from sim.pages.check import scene_folders
 from sim.pages.findings import AuthorError
 from sim.pages.gzipped import gzipped
@@ -28,10 +29,11 @@ from sim.pages.teach.withheld import withhold
 from sim.pages.text.fence_scan import KINDS
 
 FORMAT = 1
+WORD_OF = "teacher"  # what the checksum of the word belongs to
 FOLDER = "lessons/"  # in assets/carts/
 LINKED = (".md", ".png", ".jpg", ".jpeg", ".gif", ".webp", ".svg", ".pdf", ".csv")
 DOOR = (
-    '<p class="carts-teach-door" id="teacher"><a href="#teacher" data-lesson="{address}">'
+    '<p class="carts-teach-door" id="teacher"><a href="#teacher" data-lesson="{address}"{word}>'
     "Change this lesson</a> <span>for teachers: scenes, questions and text, in this page</span></p>"
 )
 
@@ -43,9 +45,14 @@ class Published:
     name: str
     script: bytes
 
-    def door(self, assets: str) -> str:
-        """The link at the foot of the lesson; `assets` leads from its page to assets/carts/."""
-        return DOOR.format(address=escape(assets + self.name))
+    def door(self, assets: str, word: str = "") -> str:
+        """The link at the foot of the lesson; `assets` leads from its page to assets/carts/.
+
+        The page knows a checksum of the teacher's `word`. It keeps a reader from the answers, not
+        somebody who reads the page's files.
+        """
+        asks = f' data-word="{word_sum(WORD_OF, word)}"' if word else ""
+        return DOOR.format(address=escape(assets + self.name), word=asks)
 
 
 def published(

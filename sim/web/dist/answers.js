@@ -278,10 +278,10 @@
   }
   async function indexed(name) {
     const begin = await reopening(name);
-    const read = async (ask) => {
+    const read = async (ask2) => {
       const work = await begin("readonly");
       return new Promise((resolve, reject) => {
-        const request = ask(work.objectStore(STORE));
+        const request = ask2(work.objectStore(STORE));
         request.onsuccess = () => resolve(request.result);
         request.onerror = () => reject(request.error);
       });
@@ -866,13 +866,13 @@
   }
   function askingButton(text, question, yes, act, name) {
     const row = html("p", `carts-answers-asking ${name}`);
-    const first = button(text, () => ask(true));
+    const first = button(text, () => ask2(true));
     const asked = html("span", "", `${question} `);
-    const no = button(tr("No"), () => ask(false), "carts-answers-no");
+    const no = button(tr("No"), () => ask2(false), "carts-answers-no");
     asked.append(button(yes, act, "carts-answers-yes"), " ", no);
     asked.hidden = true;
     row.append(first, asked);
-    function ask(on) {
+    function ask2(on) {
       first.hidden = on;
       asked.hidden = !on;
       (on ? no : first).focus();
@@ -2180,10 +2180,10 @@
     place2.dataset.verdict = verdict;
     sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words2[verdict];
   }
-  function plot(root, { rows: rows2, plot: plot2, given }, value) {
+  function plot(root, { rows: rows2, plot: plot2, given: given2 }, value) {
     const known2 = (
       /** @type {Record<string, unknown>} */
-      { ...given, ...value }
+      { ...given2, ...value }
     );
     const [x, y] = plot2 ?? [1, 2];
     const points = rows2.map((_, r) => [known2[`${r + 1}-${x}`], known2[`${r + 1}-${y}`]]).filter((pair) => pair.every((number2) => typeof number2 === "number"));
@@ -2500,6 +2500,7 @@
     const beside = (name) => new URL(`../${name}${lesson.search}`, lesson).href;
     let loaded = null;
     const open2 = async () => {
+      if (!await letIn()) return;
       loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
       try {
         await loaded;
@@ -2508,6 +2509,10 @@
         loaded = null;
         link.textContent = "Teacher mode cannot be loaded: a file of this site is missing.";
       }
+    };
+    const letIn = () => {
+      const sum = link.dataset.word;
+      return !sum || given() === sum || ask(link, sum);
     };
     const wanted = () => location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
     link.addEventListener("click", () => void open2());
@@ -2532,6 +2537,47 @@
       element.onload = resolve;
       element.onerror = reject;
       document.head.append(element);
+    });
+  }
+  var KEY = "carts-teacher-word";
+  function given() {
+    try {
+      return sessionStorage.getItem(KEY);
+    } catch {
+      return null;
+    }
+  }
+  function ask(link, sum) {
+    const place2 = (
+      /** @type {HTMLElement} */
+      link.parentElement
+    );
+    if (place2.querySelector("form")) return Promise.resolve(false);
+    const form = document.createElement("form");
+    const label2 = html("label", "", `${tr("Your teacher's word")} `);
+    const box = document.createElement("input");
+    Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
+    const button2 = Object.assign(html("button", "carts-button", tr("Open")), { type: "submit" });
+    const wrong2 = html("span", "carts-error");
+    wrong2.setAttribute("role", "alert");
+    label2.append(box);
+    form.append(label2, " ", button2, " ", wrong2);
+    place2.append(form);
+    box.focus();
+    return new Promise((resolve) => {
+      form.addEventListener("submit", (event) => {
+        event.preventDefault();
+        if (wordSum("teacher", box.value) !== sum) {
+          wrong2.textContent = tr("That is not the word.");
+          return;
+        }
+        try {
+          sessionStorage.setItem(KEY, sum);
+        } catch {
+        }
+        form.remove();
+        resolve(true);
+      });
     });
   }
 

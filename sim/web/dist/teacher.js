@@ -649,6 +649,35 @@
     return needed.filter(([, there]) => !there).map(([name]) => name);
   }
 
+  // src/question/opening.js
+  var NAMES = (
+    /** @type {Record<string, string>} */
+    {
+      pre: tr("the test before the lesson"),
+      post: tr("the test after the lesson"),
+      delayed: tr("the last test")
+    }
+  );
+
+  // src/shared/dom.js
+  function html(tag, className = "", text2 = "") {
+    const made2 = document.createElement(tag);
+    if (className) made2.className = className;
+    if (text2) made2.textContent = text2;
+    return made2;
+  }
+  function say(element, text2) {
+    if (element.textContent !== text2) element.textContent = text2;
+  }
+  function need(root, selector) {
+    const found = root.querySelector(selector);
+    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found
+    );
+  }
+
   // src/teach/door.js
   var OPEN = "carts-teach";
 
@@ -960,25 +989,6 @@
       this.#where = "";
     }
   };
-
-  // src/shared/dom.js
-  function html(tag, className = "", text2 = "") {
-    const made2 = document.createElement(tag);
-    if (className) made2.className = className;
-    if (text2) made2.textContent = text2;
-    return made2;
-  }
-  function say(element, text2) {
-    if (element.textContent !== text2) element.textContent = text2;
-  }
-  function need(root, selector) {
-    const found = root.querySelector(selector);
-    if (!found) throw new Error(`this page lacks ${selector}; it was built by another version`);
-    return (
-      /** @type {T} */
-      found
-    );
-  }
 
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -2697,7 +2707,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   // src/teach/page.js
   var STAYS2 = ".md-content__button, .carts-teach-door, .md-source-file, .carts-print-head";
   var OURS = "carts-scene, carts-map, carts-cost, carts-hard, carts-measured, carts-question, carts-quiz";
-  var NAMES = {
+  var NAMES2 = {
     "carts-scene": "scene",
     "carts-question": "question",
     "carts-map": "map",
@@ -2799,7 +2809,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         if (!element?.isConnected) return;
         const name = (
           /** @type {Record<string, string>} */
-          NAMES[element.localName] ?? "block"
+          NAMES2[element.localName] ?? "block"
         );
         const button3 = html("button", "carts-button", `Change this ${name}`);
         button3.setAttribute("type", "button");

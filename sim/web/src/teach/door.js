@@ -3,6 +3,10 @@
  * ?teacher. Its script is loaded then, never before.
  */
 
+import { tr } from "../../../view/language.js";
+import { wordSum } from "../question/opening.js";
+import { html } from "../shared/dom.js";
+
 export const OPEN = "carts-teach";
 
 /** Listens for a teacher. */
@@ -14,6 +18,7 @@ export function teacherDoor() {
   /** @type {Promise<unknown> | null} */
   let loaded = null;
   const open = async () => {
+    if (!(await letIn())) return;
     loaded ??= Promise.all([style(beside("teacher.css")), script(beside("teacher.js"))]);
     try {
       await loaded;
@@ -22,6 +27,11 @@ export function teacherDoor() {
       loaded = null;
       link.textContent = "Teacher mode cannot be loaded: a file of this site is missing.";
     }
+  };
+  /** Whether the teacher's word was given; asks for it where one is needed. */
+  const letIn = () => {
+    const sum = link.dataset.word;
+    return !sum || given() === sum || ask(link, sum);
   };
   const wanted = () =>
     location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
@@ -53,5 +63,49 @@ function arrives(element) {
     element.onload = resolve;
     element.onerror = reject;
     document.head.append(element);
+  });
+}
+
+const KEY = "carts-teacher-word";
+
+/** The checksum of the word that was given in this tab. */
+function given() {
+  try {
+    return sessionStorage.getItem(KEY);
+  } catch {
+    return null; // a browser that keeps nothing asks on every page
+  }
+}
+
+/** Resolves when the word was given. @param {HTMLElement} link @param {string} sum @returns {Promise<boolean>} */
+function ask(link, sum) {
+  const place = /** @type {HTMLElement} */ (link.parentElement);
+  if (place.querySelector("form")) return Promise.resolve(false);
+  const form = document.createElement("form");
+  const label = html("label", "", `${tr("Your teacher's word")} `);
+  const box = document.createElement("input");
+  Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
+  const button = Object.assign(html("button", "carts-button", tr("Open")), { type: "submit" });
+  const wrong = html("span", "carts-error");
+  wrong.setAttribute("role", "alert");
+  label.append(box);
+  form.append(label, " ", button, " ", wrong);
+  place.append(form);
+  box.focus();
+  return new Promise((resolve) => {
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      if (wordSum("teacher", box.value) !== sum) {
+        wrong.textContent = tr("That is not the word.");
+        return;
+      }
+      try {
+        sessionStorage.setItem(KEY, sum);
+      } catch {
+        // as above
+      }
+      form.remove();
+      resolve(true);
+    });
   });
 }
