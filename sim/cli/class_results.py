@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,9 @@ from sim.classroom.files.reading import Read, Reading, Refused, outcomes
 from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.report.report import WHOLE, Asked, class_report
 from sim.classroom.show.standalone import standalone
+from sim.classroom.tables.report import table_report
 from sim.cli.class_files import group_of, sources
+from sim.cli.class_tables import tables_of
 from sim.cli.class_text import report_as_text
 
 FILE = click.Path(dir_okay=False, path_type=Path)
@@ -23,7 +26,7 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
 
 
 @click.command("class")
-@click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, path_type=Path))
+@click.argument("files", nargs=-1, type=click.Path(exists=True, path_type=Path))
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object, for programs.")
 @click.option("--html", type=FILE, help="Write the report as one HTML file, to keep and to print.")
 @click.option("--csv", "csv_file", type=FILE, help="Write marks by student as a table.")
@@ -46,6 +49,14 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
     metavar="FILE=CODE",
     help="The code word of a file that has none.",
 )
+@click.option(
+    "--table",
+    "tables",
+    multiple=True,
+    metavar="[TIME=]FILE",
+    help="Read marks from a table (CSV) in place of answer files; TIME: pre, post or later.",
+)
+@click.option("--max", "most", metavar="N", help="The most marks of totals in a table.")
 @click.pass_context
 def command(
     ctx: click.Context,
@@ -59,6 +70,8 @@ def command(
     codes: Path | None,
     groups: tuple[str, ...],
     students: tuple[str, ...],
+    tables: tuple[str, ...],
+    most: str | None,
 ) -> None:
     """Say what a class answered and learned, from its answer files.
 
@@ -70,8 +83,17 @@ def command(
     carts class answers/ --html report.html
     carts class answers.zip build/keys/
     carts class answers/ --group "new=7a-*" --group "old=7b-*"
+    carts class --table marks.csv --html report.html
+    carts class --table pre=quiz-1.csv --table post=quiz-2.csv
     """
     named = [_group(text) for text in groups]
+    _only_one_way(ctx, files, tables, (*keys, *students, *filter(None, (marks, codes))), most)
+    if tables:
+        found, unread = tables_of(tables, named, most)
+        report = table_report(found)
+        _hand_out(report, as_json, html, csv_file, items_file)
+        _end(ctx, [*unread, *found.refused], anything=bool(found.taken))
+        return
     reading = Reading.of([])
     given = [*files, *keys, *([marks] if marks else [])]
     for outcome in outcomes(sources(given)):
@@ -82,21 +104,53 @@ def command(
         reading.refused += bad
     reading.name(dict(_student(text) for text in students))
     report = class_report(*_sorted(reading, named), _asked(reading, named))
+    _hand_out(report, as_json, html, csv_file, items_file)
+    _end(ctx, [(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
+
+
+def _only_one_way(
+    ctx: click.Context,
+    files: Sequence[Path],
+    tables: Sequence[str],
+    of_answers: Sequence[object],
+    most: str | None,
+) -> None:
+    """Answer files or tables, and to each the options that are made for it."""
+    if not files and not tables:
+        raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])
+    if tables and (files or of_answers):
+        raise click.UsageError("--table reads tables only: no answer files, keys, codes and marks")
+    if most is not None and not tables:
+        raise click.UsageError("--max belongs to --table")
+
+
+def _hand_out(
+    report: dict[str, Any],
+    as_json: bool,
+    html: Path | None,
+    csv_file: Path | None,
+    items_file: Path | None,
+) -> None:
+    """Writes the files that were asked for, and prints the report."""
     if html:
         html.write_text(standalone(report), encoding="utf-8")
     if csv_file:
         csv_file.write_text(students_csv(report), encoding="utf-8", newline="")
     if items_file:
         items_file.write_text(items_csv(report), encoding="utf-8", newline="")
-    for row in reading.refused:
-        click.echo(f"{row.name}: {row.reason}", err=True)
     if as_json:
         click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
     else:
         click.echo(report_as_text(report))
         for path in filter(None, (html, csv_file, items_file)):
             click.echo(f"Written: {path}")
-    if reading.refused or not reading.files:
+
+
+def _end(ctx: click.Context, refused: Sequence[tuple[str, str]], *, anything: bool) -> None:
+    """Names what was refused; exit code 1 where something was, or nothing was found."""
+    for name, reason in refused:
+        click.echo(f"{name}: {reason}", err=True)
+    if refused or not anything:
         ctx.exit(1)
 
 

@@ -9,12 +9,13 @@ left out, as Wilcoxon did. Beyond MOST_COUNTED pairs the normal curve takes over
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from sim.classroom.refusal import RefusalError, at_least
-from sim.classroom.statistics.spread import differences
+from sim.classroom.statistics.spread import Exact, differences
 from sim.classroom.statistics.tails import normal_two_sided
 
 MOST_COUNTED = 50
@@ -41,8 +42,12 @@ def wilcoxon(
     later: Sequence[float], earlier: Sequence[float], *, fewest: int = FEWEST_CHANGED
 ) -> SignedRanks:
     """The test of later against earlier; refuses where too few changed at all."""
-    found = differences(later, earlier)
-    changed = [d for d in found if d]
+    return signed_ranks(Counter(differences(later, earlier)), fewest=fewest)
+
+
+def signed_ranks(found: Mapping[Any, int], *, fewest: int = FEWEST_CHANGED) -> SignedRanks:
+    """The same from how many students have each difference, as floats or exact numbers."""
+    changed = [d for d, count in sorted(found.items()) if d for _ in range(count)]
     at_least(len(changed), max(1, fewest), "students whose marks changed")
     doubled = _doubled_ranks([abs(d) for d in changed])
     plus = sum(rank for rank, d in zip(doubled, changed, strict=True) if d > 0)
@@ -51,11 +56,11 @@ def wilcoxon(
     normal = _normal(doubled, smaller)
     p = _counted(doubled, smaller) if few else normal
     up = sum(d > 0 for d in changed)
-    down, same = len(changed) - up, len(found) - len(changed)
+    down, same = len(changed) - up, sum(found.values()) - len(changed)
     return SignedRanks(smaller / 2, p, normal, up, down, same, "counted" if few else "normal")
 
 
-def _doubled_ranks(sizes: Sequence[float]) -> list[int]:
+def _doubled_ranks(sizes: Sequence[float | Exact]) -> list[int]:
     """Twice the rank of each: middle ranks are halves, and stay whole numbers so."""
     order = sorted(sizes)
     first = {size: k for k, size in reversed(list(enumerate(order)))}
