@@ -18,6 +18,7 @@ from sim.classroom.report.report import WHOLE, Asked, class_report
 from sim.classroom.show.standalone import standalone
 from sim.classroom.tables.report import table_report
 from sim.cli.class_files import group_of, sources
+from sim.cli.class_summary import lessons_of_answers, merged_report, write_summary, write_whole
 from sim.cli.class_tables import tables_of
 from sim.cli.class_text import report_as_text
 
@@ -57,6 +58,20 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
     help="Read marks from a table (CSV) in place of answer files; TIME: pre, post or later.",
 )
 @click.option("--max", "most", metavar="N", help="The most marks of totals in a table.")
+@click.option("--lesson", metavar="NAME", help="The name of the lesson of a table.")
+@click.option(
+    "--summary",
+    type=FILE,
+    help="Write sums by group and question to hand on: no answer "
+    "and no total of a student, no group of fewer than 5.",
+)
+@click.option(
+    "--by-total",
+    is_flag=True,
+    help="With --summary: also the marks by total. Where one "
+    "student alone has a total, these are that student's answers.",
+)
+@click.option("--merge", is_flag=True, help="FILES are summaries: add them and report on the sum.")
 @click.pass_context
 def command(
     ctx: click.Context,
@@ -72,6 +87,10 @@ def command(
     students: tuple[str, ...],
     tables: tuple[str, ...],
     most: str | None,
+    lesson: str | None,
+    summary: Path | None,
+    by_total: bool,
+    merge: bool,
 ) -> None:
     """Say what a class answered and learned, from its answer files.
 
@@ -85,12 +104,26 @@ def command(
     carts class answers/ --group "new=7a-*" --group "old=7b-*"
     carts class --table marks.csv --html report.html
     carts class --table pre=quiz-1.csv --table post=quiz-2.csv
+    carts class answers/ --key KEY.json --summary school-a.json
+    carts class --merge school-a.json school-b.json
     """
     named = [_group(text) for text in groups]
-    _only_one_way(ctx, files, tables, (*keys, *students, *filter(None, (marks, codes))), most)
+    of_answers = (*keys, *students, *filter(None, (marks, codes)))
+    _only_one_way(ctx, files, tables, of_answers, [*filter(None, (most, lesson))], merge=merge)
+    if by_total and (not summary or merge):
+        raise click.UsageError("--by-total belongs to --summary")
+    if merge:
+        report, whole, left_out = merged_report(files)
+        if summary:
+            write_whole(summary, whole)
+        _hand_out(report, as_json, html, csv_file, items_file)
+        _end(ctx, left_out, anything=bool(whole.lessons))
+        return
     if tables:
-        found, unread = tables_of(tables, named, most)
+        found, unread = tables_of(tables, named, most, lesson)
         report = table_report(found)
+        if summary:
+            write_summary(summary, [found.lesson], found.groups, by_total=by_total)
         _hand_out(report, as_json, html, csv_file, items_file)
         _end(ctx, [*unread, *found.refused], anything=bool(found.taken))
         return
@@ -103,7 +136,12 @@ def command(
         reading.files += typed
         reading.refused += bad
     reading.name(dict(_student(text) for text in students))
-    report = class_report(*_sorted(reading, named), _asked(reading, named))
+    sorted_ = _sorted(reading, named)
+    asked = _asked(reading, named)
+    report = class_report(*sorted_, asked)
+    if summary:
+        lessons = lessons_of_answers(sorted_[0], reading.keys, asked)
+        write_summary(summary, lessons, asked.groups, by_total=by_total)
     _hand_out(report, as_json, html, csv_file, items_file)
     _end(ctx, [(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
 
@@ -113,15 +151,19 @@ def _only_one_way(
     files: Sequence[Path],
     tables: Sequence[str],
     of_answers: Sequence[object],
-    most: str | None,
+    of_tables: Sequence[object],
+    *,
+    merge: bool,
 ) -> None:
-    """Answer files or tables, and to each the options that are made for it."""
+    """Answer files, tables or summaries, and to each the options that are made for it."""
     if not files and not tables:
         raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])
     if tables and (files or of_answers):
         raise click.UsageError("--table reads tables only: no answer files, keys, codes and marks")
-    if most is not None and not tables:
-        raise click.UsageError("--max belongs to --table")
+    if of_tables and not tables:
+        raise click.UsageError("--max and --lesson belong to --table")
+    if merge and (tables or of_answers):
+        raise click.UsageError("--merge adds summaries only: no tables, keys, codes and marks")
 
 
 def _hand_out(

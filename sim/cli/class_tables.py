@@ -19,13 +19,12 @@ from sim.cli.class_files import group_of
 
 
 def tables_of(
-    given: Sequence[str], groups: list[tuple[str, str]], most: str | None
+    given: Sequence[str], groups: list[tuple[str, str]], most: str | None, lesson: str | None
 ) -> tuple[Judged, list[tuple[str, str]]]:
-    """The tables as one lesson, named after the first; and files that are no tables."""
+    """The tables as one lesson, called `lesson` or as the first; and files that are no tables."""
     tables: list[MarkTable] = []
     bad: list[tuple[str, str]] = []
     names: dict[str, str] = {}
-    lesson = ""
     for text in given:
         form, path = _place(text)
         lesson = lesson or path.stem
@@ -49,7 +48,7 @@ def tables_of(
             return row.group
         return group_of(names[row.place.rpartition(", line")[0]], groups) if groups else WHOLE
 
-    return judge(lesson, tables, group, most=told), bad
+    return judge(lesson or "", tables, group, most=told), bad
 
 
 def _place(text: str) -> tuple[str, Path]:

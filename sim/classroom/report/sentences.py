@@ -48,7 +48,7 @@ def files_read(files: Mapping[str, Any], *, one: bool = False) -> str:
     words = {
         "files": ("file of answers", "files of answers"),
         "rows": ("row of a table", "rows of the table"),
-        "summaries": ("student in a summary", "students in the summaries"),
+        "summaries": ("summary", "summaries"),
     }
     return words[unit][0 if one else 1]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
+from itertools import accumulate
 from operator import add
 from typing import Any
 
@@ -13,8 +14,11 @@ from sim.classroom.report import sentences as say
 from sim.classroom.report.item_report import item_sentence
 from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers, option_curves, whole_test
 from sim.classroom.report.talk import talk_rows
-from sim.classroom.statistics.spread import Exact, Spread, median, spread_of
+from sim.classroom.statistics.spread import Exact, Spread, spread_of
 from sim.classroom.summary.sums import FormSums, GroupSums, ItemSums
+
+MOST_LISTED = 20_000
+"""Students whose totals are listed one by one, as for a plot; as many as files are read."""
 
 
 def plain(value: Exact | None) -> int | float | None:
@@ -68,22 +72,31 @@ def form_row(
 def _group(
     name: str, group: GroupSums | None, form: FormSums, *, inference: bool
 ) -> dict[str, Any]:
-    totals = sorted(group.totals.items()) if group else []
-    each = [total for total, count in totals for _ in range(count)]
-    row: dict[str, Any] = {"group": name, "n": len(each), "totals": list(map(float, each))}
+    totals = dict(sorted(group.totals.items())) if group else {}
+    n = sum(totals.values())
+    row: dict[str, Any] = {"group": name, "n": n, "totals": []}
+    if n <= MOST_LISTED:
+        row["totals"] = [float(total) for total, count in totals.items() for _ in range(count)]
     if form.of == 0:
         return row
-    if len(each) < FEWEST:
-        few = say.many(len(each), "student")
+    if n < FEWEST:
+        few = say.many(n, "student")
         return {**row, "sentence": f"{few}: no statistics for fewer than {FEWEST}."}
-    found = spread_of_totals(dict(totals))
+    found = spread_of_totals(totals)
     interval = found.interval() if inference and found.sd else None
     low, high = interval or (None, None)
     return {
         **row, "mean": found.mean, "sd": found.sd, "low": low, "high": high,
-        "median": median(list(map(float, each))), "least": float(each[0]), "most": float(each[-1]),
+        "median": _median(totals, n), "least": float(min(totals)), "most": float(max(totals)),
         "sentence": say.of_mean(found, plain(form.of), interval),
     }  # fmt: skip
+
+
+def _median(totals: Mapping[Exact, int], n: int) -> float:
+    """The middle total, or the middle between the two middle ones."""
+    places = list(zip(accumulate(totals.values()), totals, strict=True))
+    low, high = (next(t for end, t in places if end > k) for k in ((n - 1) // 2, n // 2))
+    return (float(low) + float(high)) / 2
 
 
 def _item(meta: Mapping[str, Any], groups: Sequence[GroupSums], form: FormSums) -> dict[str, Any]:

@@ -7,7 +7,7 @@ added sums has the same bits as one made from all answers at once.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
@@ -25,6 +25,14 @@ def added(one: Mapping[K, Any], other: Mapping[K, Any]) -> dict[K, Any]:
     total = dict(one)
     for key, value in other.items():
         total[key] = total[key] + value if key in total else value
+    return total
+
+
+def all_added(maps: Iterable[Mapping[K, Any]]) -> dict[K, Any]:
+    """Many maps, one after the other."""
+    total: dict[K, Any] = {}
+    for one in maps:
+        total = added(total, one)
     return total
 
 
