@@ -214,6 +214,13 @@ def places(value: Any) -> list[tuple[Any, Any]]:
     return rows
 
 
+def test_a_form_of_somebodys_own_is_no_form() -> None:
+    summary = summary_file(of_table(school(1, random.Random(1), (6, 6))))
+    summary["lessons"][0]["forms"][0]["form"] = "<b>x</b>"
+    with pytest.raises(SummaryError):
+        read_summary(json.dumps(summary).encode())
+
+
 def test_mutated_summaries_are_added_or_refused_and_never_break() -> None:
     dice = random.Random(11)
     seed = json.dumps(summary_file(of_table(school(1, dice, (8, 8)))))

@@ -286,6 +286,12 @@ def test_mutated_tables_are_read_or_refused_and_never_break() -> None:
     assert read > 500
 
 
+def test_a_test_of_very_many_marks_is_drawn_with_a_few_ticks() -> None:
+    rows_ = [[f"s{k}", k, k * 2] for k in range(9)]
+    report = reported(csv(("student", "pre", "post"), rows_), most=10**30)
+    assert 2 <= report_html(report).count('class="tick"') <= 13
+
+
 @pytest.mark.parametrize(
     ("text", "value", "most"),
     [("7", 7, None), ("7,5", 7.5, None), ("7 / 10", 7, 10), ("50 %", 50, 100), ("-", None, None),

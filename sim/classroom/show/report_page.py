@@ -84,7 +84,7 @@ def _means(lesson: Row, report: Row) -> str:
             mean = f"{number(group['mean'])} ± {number(group['sd'])}" if "mean" in group else "–"
             low = group.get("low")
             interval = "–" if low is None else f"{number(low)} to {number(group['high'])}"
-            rows.append([TITLES.get(form["form"], form["form"]), who(group["group"]),
+            rows.append([text(TITLES.get(form["form"], form["form"])), who(group["group"]),
                          str(group["n"]), mean, interval,
                          "–" if form["of"] is None else f"{form['of']}"])  # fmt: skip
             if sentence := group.get("sentence"):

@@ -14,7 +14,7 @@ from typing import Any
 
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.handed_on import Summary
-from sim.classroom.summary.sums import FormSums, LessonSums, all_added
+from sim.classroom.summary.sums import FORMS, FormSums, LessonSums, all_added
 
 Named = tuple[str, Summary]
 Place = tuple[str, str]
@@ -95,15 +95,12 @@ def _order(lists: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
     return (*first, *sorted(every - {*first}))
 
 
-FORMS = ("pre", "worksheet", "post", "delayed", "test")
-
-
 def _lesson(lessons: Sequence[LessonSums], groups: Sequence[str]) -> LessonSums:
     """One lesson of all schools."""
     names = {form for lesson in lessons for form in lesson.forms}
     forms = {
         name: _form([lesson.forms[name] for lesson in lessons if name in lesson.forms], groups)
-        for name in sorted(names, key=lambda n: (FORMS.index(n) if n in FORMS else len(FORMS), n))
+        for name in sorted(names, key=FORMS.index)
     }
     pairs = all_added(lesson.pairs for lesson in lessons)
     of: list[Exact | None] = [lesson.pairs_of for lesson in lessons if lesson.pairs]

@@ -12,7 +12,7 @@ from sim.classroom.statistics.pair_sums import PairSums
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.handed_on import Summary
 from sim.classroom.summary.numbers import SummaryError, count, exact
-from sim.classroom.summary.sums import COUNTS, FormSums, GroupSums, ItemSums, LessonSums
+from sim.classroom.summary.sums import COUNTS, FORMS, FormSums, GroupSums, ItemSums, LessonSums
 from sim.classroom.summary.written import FORMAT, KIND, PAIR_NUMBERS
 
 MOST_BYTES = 20_000_000
@@ -117,7 +117,7 @@ def _form(row: Mapping[str, Any]) -> FormSums:
     fits = all(group.items.keys() == names for group in form.groups.values())
     if not fits or not names >= {*form.counted} or len(names) < len(items):
         raise SummaryError(f"the questions of the form {form.form[:40]} do not fit together")
-    if (form.of is not None and form.of < 0) or not form.groups:
+    if form.form not in FORMS or (form.of is not None and form.of < 0) or not form.groups:
         raise SummaryError(DAMAGED)
     return form
 

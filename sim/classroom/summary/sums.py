@@ -17,6 +17,9 @@ from sim.classroom.statistics.spread import Exact
 
 COUNTS = ("n", "answered", "right", "partly", "wrong", "empty", "unread", "sure_right",
           "sure_wrong")  # fmt: skip
+FORMS = ("pre", "worksheet", "post", "delayed", "test")
+"""In the order of a report; `test` is a table's only one."""
+
 K = TypeVar("K")
 
 
