@@ -174,6 +174,16 @@ def test_marks_that_a_table_does_not_tell_are_asked_for() -> None:
     assert reported(told)["lessons"][0]["gains"][0]["of"] == 10
 
 
+def test_one_column_for_each_test_is_its_total_whatever_it_is_called() -> None:
+    rows_ = [[f"s{k}", "MF"[k % 2], 500 + k, k % 5, k % 7] for k in range(9)]
+    head = ("ID", "Gender", "Math", "FCI_pre", "FCI_post")
+    lesson = reported(csv(head, rows_), most=30)["lessons"][0]
+    assert [(form["form"], form["of"], form["items"]) for form in lesson["forms"]] == [
+        ("pre", 30, []), ("post", 30, []),
+    ]  # fmt: skip
+    assert lesson["gains"][0]["n"] == 9
+
+
 def test_a_column_beside_totals_is_no_question() -> None:
     rows_ = [[f"s{k}", 14 + k % 3, 600 + k, k % 5, k % 7] for k in range(9)]
     report = reported(csv(("student", "age", "entrance", "pre", "post"), rows_))

@@ -12,6 +12,7 @@ A row KEY gives right answers (letters), a row MAX the most marks.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from sim.classroom.tables.cells import Row, TableError
 from sim.classroom.tables.layout import (
@@ -48,7 +49,7 @@ def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> La
             raise TableError("a column of items needs one of marks beside it (mark)")
         answers = Column(marks[0], "", "", with_most(heads[marks[0]])[1])
         return _made(heads, person, group, klass, time, item, (answers,), ())
-    found = [_column(k, heads[k]) for k in rest]
+    found = _single([_column(k, heads[k]) for k in rest], rows, keys)
     totals = tuple(c for c in found if not c.name)
     items = tuple(c for c in found if c.name and _is_item(c, rows, keys))
     if time is None and any(c.form for c in totals):
@@ -84,6 +85,17 @@ def _column(place: int, heading: str) -> Column:
     if norm(inner) in TOTAL:
         return Column(place, "", form, of)
     return Column(place, inner, form, of)
+
+
+def _single(
+    columns: Sequence[Column], rows: Sequence[Row], keys: Sequence[Row]
+) -> Sequence[Column]:
+    """`FCI_pre` and `FCI_post`, one column for each test, are totals."""
+    formed = [c for c in columns if c.form and (not c.name or _is_item(c, rows, keys))]
+    forms = [c.form for c in formed]
+    if keys or len(formed) < 2 or len(set(forms)) < len(forms):
+        return columns
+    return [replace(c, name="") if c in formed else c for c in columns]
 
 
 def _is_item(column: Column, rows: Sequence[Row], keys: Sequence[Row]) -> bool:
