@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sim.classroom.report.sentences import number, unmarked
+from sim.classroom.report.sentences import files_read, number, unmarked
 from sim.cli.tables import table
 
 
@@ -16,7 +16,7 @@ def report_as_text(report: Mapping[str, Any]) -> str:
 
 def _parts(report: Mapping[str, Any]) -> Iterator[str]:
     files = report["files"]
-    yield f"{files['counted']} of {files['read']} files of answers are counted."
+    yield f"{files['counted']} of {files['read']} {files_read(files)} are counted."
     yield "\n".join(f"? {_safe(f['sentence'])}\n  {', '.join(f['files'][:8])}"
                     for f in report["flags"])  # fmt: skip
     for lesson in report["lessons"]:
@@ -32,6 +32,10 @@ def _parts(report: Mapping[str, Any]) -> Iterator[str]:
         yield _lines(says)
         if lesson["comparison"]:
             yield _lines([*lesson["comparison"]["sentences"], *lesson["comparison"]["refusals"]])
+        for row in lesson.get("comparisons", []):
+            first, second = map(_safe, row["groups"])
+            yield f"{first} beside {second}:"
+            yield _lines([*row["sentences"], *row["refusals"]])
         for row in lesson["gains"]:
             yield f"Before and after, {_safe(row['group'])}:"
             yield _lines([*row["sentences"], *row["refusals"]])
@@ -47,7 +51,7 @@ def _lines(sentences: list[str]) -> str:
 def _means(lesson: Mapping[str, Any]) -> str:
     rows = [
         (form["form"], _safe(group["group"]), str(group["n"]), number(group["mean"]),
-         number(group["sd"]), str(form["of"]))
+         number(group["sd"]), "–" if form["of"] is None else str(form["of"]))
         for form in lesson["forms"]
         for group in form["groups"]
         if "mean" in group
@@ -79,10 +83,11 @@ def _items(form: Mapping[str, Any]) -> str:
         "r",
         "chosen",
     )
+    whole = _lines(form["sentences"])
     made = f"Form {form['form']}:\n{table(head, rows)}" if rows else ""
     beliefs = _lines([row["sentence"] for row in form["beliefs"]])
     talk = _lines([row["sentence"] for row in form["talk"]])
-    parts = [made, beliefs, f"What to talk about first:\n{talk}" if talk else ""]
+    parts = [made, whole, beliefs, f"What to talk about first:\n{talk}" if talk else ""]
     parts += [_prediction(row) for row in form["predictions"]]
     return "\n".join(part for part in parts if part)
 

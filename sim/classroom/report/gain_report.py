@@ -5,25 +5,27 @@ Without `inference` (scipy is not there yet) only what needs no distribution is 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
+from fractions import Fraction
 from typing import Any
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
 from sim.classroom.report import sentences as say
 from sim.classroom.report.pairing import Pairs
-from sim.classroom.statistics.adjusted import adjusted, pairs_of
+from sim.classroom.statistics.adjusted import adjusted
 from sim.classroom.statistics.compare import (
     TTest,
+    change_of,
     cohen_d,
     cohen_d_within,
-    paired_t,
     paper_z,
     welch,
 )
-from sim.classroom.statistics.gain import at_the_edges, hake_gain
-from sim.classroom.statistics.ranks import wilcoxon
-from sim.classroom.statistics.spread import Spread, differences, spread
+from sim.classroom.statistics.gain import hake_gain
+from sim.classroom.statistics.pair_sums import PairSums
+from sim.classroom.statistics.ranks import signed_ranks
+from sim.classroom.statistics.spread import Spread
 
 D_WITHIN = "the gain divided by √((s₁² + s₂²)/2) of the two tests"
 D_BETWEEN = "the difference of the mean gains divided by their pooled standard deviation"
@@ -59,44 +61,73 @@ class Told:
 
 def gain_table(pairs: Pairs, *, inference: bool) -> dict[str, Any]:
     """The gain of one group: gain, d, change with interval, Wilcoxon."""
-    told = Told()
-    n = len(pairs.students)
-    row: dict[str, Any] = {
-        "group": pairs.group, "n": n, "of": pairs.of, "students": list(pairs.students),
+    lists: dict[str, list[Any]] = {
+        "students": list(pairs.students),
         "before": list(pairs.before), "after": list(pairs.after),
         "without_before": list(pairs.without_before), "without_after": list(pairs.without_after),
-        "pre": None, "post": None,
     }  # fmt: skip
+    return gain_row(
+        pairs.group, pairs.sums, pairs.of, same_items=pairs.same_items, inference=inference,
+        lists=lists,
+    )  # fmt: skip
+
+
+def gain_row(
+    group: str,
+    sums: PairSums,
+    of: float | None,
+    *,
+    same_items: bool,
+    inference: bool,
+    lists: Mapping[str, list[Any]],
+) -> dict[str, Any]:
+    """The same from sums; `lists`: who it is, where that is known. `of` None: nobody knows it."""
+    told = Told()
+    n = sums.n
+    row: dict[str, Any] = {"group": group, "n": n, "of": of, **lists, "pre": None, "post": None}
     if n < FEWEST:
         missing = f"{n} students took both tests: no statistics for fewer than {FEWEST}."
         return {**row, **told.numbers, "sentences": [missing], "refusals": []}
-    before, after = spread(pairs.before), spread(pairs.after)
+    before, after = sums.before, sums.after
     row |= {"pre": asdict(before), "post": asdict(after)}
-    told.tell("gain", lambda: _hake(before, after, pairs.of))
-    for marks, test in ((pairs.before, "Before"), (pairs.after, "After")):
-        edge = say.of_edges(*at_the_edges(marks, pairs.of))
+    told.tell("gain", lambda: _hake(before, after, of))
+    told.numbers["gain_of_students"] = _of_students(sums)
+    for zero, full, test in (
+        (sums.zero_before, sums.full_before, "Before"),
+        (sums.zero_after, sums.full_after, "After"),
+    ):
+        edge = say.of_edges(zero / n, full / n)
         told.note(f"{test}: {edge}" if edge else "")
     if inference:
-        told.tell("change", lambda: _change(pairs))
-        told.tell("wilcoxon", lambda: _ranks(pairs))
+        told.tell("change", lambda: _change(sums))
+        told.tell("wilcoxon", lambda: _ranks(sums))
     told.tell("d", lambda: _within(before, after))
-    if pairs.same_items:
+    if same_items:
         told.note(say.SAME_FORM)
     return {**row, **told.numbers, "sentences": told.sentences, "refusals": told.refusals}
 
 
-def _hake(before: Spread, after: Spread, of: float) -> tuple[float, str]:
+def _of_students(sums: PairSums) -> dict[str, Any] | None:
+    """The mean of the gains of the students who could gain; how many they are."""
+    if not sums.gained:
+        return None
+    return {"mean": float(Fraction(sums.shares) / sums.gained), "n": sums.gained}
+
+
+def _hake(before: Spread, after: Spread, of: float | None) -> tuple[float, str]:
+    if of is None:
+        raise RefusalError(say.NO_MOST)
     gain = hake_gain(before.mean, after.mean, of)
     return gain, say.of_gain(gain, before, after, of)
 
 
-def _change(pairs: Pairs) -> tuple[dict[str, Any], str]:
-    test = paired_t(pairs.after, pairs.before)
+def _change(sums: PairSums) -> tuple[dict[str, Any], str]:
+    test = change_of(sums.gain)
     return asdict(test), say.of_change(test)
 
 
-def _ranks(pairs: Pairs) -> tuple[dict[str, Any], str]:
-    found = wilcoxon(pairs.after, pairs.before)
+def _ranks(sums: PairSums) -> tuple[dict[str, Any], str]:
+    found = signed_ranks(sums.differences)
     return asdict(found), say.of_ranks(found)
 
 
@@ -110,31 +141,43 @@ def comparison_table(one: Pairs, other: Pairs, *, classes: int, inference: bool)
 
     `classes`: how many classes each group has at least; with one, no p is shown for teaching.
     """
-    told = Told()
     groups = (one.group, other.group)
-    row: dict[str, Any] = {
-        "groups": list(groups), "n": [len(one.students), len(other.students)],
-        "p_shown": classes > 1,
-    }  # fmt: skip
-    for pairs in (one, other):
-        if len(pairs.students) < FEWEST:
+    return comparison_row(
+        groups, one.sums, other.sums, with_p=classes > 1, inference=inference,
+        says=say.ONE_CLASS if classes < 2 else "",
+    )  # fmt: skip
+
+
+def comparison_row(
+    groups: tuple[str, str],
+    one: PairSums,
+    other: PairSums,
+    *,
+    with_p: bool,
+    inference: bool,
+    says: str,
+) -> dict[str, Any]:
+    """The same from sums; `says`: what may be concluded from groups that are classes."""
+    told = Told()
+    row: dict[str, Any] = {"groups": list(groups), "n": [one.n, other.n], "p_shown": with_p}
+    for group, sums in zip(groups, (one, other), strict=True):
+        if sums.n < FEWEST:
             text = (
-                f"{len(pairs.students)} students of “{pairs.group}” took both tests: no comparison "
+                f"{sums.n} students of “{group}” took both tests: no comparison "
                 f"with fewer than {FEWEST}."
             )
             return {**row, "sentences": [text], "refusals": []}
-    first, second = spread(one.before), spread(other.before)
+    first, second = one.before, other.before
     told.tell("baseline", lambda: _baseline(first, second, groups, inference=inference))
     if inference:
-        told.tell("adjusted", lambda: _adjusted(one, other, groups, with_p=classes > 1))
-    gains = [spread(differences(pairs.after, pairs.before)) for pairs in (one, other)]
+        told.tell("adjusted", lambda: _adjusted(one, other, groups, with_p=with_p))
+    gains = [one.gain, other.gain]
     row["gain_spreads"] = [asdict(gain) for gain in gains]
     if inference:
-        told.tell("welch", lambda: _welch("Raw gains", gains, groups, with_p=classes > 1))
+        told.tell("welch", lambda: _welch("Raw gains", gains, groups, with_p=with_p))
     told.tell("paper_z", lambda: _paper_z(gains))
     told.tell("d", lambda: _between(gains))
-    if classes < 2:
-        told.note(say.ONE_CLASS)
+    told.note(says)
     return {**row, **told.numbers, "sentences": told.sentences, "refusals": told.refusals}
 
 
@@ -149,9 +192,9 @@ def _baseline(
 
 
 def _adjusted(
-    one: Pairs, other: Pairs, groups: tuple[str, str], *, with_p: bool
+    one: PairSums, other: PairSums, groups: tuple[str, str], *, with_p: bool
 ) -> tuple[dict[str, Any], str]:
-    found = adjusted(pairs_of(one.before, one.after), pairs_of(other.before, other.after))
+    found = adjusted(one.both, other.both)
     text = say.of_difference("Adjusted for the start (ANCOVA)", found.test, groups, with_p=with_p)
     return {"slope": found.slope, **asdict(found.test)}, text
 

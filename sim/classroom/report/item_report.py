@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from sim.classroom.files.keyed import KeyedForm, KeyedItem
-from sim.classroom.refusal import FEW, FEWEST, RefusalError
+from sim.classroom.refusal import FEW
+from sim.classroom.report.item_statistics import NO_NUMBERS, add_numbers
 from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.sentences import many
-from sim.classroom.statistics.item_numbers import (
-    corrected_point_biserial,
-    difficulty,
-    discrimination,
-)
+from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import PREDICTIONS
 from sim.lesson.kinds.number import NEAR, Number
 from sim.lesson.mark import is_empty
@@ -45,7 +42,8 @@ def _row(
     keyed: KeyedItem | None,
     totals: list[float] | None,
 ) -> dict[str, Any]:
-    answers = [f.answers[name] for f in files if name in f.answers and not f.answers[name].foreign]
+    mine = [k for k, f in enumerate(files) if name in f.answers and not f.answers[name].foreign]
+    answers = [files[k].answers[name] for k in mine]
     verdicts = Counter(a.mark.verdict for a in answers if a.mark)
     row: dict[str, Any] = {
         "id": name,
@@ -65,14 +63,13 @@ def _row(
         "difficulty": None,
         "discrimination": None,
         "point_biserial": None,
+        **NO_NUMBERS,
         "notes": [],
     }
     if keyed and totals is not None and row["worth"]:
-        marks = [float(a.marks) for a in answers]
-        _add(row, "difficulty", lambda: _difficulty(marks, row["worth"]))
-        _add(row, "discrimination", lambda: discrimination(marks, totals, row["worth"]))
-        _add(row, "point_biserial", lambda: corrected_point_biserial(marks, totals))
-    row["sentence"] = _sentence(row)
+        marks, whole = [a.marks for a in answers], [totals[k] for k in mine]
+        add_numbers(row, item_marks(marks, whole), levels_of(marks, whole), row["worth"])
+    row["sentence"] = item_sentence(row)
     return row
 
 
@@ -84,20 +81,6 @@ def _sure(answers: Sequence[Answer], keyed: KeyedItem | None) -> dict[str, int] 
         a.mark.verdict for a in answers if a.sure == "sure" and a.mark and not is_empty(a.value)
     )
     return {"right": said["right"], "wrong": said["wrong"] + said["partly"] + said["unclear"]}
-
-
-def _difficulty(marks: list[float], of: int) -> float:
-    if len(marks) < FEWEST:
-        raise RefusalError(f"{len(marks)} students: at least {FEWEST} are needed")
-    return difficulty(marks, of)
-
-
-def _add(row: dict[str, Any], name: str, statistic: Callable[[], float]) -> None:
-    try:
-        row[name] = statistic()
-    except RefusalError as refused:
-        note = f"{name.replace('_', '-')}: {refused}"
-        row["notes"].append(note)
 
 
 def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[str, Any]]:
@@ -112,7 +95,7 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
             a.value for a in answers if a.type == "single" and isinstance(a.value, str)
         )
         return [
-            {"option": o, "label": _letter(o), "text": "", "count": counts[o]}
+            {"option": o, "label": letter(o), "text": "", "count": counts[o]}
             for o in sorted(counts)
         ]
     key = keyed.question.key()
@@ -127,7 +110,7 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
         rows.append(
             {
                 "option": option,
-                "label": _letter(option),
+                "label": letter(option),
                 "text": keyed.texts.get(f"option-{option}", ""),
                 "correct": option in key["correct"],
                 "count": len(chose),
@@ -139,7 +122,7 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
     return rows
 
 
-def _letter(option: str) -> str:
+def letter(option: str) -> str:
     """An option as students see it: a letter."""
     return option.upper() if len(option) == 1 else option
 
@@ -173,7 +156,8 @@ def _numbers(answers: Sequence[Answer], keyed: KeyedItem, question: Number) -> l
     return rows
 
 
-def _sentence(row: dict[str, Any]) -> str:
+def item_sentence(row: dict[str, Any]) -> str:
+    """An item in words: how many answered it right, and the wrong answer chosen most."""
     if not row["worth"] or not row["n"]:
         return ""
     if row["unread"]:

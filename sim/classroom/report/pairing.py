@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from sim.classroom.report.marked import Marked, counted_items, worth
+from sim.classroom.statistics.pair_sums import PairSums, pair_sums
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,6 +21,11 @@ class Pairs:
     without_before: tuple[str, ...]
     without_after: tuple[str, ...]
     same_items: bool
+
+    @property
+    def sums(self) -> PairSums:
+        """What their gain is computed from."""
+        return pair_sums(self.before, self.after, self.of)
 
 
 def pair_up(

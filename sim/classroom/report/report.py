@@ -5,6 +5,7 @@ The same report is made in the page and on the command line.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
@@ -18,12 +19,13 @@ from sim.classroom.report.beliefs import belief_rows, word_rows
 from sim.classroom.report.flags import ORDER, sort_out
 from sim.classroom.report.gain_report import comparison_table, gain_table, only_after_table
 from sim.classroom.report.item_report import item_rows
+from sim.classroom.report.item_statistics import whole_test
 from sim.classroom.report.marked import Marked, counted_items, mark_file, worth
 from sim.classroom.report.pairing import Pairs, pair_up
 from sim.classroom.report.predictions import prediction_rows
 from sim.classroom.report.talk import talk_rows
 from sim.classroom.report.topics import topic_rows
-from sim.classroom.statistics.spread import Spread, median, spread
+from sim.classroom.statistics.spread import Exact, Spread, median, spread
 
 FORMAT = 1
 KIND = "newtons-carts-class"
@@ -77,7 +79,7 @@ def class_report(
         "groups": list(asked.groups),
         "inference": asked.inference,
         "flags": [asdict(flag) for flag in sorted_out.flags],
-        "notes": _notes(tables),
+        "notes": notes_of(tables),
         "lessons": tables,
     }
 
@@ -120,6 +122,7 @@ def _form(
         "n": len(files),
         "of": worth(good, counted),
         "unread": unread,
+        **_whole_test(good, counted),
         "groups": [_group(group, good, counted, asked) for group in asked.groups],
         "students": [
             _student(file, counted, has_key=key is not None)
@@ -131,6 +134,13 @@ def _form(
         "predictions": prediction_rows(good),
         "talk": talk_rows(items),
     }
+
+
+def _whole_test(files: Sequence[Marked], counted: Sequence[str]) -> dict[str, Any]:
+    marks = [[file.answers[name].marks for file in files] for name in counted]
+    sums = [(sum(column), sum(m * m for m in column)) for column in marks]
+    totals = Counter[Exact](file.total(counted) for file in files)
+    return whole_test(len(files), sums, totals, worth(files, counted))
 
 
 def _group(
@@ -202,7 +212,7 @@ def _later(by_form: Mapping[str, Sequence[Marked]], asked: Asked) -> list[dict[s
     return tables
 
 
-def _notes(tables: Sequence[Mapping[str, Any]]) -> list[str]:
+def notes_of(tables: Sequence[Mapping[str, Any]]) -> list[str]:
     """What is true of the whole page."""
     notes = [say.ONE_ITEM] if any(form["items"] for t in tables for form in t["forms"]) else []
     tests = sum(

@@ -6,6 +6,9 @@ is not said to be equal.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from typing import Any
+
 from sim.classroom.statistics.compare import PaperZ, TTest
 from sim.classroom.statistics.gain import EDGE
 from sim.classroom.statistics.ranks import SignedRanks
@@ -15,10 +18,18 @@ ONE_CLASS = (
     "Each group is one class here. 30 students in one room are not 30 independent experiments: "
     "the real uncertainty is larger than shown, and no p-value for the teaching is given."
 )
+WHO_KNOWS = (
+    "The table does not say which classes the groups are made of (a column “class” tells it). If "
+    "each group is one class: 30 students in one room are not 30 independent experiments, and the "
+    "real uncertainty is larger than shown. So no p-value is given in words."
+)
 ONE_ITEM = (
     "One item is no diagnosis. The tables say which answers were chosen, and what students who "
     "choose them often think."
 )
+NO_MOST = "the most marks of this test are not known (--max N tells them)"
+NO_ITEMS = "it needs the marks of each question"
+NO_LEVELS = "the answers of strong and of weak students apart were not handed on"
 FEW_QUESTIONS = (
     "A topic has few questions. That one topic gained more than another does not show that they "
     "differ: that needs its own test."
@@ -29,6 +40,17 @@ SAME_FORM = "The same questions were asked twice: part of the gain may be memory
 def unmarked(form: str) -> str:
     """That a form's key is missing; what to do is up to who shows it."""
     return f"Form {form}: there is no key for it, so nothing is marked."
+
+
+def files_read(files: Mapping[str, Any], *, one: bool = False) -> str:
+    """What a report counts: files of answers, rows of a table, or summaries of schools."""
+    unit = files.get("unit", "files")
+    words = {
+        "files": ("file of answers", "files of answers"),
+        "rows": ("row of a table", "rows of the table"),
+        "summaries": ("summary", "summaries"),
+    }
+    return words[unit][0 if one else 1]
 
 
 def number(value: float, places: int = 2) -> str:
@@ -69,10 +91,10 @@ def _p(p: float) -> str:
     return "p < 0.001" if p < 0.001 else f"p = {p:.3f}" if p < 0.1 else f"p = {p:.2f}"
 
 
-def of_mean(spread: Spread, of: float, interval: tuple[float, float] | None) -> str:
+def of_mean(spread: Spread, of: float | None, interval: tuple[float, float] | None) -> str:
     """A class on a test."""
     text = (
-        f"{many(spread.n, 'student')}: {number(spread.mean)} of {of:g} marks on average, with a "
+        f"{many(spread.n, 'student')}: {number(spread.mean)}{_most(of)} marks on average, with a "
         f"standard deviation of {number(spread.sd)}."
     )
     if interval:
@@ -82,6 +104,10 @@ def of_mean(spread: Spread, of: float, interval: tuple[float, float] | None) -> 
             f"{number(high)} (95 % interval)."
         )
     return text
+
+
+def _most(of: float | None) -> str:
+    return "" if of is None else f" of {of:g}"
 
 
 def of_gain(gain: float, before: Spread, after: Spread, of: float) -> str:
@@ -162,6 +188,87 @@ def of_difference(what: str, test: TTest, groups: tuple[str, str], *, with_p: bo
     if test.low <= 0 <= test.high:
         text += "We could not tell: this does not show that there is no difference. "
     return (text + (of_p(test.p) if with_p else "")).strip()
+
+
+def of_alpha(alpha: float) -> str:
+    """How far the questions of a test measure the same."""
+    text = f"Cronbach's alpha = {number(alpha)}"
+    if alpha < 0.7:
+        return f"{text}: below 0.7, so the questions measure different things, or are too few."
+    return f"{text}: the questions measure much the same (0.7 is usual for groups)."
+
+
+def of_delta(delta: float) -> str:
+    """How far the totals of a test spread."""
+    text = f"Ferguson's delta = {number(delta)}"
+    if delta < 0.9:
+        return f"{text}: below 0.9, so the totals lie close together."
+    return f"{text}: the totals spread over the whole test (0.9 is usual)."
+
+
+def of_classes(counts: tuple[int, int], groups: tuple[str, str], *, robust: bool) -> str:
+    """What may be concluded where whole classes were taught in one way or the other."""
+    made = " and ".join(
+        f"“{group}” of {many(count, 'class', 'classes')}"
+        for group, count in zip(groups, counts, strict=True)
+    )
+    text = f"The groups are made of classes: {made}. Students of one class are alike"
+    if robust:
+        return (
+            f"{text}: read the interval that counts classes. The others are for students assigned "
+            "one by one, and too narrow."
+        )
+    return (
+        f"{text}, so the intervals are too narrow. From eight classes on, at least two in each "
+        "group, an interval that counts classes is given."
+    )
+
+
+def rows_doubled(who: str, count: int) -> str:
+    """One student twice in a table."""
+    return (
+        f"{who}: {count} rows of one test have this student. Are these two students, or one who "
+        "took it twice? None of them is counted until you leave all but one out."
+    )
+
+
+def rows_equal(who: str, count: int) -> str:
+    """The same row again."""
+    return f"{who}: {count} rows are equal. It is counted once."
+
+
+def rows_nameless(count: int) -> str:
+    """Rows that do not say whose they are."""
+    one = count == 1
+    return (
+        f"{'1 row has' if one else f'{count} rows have'} no name: "
+        f"{'it counts' if one else 'each counts'} as a person of its own, and is in no pair of "
+        "before and after."
+    )
+
+
+def left_out(columns: Sequence[str]) -> str:
+    """Columns of a table that are no marks."""
+    named = ", ".join(f"“{column}”" for column in columns[:8])
+    more = f" and {len(columns) - 8} more" if len(columns) > 8 else ""
+    return f"Columns that are not counted as marks: {named}{more}."
+
+
+def worth_seen(items: Sequence[str]) -> str:
+    """Where the most marks of a question are only guessed."""
+    named = ", ".join(f"“{item}”" for item in items[:8])
+    more = f" and {len(items) - 8} more" if len(items) > 8 else ""
+    return (
+        f"The table does not tell the most marks of {named}{more}: the highest mark that anybody "
+        "has is taken for it. A row MAX tells them."
+    )
+
+
+def tests_apart(before: float, after: float) -> str:
+    """Two tests that cannot be subtracted."""
+    return (
+        f"The test before has {before:g} marks and the test after {after:g}: no gain is computed."
+    )
 
 
 def of_edges(low: float, high: float) -> str:

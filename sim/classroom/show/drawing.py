@@ -114,7 +114,8 @@ def curves(drawn: Sequence[Sequence[float]], highest: float = 10.0) -> str:
 
 def _axis(x: object, y: float, of: float) -> list[str]:
     assert callable(x)
-    step = next((s for s in (1, 2, 5, 10, 20, 50, 100) if of / s <= 12), 1000)
+    steps = (s * 10**k for k in range(309) for s in (1, 2, 5))  # up to the largest float
+    step = next(s for s in steps if of / s <= 12)
     marks = [step * k for k in range(int(of // step) + 1)]
     return [
         f'<path class="axis" d="M{x(0):.1f} {y:.1f}H{x(of):.1f}"/>',

@@ -23,6 +23,7 @@ def form_html(form: Row) -> str:
         parts.append("<h4>What to talk about first</h4>")
         parts.append(listed((row["sentence"] for row in form["talk"]), "talk"))
     parts.append(_overview(items))
+    parts.append(listed(form["sentences"]))
     if form["beliefs"]:
         parts.append("<h4>Beliefs behind two answers or more of a student</h4>")
         parts.append(listed(row["sentence"] for row in form["beliefs"]))
@@ -91,6 +92,13 @@ def _students(form: Row) -> str:
         ]
         for row in form["students"]
     ]  # fmt: skip
-    head = ["code word", "group", f"marks of {form['of']}", "left open", "to be read", "file"]
+    head = [
+        "code word",
+        "group",
+        "marks" if form["of"] is None else f"marks of {form['of']}",
+        "left open",
+        "to be read",
+        "file",
+    ]
     title = f"Who left what open: form {text(form['form'])}"
     return f"<details><summary>{title}</summary>{table(head, rows, kind='students')}</details>"

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.classroom.report import sentences as say
-from sim.classroom.report.sentences import number, signed, unmarked
+from sim.classroom.report.sentences import files_read, number, signed, unmarked
 from sim.classroom.show.drawing import bars, dots
 from sim.classroom.show.html_parts import listed, table, text, who
 from sim.classroom.show.questions import TITLES, form_html
@@ -26,9 +26,9 @@ def report_html(report: Row) -> str:
 
 
 def _count(files: Row) -> str:
-    counted = f"{files['counted']} of {files['read']} files of answers are counted."
+    counted = f"{files['counted']} of {files['read']} {files_read(files)} are counted."
     if not files["read"]:
-        counted = "No file of answers was found."
+        counted = f"No {files_read(files, one=True)} was found."
     made = f'<p class="carts-class-count">{counted}</p>'
     if files["set_aside"]:
         made += f"<p>Set aside: {', '.join(map(who, files['set_aside']))}.</p>"
@@ -61,6 +61,10 @@ def _lesson(lesson: Row, report: Row) -> str:
         first, second = lesson["comparison"]["groups"]
         parts.append(f"<h3>{text(first)} beside {text(second)}</h3>")
         parts.append(_comparison(lesson["comparison"]))
+    for row in lesson.get("comparisons", []):
+        first, second = row["groups"]
+        parts.append(f"<h3>{text(first)} beside {text(second)}</h3>")
+        parts.append(_comparison(row))
     if lesson["gains"]:
         parts += ["<h3>Before and after</h3>", _gains(lesson["gains"]), _topics(lesson["topics"])]
     parts += [f"<h3>Form {text(row['form'])}</h3>{listed(row['sentences'])}"
@@ -80,8 +84,9 @@ def _means(lesson: Row, report: Row) -> str:
             mean = f"{number(group['mean'])} ± {number(group['sd'])}" if "mean" in group else "–"
             low = group.get("low")
             interval = "–" if low is None else f"{number(low)} to {number(group['high'])}"
-            rows.append([TITLES.get(form["form"], form["form"]), who(group["group"]),
-                         str(group["n"]), mean, interval, f"{form['of']}"])  # fmt: skip
+            rows.append([text(TITLES.get(form["form"], form["form"])), who(group["group"]),
+                         str(group["n"]), mean, interval,
+                         "–" if form["of"] is None else f"{form['of']}"])  # fmt: skip
             if sentence := group.get("sentence"):
                 prefix = f"{form['form']}, {group['group']}: "
                 says.append(prefix + sentence)
@@ -105,7 +110,7 @@ def _plot(lesson: Row) -> str:
                 several = len(form["groups"]) > 1
                 name = f"{form['form']}, {group['group']}" if several else form["form"]
                 rows.append((name, group["totals"], group["mean"], half))
-                highest = max(highest, form["of"])
+                highest = max(highest, form["of"] or group["most"])
     return f"<figure>{dots(rows, highest)}</figure>" if rows else ""
 
 

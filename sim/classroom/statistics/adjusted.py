@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least, numbers
 from sim.classroom.statistics.compare import TTest, t_test
@@ -39,7 +40,13 @@ def pairs_of(before: Sequence[float], after: Sequence[float]) -> Before:
     first, second = numbers(before), numbers(after)
     at_least(len(first), 2)
     _, products = moments(first, second)
-    return Before(spread(first), spread(second), float(products) / (len(first) - 1))
+    return before_of(spread(first), spread(second), products)
+
+
+def before_of(before: Spread, after: Spread, products: Fraction) -> Before:
+    """The same from the exact sum of the products of both deviations from their means."""
+    at_least(before.n, 2)
+    return Before(before, after, float(products) / (before.n - 1))
 
 
 def from_deviations(before: Spread, after: Spread, gain_sd: float) -> Before:

@@ -43,7 +43,12 @@ def paired_t(later: Sequence[float], earlier: Sequence[float], *, fewest: int = 
     """Student's t of the differences within students. Refuses fewer than `fewest` pairs."""
     found = differences(later, earlier)
     at_least(len(found), max(2, fewest), "pairs")
-    gain = spread(found)
+    return change_of(spread(found), fewest=fewest)
+
+
+def change_of(gain: Spread, *, fewest: int = FEWEST) -> TTest:
+    """The same from the spread of the differences."""
+    at_least(gain.n, max(2, fewest), "pairs")
     if gain.sd == 0:
         raise RefusalError(ALL_EQUAL)
     return t_test(gain.mean, gain.se, gain.n - 1)

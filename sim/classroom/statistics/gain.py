@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from fractions import Fraction
+
 from sim.classroom.refusal import RefusalError
+from sim.classroom.statistics.spread import Exact
 
 EDGE = 0.15
 """Share of the students at 0 or at full marks above which a test is too hard or too easy."""
 
 
 def hake_gain(before: float, after: float, of: float) -> float:
-    """(after − before)/(of − before), from the means of a class. Never for single students."""
+    """(after − before)/(of − before), from the means of a class. Never for single students.
+
+    Source: R. R. Hake, Am. J. Phys. 66 (1998) 64, equation (1); the students are those who took
+    both tests.
+    """
     if of <= 0:
         raise RefusalError("the test is worth no marks")
     if before >= of:
@@ -17,9 +25,16 @@ def hake_gain(before: float, after: float, of: float) -> float:
     return (after - before) / (of - before)
 
 
-def at_the_edges(marks: tuple[float, ...], of: float) -> tuple[float, float]:
-    """The shares of students at 0 and at full marks."""
-    if not marks:
-        raise RefusalError("0 students: at least 1 is needed")
-    count = len(marks)
-    return sum(m <= 0 for m in marks) / count, sum(m >= of for m in marks) / count
+def at_the_edges(marks: Sequence[float | Exact], of: float | Exact | None) -> tuple[int, int]:
+    """How many students have 0 marks, and how many have full marks (0 if that is not known)."""
+    full = 0 if of is None else sum(m >= of for m in marks)
+    return sum(m <= 0 for m in marks), full
+
+
+def gain_of_student(before: Exact, after: Exact, of: Exact) -> Fraction | None:
+    """(after − before)/(of − before) of one student, exactly; None with full marks before.
+
+    Only the mean of a class is told (Hake 1998 calls it the average of the single-student gains):
+    one student's is mostly luck.
+    """
+    return Fraction(after - before) / (of - before) if before < of else None

@@ -9,9 +9,10 @@ left out, as Wilcoxon did. Beyond MOST_COUNTED pairs the normal curve takes over
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from sim.classroom.refusal import RefusalError, at_least
 from sim.classroom.statistics.spread import differences
@@ -41,26 +42,38 @@ def wilcoxon(
     later: Sequence[float], earlier: Sequence[float], *, fewest: int = FEWEST_CHANGED
 ) -> SignedRanks:
     """The test of later against earlier; refuses where too few changed at all."""
-    found = differences(later, earlier)
-    changed = [d for d in found if d]
-    at_least(len(changed), max(1, fewest), "students whose marks changed")
-    doubled = _doubled_ranks([abs(d) for d in changed])
-    plus = sum(rank for rank, d in zip(doubled, changed, strict=True) if d > 0)
-    smaller = min(plus, sum(doubled) - plus)
-    few = len(changed) <= MOST_COUNTED
-    normal = _normal(doubled, smaller)
+    return signed_ranks(Counter(differences(later, earlier)), fewest=fewest)
+
+
+def signed_ranks(found: Mapping[Any, int], *, fewest: int = FEWEST_CHANGED) -> SignedRanks:
+    """The same from how many students have each difference, as floats or exact numbers."""
+    changed = {d: count for d, count in found.items() if d and count}
+    n = sum(changed.values())
+    at_least(n, max(1, fewest), "students whose marks changed")
+    ranks = _doubled_ranks(changed)
+    whole = sum(ranks[abs(d)] * count for d, count in changed.items())
+    plus = sum(ranks[abs(d)] * count for d, count in changed.items() if d > 0)
+    smaller = min(plus, whole - plus)
+    squares = sum(ranks[abs(d)] ** 2 * count for d, count in changed.items())
+    normal = _normal(whole, squares, smaller)
+    few = n <= MOST_COUNTED
+    doubled = [ranks[abs(d)] for d, count in changed.items() for _ in range(count)] if few else []
     p = _counted(doubled, smaller) if few else normal
-    up = sum(d > 0 for d in changed)
-    down, same = len(changed) - up, len(found) - len(changed)
-    return SignedRanks(smaller / 2, p, normal, up, down, same, "counted" if few else "normal")
+    up = sum(count for d, count in changed.items() if d > 0)
+    same = sum(found.values()) - n
+    return SignedRanks(smaller / 2, p, normal, up, n - up, same, "counted" if few else "normal")
 
 
-def _doubled_ranks(sizes: Sequence[float]) -> list[int]:
-    """Twice the rank of each: middle ranks are halves, and stay whole numbers so."""
-    order = sorted(sizes)
-    first = {size: k for k, size in reversed(list(enumerate(order)))}
-    last = {size: k for k, size in enumerate(order)}
-    return [first[size] + last[size] + 2 for size in sizes]
+def _doubled_ranks(changed: Mapping[Any, int]) -> dict[Any, int]:
+    """Twice the rank of each size: middle ranks are halves, and stay whole numbers so."""
+    sizes: Counter[Any] = Counter()
+    for d, count in changed.items():
+        sizes[abs(d)] += count
+    ranks, below = {}, 0
+    for size in sorted(sizes):
+        ranks[size] = 2 * below + sizes[size] + 1
+        below += sizes[size]
+    return ranks
 
 
 def _counted(doubled: Sequence[int], smaller: int) -> float:
@@ -75,10 +88,9 @@ def _counted(doubled: Sequence[int], smaller: int) -> float:
     return min(1.0, float(2 * tail / 2.0 ** len(doubled)))
 
 
-def _normal(doubled: Sequence[int], smaller: int) -> float:
+def _normal(whole: int, squares: int, smaller: int) -> float:
     """The same from a normal curve with the exact mean and variance, ties included."""
-    squares = sum(rank * rank for rank in doubled)
     if squares == 0:
         raise RefusalError("nobody's marks changed")
     deviation = math.sqrt(squares) / 2
-    return normal_two_sided((smaller - sum(doubled) / 2) / deviation)
+    return normal_two_sided((smaller - whole / 2) / deviation)

@@ -14,6 +14,9 @@ from fractions import Fraction
 from sim.classroom.refusal import RefusalError, at_least, numbers
 from sim.classroom.statistics.tails import t_quantile
 
+Exact = int | Fraction
+"""A number of marks without rounding: sums of such numbers do not depend on their order."""
+
 
 @dataclass(frozen=True, slots=True)
 class Spread:
@@ -39,9 +42,17 @@ def spread(values: Sequence[float]) -> Spread:
     """Mean and standard deviation; of one number there is no deviation, and it is 0."""
     given = numbers(values)
     at_least(len(given), 1)
-    total, squares = moments(given, given)
-    n = len(given)
-    return Spread(n, float(total / n), root(squares / (n - 1)) if n > 1 else 0.0)
+    exact = list(map(Fraction, given))
+    squares = sum((value * value for value in exact), Fraction(0))
+    return spread_of(len(exact), sum(exact, Fraction(0)), squares)
+
+
+def spread_of(n: int, total: Exact, squares: Exact) -> Spread:
+    """The same from how many numbers there are, their sum and the sum of their squares."""
+    at_least(n, 1)
+    mean = Fraction(total) / n
+    around = squares - mean * total
+    return Spread(n, float(mean), root(around / (n - 1)) if n > 1 else 0.0)
 
 
 def median(values: Sequence[float]) -> float:

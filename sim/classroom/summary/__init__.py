@@ -1,0 +1,1 @@
+"""A class as exact sums: what a report is computed from, and what may leave a school."""

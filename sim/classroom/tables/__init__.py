@@ -1,0 +1,1 @@
+"""Anybody's marks, read from a table: one module for each kind of export."""

@@ -1,0 +1,62 @@
+"""Which rows of tables count: one for each student and test, each student in one group."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from sim.classroom.report.flag import Flag
+from sim.classroom.report.sentences import rows_doubled, rows_equal, rows_nameless
+from sim.classroom.tables.taken import Taken
+
+Refused = tuple[str, str]
+NAMED = 12
+"""Students without a name who are listed in one question."""
+
+
+def judged(
+    taken: Sequence[Taken], group_of: Callable[[Taken], str]
+) -> tuple[list[Taken], list[str], list[Flag], list[Refused]]:
+    """Rows that count, places set aside, questions, and rows refused for their group."""
+    refused: list[Refused] = []
+    groups: dict[str, Taken] = {}
+    good: list[Taken] = []
+    for row in taken:
+        placed = replace(row, group=group_of(row))
+        if not placed.group:
+            refused.append((row.place, "no group is given"))
+            continue
+        first = groups.setdefault(row.person, placed)
+        if (first.group, first.klass) != (placed.group, placed.klass):
+            refused.append(
+                (row.place, f"this student is in another group or class ({first.place})")
+            )
+        else:
+            good.append(placed)
+    counted, aside, flags = _once(good)
+    nameless = [row.place for row in counted if not row.student]
+    if nameless:
+        flags.append(Flag("no-code", rows_nameless(len(nameless)), tuple(nameless[:NAMED])))
+    return counted, aside, flags, list(dict.fromkeys(refused))
+
+
+def _once(taken: Sequence[Taken]) -> tuple[list[Taken], list[str], list[Flag]]:
+    places: dict[tuple[str, str], list[Taken]] = {}
+    for row in taken:
+        places.setdefault((row.person, row.form), []).append(row)
+    counted: list[Taken] = []
+    aside: list[str] = []
+    flags: list[Flag] = []
+    for same in places.values():
+        if len(same) == 1:
+            counted += same
+            continue
+        lines = tuple(row.place for row in same)
+        if all(row.content == same[0].content for row in same):
+            counted.append(same[0])
+            aside += lines[1:]
+            flags.append(Flag("same-file", rows_equal(same[0].who, len(same)), lines))
+        else:
+            aside += lines
+            flags.append(Flag("doubled-id", rows_doubled(same[0].who, len(same)), lines))
+    return counted, aside, flags

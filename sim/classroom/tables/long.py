@@ -1,0 +1,58 @@
+"""A table with one row for each answer, made wide: a row for each student and test."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sim.classroom.tables.cells import MOST_COLUMNS, Row
+from sim.classroom.tables.layout import Column, Layout
+
+Bad = tuple[int, str]
+
+
+def pivoted(
+    layout: Layout, heads: Row, rows: Sequence[Row]
+) -> tuple[Layout, Row, list[Row], list[Bad]]:
+    """Layout, headings, rows and bad lines of the wide table; rows bear their first line.
+
+    Columns: student, group, class, time, then the items in their order.
+    """
+    (column,) = layout.items
+    person = layout.student[0][0] if layout.student else None
+    fixed = (person, layout.group, layout.klass, layout.time)
+    made: dict[tuple[str, ...], dict[str, str]] = {}
+    lines: dict[tuple[str, ...], int] = {}
+    names: dict[str, int] = {}
+    bad: list[Bad] = []
+    for row in rows:
+        cells = tuple(row.cells[k] if k is not None and k < len(row.cells) else "" for k in fixed)
+        name = row.cells[layout.item] if layout.item is not None else ""
+        mark = row.cells[column.place] if column.place < len(row.cells) else ""
+        answers = made.setdefault(cells, {})
+        lines.setdefault(cells, row.line)
+        if not name:
+            bad.append((row.line, "no item is named"))
+        elif name in answers:
+            bad.append((row.line, f"this student has an answer to “{name[:24]}” already"))
+        elif len(names) >= MOST_COLUMNS and name not in names:
+            bad.append((row.line, f"more than {MOST_COLUMNS:,} items"))
+        else:
+            names.setdefault(name, 4 + len(names))
+            answers[name] = mark
+    wide = [
+        Row(lines[cells], (*cells, *(answers.get(name, "") for name in names)))
+        for cells, answers in made.items()
+    ]
+    places = [0 if person is not None else None, *(
+        k if place is not None else None for k, place in enumerate(fixed[1:], 1))]  # fmt: skip
+    return (
+        replace(
+            layout, item=None, student=((0,),) if person is not None else (),
+            group=places[1], klass=places[2], time=places[3],
+            items=tuple(Column(k, name, "", column.of) for name, k in names.items()),
+        ),
+        Row(heads.line, ("", "", "", "", *names)),
+        wide,
+        bad,
+    )  # fmt: skip

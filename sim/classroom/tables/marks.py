@@ -1,0 +1,61 @@
+"""A cell as a mark: exact, as it was typed. `7`, `7.5`, `7,5`, `7 / 10`, `70 %`; `-` is no mark."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from sim.classroom.statistics.spread import Exact
+from sim.classroom.tables.cells import TableError
+
+NOTHING = frozenset({"", "-", "–", "—", "n/a", "na", "nan", "#n/a", ".", "null", "none"})
+MOST_DIGITS = 9
+
+_NUMBER = rf"(-|−)?([0-9]{{0,{MOST_DIGITS}}})(?:[.,]([0-9]{{1,{MOST_DIGITS}}}))?"
+_MARK = re.compile(rf"{_NUMBER}(?:\s*(?:/|of|von)\s*{_NUMBER}|\s*(%))?", re.IGNORECASE)
+SHOWN = 24
+
+
+def whole(value: Fraction) -> Exact:
+    """A whole number as one: whole numbers add fastest."""
+    return value.numerator if value.denominator == 1 else value
+
+
+def mark(text: str) -> tuple[Exact | None, Exact | None]:
+    """The mark and the most that it could be, each None where it is not there."""
+    if text.casefold() in NOTHING:
+        return None, None
+    found = _MARK.fullmatch(text)
+    if not found or not (found[2] or found[3]):
+        raise TableError(f"“{shown(text)}” is no mark")
+    value = _number(found[1], found[2], found[3])
+    most: Fraction | None = None
+    if found[7]:
+        most = Fraction(100)
+    elif found[5] or found[6]:
+        most = _number(found[4], found[5], found[6])
+    if value < 0:
+        raise TableError(f"“{shown(text)}” is below 0")
+    if most is not None and (most <= 0 or value > most):
+        raise TableError(f"“{shown(text)}” is more than the most marks")
+    return whole(value), None if most is None else whole(most)
+
+
+def is_mark(text: str) -> bool:
+    """Whether there is a mark in this cell."""
+    try:
+        return mark(text)[0] is not None
+    except TableError:
+        return False
+
+
+def shown(text: str) -> str:
+    """A cell in a message: short, and on one line."""
+    line = "".join(c if c.isprintable() else "·" for c in text)
+    return line if len(line) <= SHOWN else f"{line[:SHOWN]}…"
+
+
+def _number(sign: str | None, before: str | None, after: str | None) -> Fraction:
+    digits = f"{before or ''}{after or ''}"
+    value = Fraction(int(digits or "0"), 10 ** len(after or ""))
+    return -value if sign else value

@@ -1,0 +1,130 @@
+"""A table that somebody made: wide or long, marks of questions or totals.
+
+    student, group, pre, post                one row for each student, totals
+    student, pre_Q1, pre_Q2, post_Q1 …       the same with a mark for each question
+    student, time, Q1, Q2 …                  one row for each student and test
+    student, time, total                     the same, totals
+    student, item, mark                      one row for each answer
+
+A row KEY gives right answers (letters), a row MAX the most marks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.layout import (
+    Column,
+    Layout,
+    form_of,
+    norm,
+    place_of,
+    split_form,
+    with_most,
+)
+from sim.classroom.tables.marks import NOTHING, is_mark, mark
+from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, OTHER, STUDENT, TIME, TOTAL
+
+ADDS_UP = 0.9
+"""Share of the rows in which the items add up to the total, for them to be its items."""
+
+OTHER_NAMES = OTHER | STUDENT
+ENOUGH = 0.5
+"""Share of filled cells that must be marks or letters, for a column to be a question."""
+
+
+def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> Layout:
+    """The columns of the table; raises `TableError` where it holds no marks."""
+    best = place_of(heads, ("student", "code word"))
+    person = place_of(heads, STUDENT) if best is None else best
+    group = place_of(heads, GROUP)
+    klass, time, item = place_of(heads, CLASS), place_of(heads, TIME), place_of(heads, ITEM)
+    used = {place for place in (person, group, klass, time, item) if place is not None}
+    rest = [k for k, head in enumerate(heads) if k not in used and norm(head) not in OTHER_NAMES]
+    if item is not None:
+        marks = [k for k in rest if norm(with_most(heads[k])[0]) in MARK]
+        if not marks:
+            raise TableError("a column of items needs one of marks beside it (mark)")
+        answers = Column(marks[0], "", "", with_most(heads[marks[0]])[1])
+        return _made(heads, person, group, klass, time, item, (answers,), ())
+    found = _single([_column(k, heads[k]) for k in rest], rows, keys)
+    totals = tuple(c for c in found if not c.name)
+    items = tuple(c for c in found if c.name and _is_item(c, rows, keys))
+    if time is None and any(c.form for c in totals):
+        totals = tuple(c for c in totals if c.form)
+    if totals and not keys and not _adds_up(items, totals, rows):
+        items = ()
+    if not items and not totals:
+        raise TableError(
+            "no column of marks was found: pre and post, or a column for each question"
+        )
+    return _made(heads, person, group, klass, time, None, items, totals)
+
+
+def _made(
+    heads: Sequence[str], person: int | None, group: int | None, klass: int | None,
+    time: int | None, item: int | None, items: tuple[Column, ...], totals: tuple[Column, ...],
+) -> Layout:  # fmt: skip
+    taken = {person, group, klass, time, item, *(c.place for c in (*items, *totals))}
+    return Layout(
+        kind="plain",
+        student=((person,),) if person is not None else (),
+        group=group, klass=klass, time=time, item=item, items=items, totals=totals,
+        left_out=tuple(head for k, head in enumerate(heads) if k not in taken),
+    )  # fmt: skip
+
+
+def _column(place: int, heading: str) -> Column:
+    """A total has no name: `pre`, `post (30)`, `total`."""
+    name, of = with_most(heading)
+    if form := form_of(name):
+        return Column(place, "", form, of)
+    form, inner = split_form(name)
+    if norm(inner) in TOTAL:
+        return Column(place, "", form, of)
+    return Column(place, inner, form, of)
+
+
+def _single(
+    columns: Sequence[Column], rows: Sequence[Row], keys: Sequence[Row]
+) -> Sequence[Column]:
+    """`FCI_pre` and `FCI_post`, one column for each test, are totals."""
+    formed = [c for c in columns if c.form and (not c.name or _is_item(c, rows, keys))]
+    forms = [c.form for c in formed]
+    if keys or len(formed) < 2 or len(set(forms)) < len(forms):
+        return columns
+    return [replace(c, name="") if c in formed else c for c in columns]
+
+
+def _is_item(column: Column, rows: Sequence[Row], keys: Sequence[Row]) -> bool:
+    """With a row KEY every column that it fills; without, columns of marks or of single letters."""
+    if keys:
+        return any(_cell(row, column.place) for row in keys)
+    cells = [_cell(row, column.place) for row in rows]
+    filled = [cell for cell in cells if cell.casefold() not in NOTHING]
+    good = sum(is_mark(cell) or (len(cell) == 1 and cell.isalpha()) for cell in filled)
+    return bool(filled) and good >= ENOUGH * len(filled)
+
+
+def _adds_up(items: Sequence[Column], totals: Sequence[Column], rows: Sequence[Row]) -> bool:
+    """Whether the totals are those of the items: then the items tell more. Other columns of
+    numbers (an earlier grade, an age) stand beside totals that they do not add up to.
+    """
+    if any(c.form for c in totals) and not any(c.form for c in items):
+        return False
+    total = totals[0]
+    mine = [c for c in items if c.form == total.form]
+    good = count = 0
+    for row in rows:
+        if is_mark(_cell(row, total.place)):
+            count += 1
+            marks = [mark(_cell(row, c.place))[0] or 0 for c in mine
+                     if is_mark(_cell(row, c.place))]  # fmt: skip
+            good += sum(marks) == mark(_cell(row, total.place))[0]
+    return bool(mine) and good >= ADDS_UP * count
+
+
+def _cell(row: Row, place: int) -> str:
+    return row.cells[place] if place < len(row.cells) else ""

@@ -1,0 +1,75 @@
+"""Tables of anybody's marks for `carts class --table`: which files, which test, which group."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from pathlib import Path
+
+import click
+
+from sim.classroom.report.report import WHOLE
+from sim.classroom.tables.cells import MOST_BYTES, TableError
+from sim.classroom.tables.layout import form_of
+from sim.classroom.tables.marks import mark
+from sim.classroom.tables.read import read_table
+from sim.classroom.tables.report import Judged, judge
+from sim.classroom.tables.taken import MarkTable, Taken
+from sim.cli.class_files import group_of
+
+
+def tables_of(
+    given: Sequence[str], groups: list[tuple[str, str]], most: str | None, lesson: str | None
+) -> tuple[Judged, list[tuple[str, str]]]:
+    """The tables as one lesson, called `lesson` or as the first; and files that are no tables."""
+    tables: list[MarkTable] = []
+    bad: list[tuple[str, str]] = []
+    names: dict[str, str] = {}
+    for text in given:
+        form, path = _place(text)
+        lesson = lesson or path.stem
+        names[path.name] = path.as_posix()
+        try:
+            with path.open("rb") as file:
+                tables.append(read_table(path.name, file.read(MOST_BYTES + 1), form))
+        except TableError as error:
+            bad.append((path.as_posix(), str(error)))
+        except OSError as error:
+            bad.append((path.as_posix(), str(error.strerror)))
+    told = _most(most)
+    if told is not None and any(row.items for table in tables for row in table.taken):
+        raise click.UsageError(
+            "--max is for totals; this table has marks of questions, so put a row MAX into it"
+        )
+    within = any(table.groups for table in tables)
+
+    def group(row: Taken) -> str:
+        if within:
+            return row.group
+        return group_of(names[row.place.rpartition(", line")[0]], groups) if groups else WHOLE
+
+    return judge(lesson or "", tables, group, most=told), bad
+
+
+def _place(text: str) -> tuple[str, Path]:
+    """`pre=quiz-1.csv` is a table of the test before; a file of that very name comes first."""
+    before, equals, after = text.partition("=")
+    if equals and form_of(before) and not Path(text).exists():
+        form, path = form_of(before), Path(after)
+    else:
+        form, path = "", Path(text)
+    if not path.is_file():
+        raise click.UsageError(f"--table {text}: there is no such file")
+    return form, path
+
+
+def _most(text: str | None) -> int | Fraction | None:
+    if text is None:
+        return None
+    try:
+        value, _ = mark(text.strip())
+    except TableError:
+        value = None
+    if not value:
+        raise click.UsageError(f"--max {text}: write the most marks of the test, for example 30")
+    return value

@@ -1,0 +1,255 @@
+"""Sums that leave a school: added they are all answers at once, to the last bit, in any order."""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Sequence
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sim.classroom.files.reading import Reading, Source
+from sim.classroom.report.report import Asked, class_report
+from sim.classroom.show.report_page import report_html
+from sim.classroom.summary.document import Read, document
+from sim.classroom.summary.handed_on import Summary, handed_on
+from sim.classroom.summary.merge import merged
+from sim.classroom.summary.numbers import SummaryError, exact, written
+from sim.classroom.summary.reading import read_summary
+from sim.classroom.summary.written import summary_file
+from sim.classroom.tables.report import table_report
+from sim.cli.class_summary import lessons_of_answers
+from sim.cli.class_text import report_as_text
+from tests.classroom.makers import bank, keys, random_class, sources
+from tests.classroom.tables import csv, judged, reported
+
+NAMES = ("files", "flags", "students", "sentences", "notes")
+ITEMS = ("Q1", "Q2", "Q3")
+HEAD = ("student", "group", "class", *(f"{form}_{i}" for form in ("pre", "post") for i in ITEMS))
+MOST = ["MAX", "", "", 1, 1, 2, 1, 1, 2]
+
+
+def school(number: int, dice: random.Random, counts: Sequence[int]) -> list[list[object]]:
+    """Students of two groups, a class each, with decimal marks; nobody is there twice."""
+    return [
+        [f"{number}-{group}-{k}", group, f"{number}{group}",
+         *(dice.choice(["0", "0.1", "0.7", "1"]) for _ in range(6))]
+        for group, count in zip("ab", counts, strict=True)
+        for k in range(count)
+    ]  # fmt: skip
+
+
+def through_a_file(summary: Summary) -> Summary:
+    """What is left after writing and reading."""
+    return read_summary(json.dumps(summary_file(summary)).encode())
+
+
+def of_table(rows: Sequence[Sequence[object]], *, by_total: bool = True) -> Summary:
+    found = judged(csv(HEAD, [MOST, *rows]))
+    return through_a_file(handed_on([found.lesson], found.groups, by_total=by_total))
+
+
+def report_of(summaries: Sequence[Summary]) -> dict[str, Any]:
+    whole, refused = merged([(f"{k}.json", summary) for k, summary in enumerate(summaries)])
+    assert refused == []
+    return document(whole.lessons, whole.groups, Read(unit="summaries", read=0, counted=0))
+
+
+def bits(report: dict[str, Any]) -> str:
+    """Every number of a report; JSON writes floats so that no bit is lost."""
+    return json.dumps(report, allow_nan=False)
+
+
+@settings(max_examples=25)
+@given(st.lists(st.tuples(st.integers(5, 9), st.integers(5, 9)), min_size=2, max_size=6),
+       st.randoms(use_true_random=False))  # fmt: skip
+def test_added_summaries_are_all_marks_at_once_in_any_order(
+    counts: list[tuple[int, int]], dice: random.Random
+) -> None:
+    schools = [school(number, dice, both) for number, both in enumerate(counts)]
+    whole = report_of([of_table([row for rows in schools for row in rows])])
+    parts = [of_table(rows) for rows in schools]
+    assert bits(report_of(parts)) == bits(whole)
+    dice.shuffle(parts)
+    assert bits(report_of(parts)) == bits(whole)
+    half = len(parts) // 2
+    steps = [merged([("", part) for part in some])[0] for some in (parts[:half], parts[half:])]
+    assert bits(report_of([through_a_file(one) for one in steps])) == bits(whole)
+
+
+def without(value: Any, names: Sequence[str]) -> Any:
+    """A report without the parts that tell who it is, or what else was in the files."""
+    if isinstance(value, dict):
+        return {k: without(v, names) for k, v in value.items() if k not in names}
+    return [without(one, names) for one in value] if isinstance(value, list) else value
+
+
+WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after")
+
+
+def test_the_report_of_a_table_and_that_of_its_summaries_have_the_same_numbers() -> None:
+    dice = random.Random(3)
+    rows = [row for k in range(9) for row in school(k, dice, (6, 7))]
+    table = reported(csv(HEAD, [MOST, *rows]))
+    parts = [of_table([r for r in rows if str(r[0]).startswith(f"{k}-")]) for k in range(9)]
+    assert without(report_of(parts), WHO) == without(table, WHO)
+    assert table["lessons"][0]["comparison"]["clustered"]["classes"] == 18
+
+
+BANK = bank(8, words=1)
+
+
+def of_files(
+    groups: Sequence[tuple[str, list[dict[str, Any]]]],
+) -> tuple[dict[str, Any], Summary, str]:
+    """Answer files by group: the whole report, the summary, and the summary's text."""
+    reading = Reading.of([Source("key.json", keys(BANK).encode())])
+    files = [(read, name) for name, made in groups for read in Reading.of(sources(made)).files]
+    names = tuple(dict.fromkeys(name for name, _ in groups))
+    asked = Asked(groups=names, classes={n: sum(g == n for g, _ in groups) for n in names})
+    summary = handed_on(lessons_of_answers(files, reading.keys, asked), names, by_total=True)
+    text = json.dumps(summary_file(summary))
+    return class_report(files, reading.keys, [], asked), read_summary(text.encode()), text
+
+
+def test_answer_files_of_many_schools_give_the_numbers_of_one_report() -> None:
+    classes = [
+        (name, random_class(BANK, 12 + k, seed=k, gain=gain, prefix=f"{name}{k}"))
+        for k in range(4)
+        for name, gain in (("new", 0.3), ("usual", 0.1))
+    ]
+    whole, _, _ = of_files(classes)
+    parts = [of_files(classes[2 * k : 2 * k + 2])[1] for k in range(4)]
+    random.Random(1).shuffle(parts)
+    hidden = (*WHO, "curve", "words", "beliefs", "comparisons", "clustered", "predictions")
+    mine, theirs = (without(report, hidden) for report in (report_of(parts), whole))
+    assert mine["lessons"] == theirs["lessons"]
+    assert mine["lessons"][0]["comparison"]["p_shown"] is True
+    curves = [[i["curve"] for f in r["lessons"][0]["forms"] for i in f["items"]]
+              for r in (report_of(parts), whole)]  # fmt: skip
+    assert curves[0] == curves[1]
+
+
+def test_a_summary_holds_no_student_and_no_group_below_five() -> None:
+    small = random_class(BANK, 4, seed=1, prefix="SMALL")
+    large = random_class(BANK, 9, seed=2, prefix="LARGE")
+    _, summary, text = of_files([("few", small), ("many", large)])
+    assert summary.groups == ("many",)
+    assert summary.withheld == 3  # before, after, and both
+    for file in (*small, *large):
+        assert file["student"] not in text
+        assert file["saved"] not in text
+        assert all(str(i["value"]) not in text for i in file["items"] if i["type"] == "long")
+    assert "few" not in json.loads(text)["lessons"][0]["classes"]
+
+
+def test_by_itself_a_summary_does_not_tell_marks_by_total() -> None:
+    rows = school(1, random.Random(1), (30, 30))
+    item = summary_file(of_table(rows, by_total=False))["lessons"][0]["forms"][0]["groups"]["a"][
+        "items"
+    ]["Q1"]
+    assert item["levels"] is None
+    assert item["options"] is None
+    (row, *_) = report_of([of_table(rows, by_total=False)])["lessons"][0]["forms"][0]["items"]
+    assert row["discrimination"] is None
+    assert any("not handed on" in note for note in row["notes"])
+    assert row["point_biserial"] is not None
+
+
+def test_options_that_may_have_been_typed_are_pooled() -> None:
+    rows = [[f"s{k}", "B" if k % 2 else "my name is Fox", "C"] for k in range(10)]
+    found = judged(csv(("student", "Q1", "Q2"), [["KEY", "B", "C"], *rows]))
+    text = json.dumps(summary_file(handed_on([found.lesson], found.groups, by_total=True)))
+    assert "Fox" not in text
+    assert '"other": 5' in text
+
+
+def test_other_questions_are_named_and_not_added() -> None:
+    dice = random.Random(5)
+    good = [of_table(school(k, dice, (6, 6))) for k in range(3)]
+    rows = school(9, dice, (6, 6))
+    found = judged(csv([*HEAD[:-1], "post_Q4"], [MOST, *rows]))
+    other = handed_on([found.lesson], found.groups, by_total=True)
+    for order in ([*good, other], [other, *good]):
+        whole, refused = merged([("other" if one is other else "good", one) for one in order])
+        assert {name for name, _ in refused} == {"other"}
+        assert whole.lessons[0].forms["post"].groups["a"].n == 18
+
+
+def test_classes_below_five_are_left_out_of_the_pairs() -> None:
+    dice = random.Random(6)
+    rows = [row for k in range(8) for row in school(k, dice, (6, 6))]
+    small = [[f"x{k}", "a", "tiny", *r[3:]] for k, r in enumerate(school(9, dice, (3, 0)))]
+    summary = of_table([*rows, *small])
+    assert bits(report_of([summary])["lessons"][0]["gains"]) == bits(
+        report_of([of_table(rows)])["lessons"][0]["gains"]
+    )
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"kind": "newtons-carts-summary"}', "\x00"])
+def test_what_is_no_summary_is_refused_in_words(text: str) -> None:
+    with pytest.raises(SummaryError):
+        read_summary(text.encode())
+
+
+def test_numbers_are_written_without_rounding() -> None:
+    dice = random.Random(7)
+    for _ in range(200):
+        top = dice.randint(-(10**60), 10**60)
+        number = exact(f"{top}/{dice.randint(1, 10**50)}")
+        assert exact(json.loads(json.dumps(written(number)))) == number
+
+
+def places(value: Any) -> list[tuple[Any, Any]]:
+    """Every place in plain values."""
+    rows: list[tuple[Any, Any]] = []
+    keys_ = list(value) if isinstance(value, dict) else range(len(value))
+    for key in keys_:
+        rows.append((value, key))
+        if isinstance(value[key], (dict, list)):
+            rows += places(value[key])
+    return rows
+
+
+def test_a_form_of_somebodys_own_is_no_form() -> None:
+    summary = summary_file(of_table(school(1, random.Random(1), (6, 6))))
+    summary["lessons"][0]["forms"][0]["form"] = "<b>x</b>"
+    with pytest.raises(SummaryError):
+        read_summary(json.dumps(summary).encode())
+
+
+def test_mutated_summaries_are_added_or_refused_and_never_break() -> None:
+    dice = random.Random(11)
+    seed = json.dumps(summary_file(of_table(school(1, dice, (8, 8)))))
+    evil: list[Any] = [None, -1, 0, 3, 10**30, 1.5, "x", "1/0", "1/3", [], {}, True, "=1+1",
+                       "<b>x</b>"]  # fmt: skip
+    read = 0
+    for _ in range(1_500):
+        summary = json.loads(seed)
+        for _ in range(dice.randint(1, 2)):
+            where, key = dice.choice(places(summary))
+            if dice.random() < 0.2 and isinstance(where, dict):
+                del where[key]
+            else:
+                where[key] = dice.choice(evil)
+        try:
+            found = read_summary(json.dumps(summary).encode())
+        except SummaryError as error:
+            assert str(error)
+            continue
+        read += 1
+        whole, _ = merged([("good", read_summary(seed.encode())), ("bad", found)])
+        report = document(whole.lessons, whole.groups, Read(unit="summaries", read=2, counted=2))
+        bits(report)
+        report_as_text(report)
+        assert "<b>x" not in report_html(report)
+    assert read > 100
+
+
+def test_a_table_report_counts_what_is_withheld_from_its_summary() -> None:
+    found = judged(csv(HEAD, [MOST, *school(1, random.Random(2), (3, 8))]))
+    assert table_report(found)["lessons"][0]["forms"][0]["n"] == 11
+    assert handed_on([found.lesson], found.groups).groups == ("b",)

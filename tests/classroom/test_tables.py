@@ -1,0 +1,326 @@
+"""Tables as teachers have them: each kind of export, bad rows named by line, nothing evaluated."""
+
+from __future__ import annotations
+
+import json
+import random
+
+import pytest
+
+from sim.classroom.report.class_csv import items_csv, students_csv
+from sim.classroom.report.report import notes_of
+from sim.classroom.show.report_page import report_html
+from sim.classroom.tables.cells import TableError
+from sim.classroom.tables.layout import form_of, split_form, with_most
+from sim.classroom.tables.marks import mark
+from sim.classroom.tables.read import read_table
+from tests.classroom.tables import csv, judged, reported
+
+WIDE = csv(("student", "group", "pre", "post"),
+           [[f"s{k}", "ab"[k % 2], k % 5, k % 7] for k in range(14)])  # fmt: skip
+
+MOODLE = """\
+Surname,First name,ID number,Email address,State,Started on,Time taken,Grade/10.00,Q. 1 /5.00,\
+Q. 2 /5.00
+Fox,Blue,,fox@school.example,Finished,1 March 2026,3 mins,7.50,5.00,2.50
+Owl,Red,,owl@school.example,Finished,1 March 2026,3 mins,2.50,-,2.50
+Elk,Old,,elk@school.example,In progress,1 March 2026,-,-,-,-
+Hare,Shy,,hare@school.example,Finished,1 March 2026,3 mins,-,-,-
+Overall average,,,,,,,5.00,2.50,2.50
+"""
+MOODLE_GERMAN = """\
+Nachname;Vorname;E-Mail-Adresse;Status;Begonnen am;Bewertung/10,00;F 1 /5,00;F 2 /5,00
+Fox;Blue;fox@school.example;Beendet;1. März;7,50;5,00;2,50
+Owl;Red;owl@school.example;Beendet;1. März;2,50;-;2,50
+Gesamtdurchschnitt;;;;;5,00;2,50;2,50
+"""
+GOOGLE = """\
+Timestamp,Email Address,Score,Your code word,Which force?,Class
+2026/03/01 9:00:00,fox@school.example,7 / 10,BLUE-FOX,"The first, of course",7a
+2026/03/01 9:01:00,owl@school.example,2 / 10,RED-OWL,none,7a
+"""
+GOOGLE_ITEMS = """\
+"Timestamp","Total score","Code word","Which force?","Which force? [Score]",\
+"Which force? [Feedback]"
+"2026/03/01","1.00 / 1","BLUE-FOX","first","1.00 / 1",""
+"2026/03/01","0.00 / 1","RED-OWL","none","0.00 / 1",""
+"""
+MICROSOFT = """\
+ID,Start time,Completion time,Email,Name,Total points,Quiz feedback,Code word,\
+Points - Code word,Which force?,Points - Which force?,Why?,Points - Why?
+1,x,y,anonymous,,4,,BLUE-FOX,,first,1,so,3
+2,x,y,anonymous,,1,,RED-OWL,,none,0,so,1
+"""
+
+
+def rows(content: str | bytes) -> list[tuple[str, dict[str, float], float]]:
+    """Students with their marks and totals."""
+    raw = content.encode() if isinstance(content, str) else content
+    return [
+        (t.student, {k: float(v) for k, v in t.items.items() if v is not None}, float(t.marks))
+        for t in read_table("marks.csv", raw).taken
+    ]
+
+
+@pytest.mark.parametrize("text", [MOODLE, MOODLE_GERMAN])
+def test_moodles_results_are_read_as_they_come(text: str) -> None:
+    found = rows(text)
+    assert [(row[0], row[2]) for row in found] == [
+        ("fox@school.example", 7.5), ("owl@school.example", 2.5),
+    ]  # fmt: skip
+    first, second = read_table("m.csv", text.encode()).taken
+    assert set(map(float, first.most.values())) == {5}
+    assert sorted(v is None for v in second.items.values()) == [False, True]
+
+
+def test_an_attempt_that_was_not_handed_in_is_named_and_the_average_is_no_student() -> None:
+    table = read_table("m.csv", MOODLE.encode())
+    assert table.kind == "moodle"
+    assert table.refused == (("m.csv, line 4", "this attempt was not handed in"),)
+
+
+def test_googles_answers_are_read_as_they_come() -> None:
+    assert rows(GOOGLE) == [("BLUE-FOX", {}, 7), ("RED-OWL", {}, 2)]
+    fox = read_table("g.csv", GOOGLE.encode()).taken[0]
+    assert (fox.of, fox.klass) == (10, "7a")
+    assert rows(GOOGLE_ITEMS) == [
+        ("BLUE-FOX", {"Which force?": 1}, 1), ("RED-OWL", {"Which force?": 0}, 0),
+    ]  # fmt: skip
+
+
+def test_microsofts_answers_are_read_as_they_come() -> None:
+    assert rows(MICROSOFT) == [
+        ("BLUE-FOX", {"Which force?": 1, "Why?": 3}, 4),
+        ("RED-OWL", {"Which force?": 0, "Why?": 1}, 1),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+@pytest.mark.parametrize("delimiter", [",", ";", "\t"])
+def test_every_usual_way_to_save_a_table_gives_the_same_marks(
+    encoding: str, delimiter: str
+) -> None:
+    text = csv(("Schüler", "vorher", "nachher"), [["Jörg", "3.5", "4"]], delimiter).decode()
+    if delimiter != ",":
+        text = text.replace("3.5", "3,5")
+    found = read_table("m.csv", text.encode(encoding)).taken
+    assert [(t.student, t.form, float(t.marks)) for t in found] == [
+        ("Jörg", "pre", 3.5), ("Jörg", "post", 4.0),
+    ]  # fmt: skip
+
+
+def test_wide_and_long_tables_are_the_same_table() -> None:
+    dice = random.Random(1)
+    marks = {(f"s{k}", form, f"Q{i}"): dice.randint(0, 1)
+             for k in range(12) for form in ("pre", "post") for i in range(3)}  # fmt: skip
+    names = [f"s{k}" for k in range(12)]
+    forms, items = ("pre", "post"), ("Q0", "Q1", "Q2")
+    wide = csv(("student", *(f"{f}_{i}" for f in forms for i in items)),
+               [[s, *(marks[s, f, i] for f in forms for i in items)] for s in names])  # fmt: skip
+    by_test = csv(("student", "time", *items),
+                  [[s, f, *(marks[s, f, i] for i in items)]
+                   for s in names for f in forms])  # fmt: skip
+    by_answer = csv(("student", "time", "item", "mark"),
+                    [[s, f, i, m] for (s, f, i), m in marks.items()])  # fmt: skip
+    lessons = [judged(table).lesson for table in (wide, by_test, by_answer)]
+    assert lessons[0] == lessons[1] == lessons[2]
+    assert lessons[0].pairs["class"].n == 12
+
+
+def test_two_tables_are_two_tests_of_one_lesson() -> None:
+    one, other = (csv(("student", "total (9)"), [[f"s{k}", (k * step) % 8] for k in range(9)])
+                  for step in (1, 3))  # fmt: skip
+    lesson = judged(one, other, forms=("pre", "post")).lesson
+    assert list(lesson.forms) == ["pre", "post"]
+    assert lesson.pairs["class"].n == 9
+    assert lesson.pairs_of == 9
+
+
+def test_a_row_key_turns_letters_into_marks_and_the_curves_of_options() -> None:
+    dice, students = random.Random(9), []
+    for k in range(40):
+        able = k / 40
+        students.append(
+            [f"s{k}", *(key if dice.random() < able else dice.choice("ABCD") for key in "BADCABDC")]
+        )
+    head = ["student", *(f"Q{k}" for k in range(8))]
+    form = reported(csv(head, [["KEY", *"BADCABDC"], *students]))["lessons"][0]["forms"][0]
+    assert form["of"] == 8
+    assert form["n"] == 40
+    by_hand = {s[0]: sum(a == b for a, b in zip(s[1:], "BADCABDC", strict=True)) for s in students}
+    assert {row["student"]: row["total"] for row in form["students"]} == by_hand
+    right = next(c for c in form["items"][0]["choices"] if c["correct"])
+    assert right["label"] == "B"
+    assert right["curve"] == form["items"][0]["curve"]
+    curves = [c["curve"] for c in form["items"][0]["choices"]]
+    assert [sum(quarter) for quarter in zip(*curves, strict=True)] == pytest.approx([1] * 4)
+    assert form["talk"]
+
+
+def test_letters_without_a_key_are_counted_and_not_marked() -> None:
+    rows_ = [[f"s{k}", "AB"[k % 2], "CD"[k % 2]] for k in range(8)]
+    form = reported(csv(("student", "Q1", "Q2"), rows_))["lessons"][0]["forms"][0]
+    assert (form["has_key"], form["of"]) == (False, 0)
+    assert [c["count"] for c in form["items"][0]["choices"]] == [4, 4]
+
+
+def test_marks_that_a_table_does_not_tell_are_asked_for() -> None:
+    gain = reported(WIDE)["lessons"][0]["gains"][0]
+    assert gain["gain"] is None
+    assert any("--max N" in reason for reason in gain["refusals"])
+    assert reported(WIDE, most=10)["lessons"][0]["gains"][0]["gain"] is not None
+    head, line = ("student", "pre", "post"), ["MAX", 10, 10]
+    told = csv(head, [line, *([f"s{k}", k % 5, k % 7] for k in range(14))])
+    assert reported(told)["lessons"][0]["gains"][0]["of"] == 10
+
+
+def test_one_column_for_each_test_is_its_total_whatever_it_is_called() -> None:
+    rows_ = [[f"s{k}", "MF"[k % 2], 500 + k, k % 5, k % 7] for k in range(9)]
+    head = ("ID", "Gender", "Math", "FCI_pre", "FCI_post")
+    lesson = reported(csv(head, rows_), most=30)["lessons"][0]
+    assert [(form["form"], form["of"], form["items"]) for form in lesson["forms"]] == [
+        ("pre", 30, []), ("post", 30, []),
+    ]  # fmt: skip
+    assert lesson["gains"][0]["n"] == 9
+
+
+def test_a_column_beside_totals_is_no_question() -> None:
+    rows_ = [[f"s{k}", 14 + k % 3, 600 + k, k % 5, k % 7] for k in range(9)]
+    report = reported(csv(("student", "age", "entrance", "pre", "post"), rows_))
+    assert [form["form"] for form in report["lessons"][0]["forms"]] == ["pre", "post"]
+    assert report["lessons"][0]["forms"][0]["items"] == []
+    assert report["notes"][0].startswith("Columns that are not counted as marks: “age”, “entrance”")
+
+
+@pytest.mark.parametrize(
+    ("line", "reason"),
+    [
+        ("s1,a,four,3", "pre: “four” is no mark"),
+        ("s1,a,=1+1,3", "pre: “=1+1” is no mark"),
+        ("s1,a,-2,3", "pre: “-2” is below 0"),
+        ("s1,a,1e3,3", "pre: “1e3” is no mark"),
+        ("s1,a,٣,3", "pre: “٣” is no mark"),
+        ("s1,a,12 / 10,3", "pre: “12 / 10” is more than the most marks"),
+        ("s1,a,1,2,3", "5 cells under 4 headings"),
+        ('s1,a,"1"x,3', "a quotation mark opens"),
+        ("s1,,1,3", "no group is given"),
+        ("x" * 200 + ",a,1,3", "the name of the student has 200 characters"),
+        ("s2,b,1,3", "this student is in another group or class (marks.csv, line 3)"),
+    ],
+)
+def test_a_bad_row_is_named_by_its_line_and_the_others_are_read(line: str, reason: str) -> None:
+    text = f"student,group,pre,post\n{line}\n" + "\n".join(f"s{k},a,{k},{k}" for k in range(2, 9))
+    if line.startswith("s2"):
+        text = "student,group,pre,post\nx,a,1,1\n" + text.partition("\n")[2].partition("\n")[2]
+        text = f"{text}\n{line}"
+    report = reported(text.encode(), group_of=lambda row: row.group)
+    (bad,) = report["files"]["refused"]
+    assert bad["reason"].startswith(reason)
+    assert bad["name"] == f"marks.csv, line {10 if line.startswith('s2') else 2}"
+    assert report["lessons"][0]["gains"][0]["n"] == 7 + line.startswith("s2")
+
+
+def test_a_student_twice_waits_for_the_teacher() -> None:
+    twice = WIDE + b"\r\ns3,b,1,1\r\ns4,a,4,4"
+    report = reported(twice)
+    assert {flag["code"] for flag in report["flags"]} == {"doubled-id", "same-file"}
+    assert "s3" not in report["lessons"][0]["gains"][1]["students"]
+    assert "s4" in report["lessons"][0]["gains"][0]["students"]
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        (b"", "no row"),
+        (b"PK\x03\x04rest", "workbook"),
+        (b"\x00\x01\x02", "no file of text"),
+        (b"name,comment\nfox,hello there\n", "no column of marks"),
+        (b"student,item\nfox,Q1\n", "one of marks"),
+    ],
+)
+def test_what_is_no_table_of_marks_is_refused_in_words(content: bytes, reason: str) -> None:
+    with pytest.raises(TableError, match=reason):
+        read_table("x.csv", content)
+
+
+def test_no_cell_reaches_a_spreadsheet_as_a_formula_or_a_page_as_a_tag() -> None:
+    evil = ["=HYPERLINK(1)", "+1+1", "@SUM(1)", "-2+3", "<img src=x onerror=alert(1)>"]
+    head = ["student", "group", *(f"{cell} Q{k}" for k, cell in enumerate(evil))]
+    rows_ = [[f"{evil[k % 5]}{k}", evil[k % 5], *(dice % 2 for dice in range(k, k + 5))]
+             for k in range(25)]  # fmt: skip
+    report = reported(csv(head, rows_))
+    for table in (students_csv(report), items_csv(report)):
+        for line in table.splitlines()[1:]:
+            for cell in line.split('","'):
+                assert cell.strip('"')[:1] not in ("=", "+", "@", "-"), line
+    assert "<img" not in report_html(report)
+
+
+def test_mutated_tables_are_read_or_refused_and_never_break() -> None:
+    dice = random.Random(19)
+    texts = (MOODLE, MOODLE_GERMAN, GOOGLE, GOOGLE_ITEMS, MICROSOFT)
+    seeds = [WIDE, *(text.encode() for text in texts)]
+    words = [
+        '"',
+        ",",
+        ";",
+        "KEY",
+        "MAX",
+        "/",
+        "pre",
+        "post",
+        "time",
+        "item",
+        "-",
+        "−",
+        "1/0",
+        "=cmd()",
+    ]
+    parts = [*(word.encode() for word in words), b"\n", b"\r", b"\0", b"\xff\xfe", b"9" * 30]
+    read = 0
+    for _ in range(2_000):
+        content = bytearray(dice.choice(seeds))
+        for _ in range(dice.randint(1, 6)):
+            at = dice.randrange(len(content))
+            end = at + dice.choice((0, 1, 1, 4, 30))
+            content[at:end] = dice.choice(parts)
+        try:
+            report = reported(bytes(content))
+        except TableError as error:
+            assert str(error)
+            continue
+        read += 1
+        json.dumps(report, allow_nan=False)
+        report_html(report)
+        assert all(", line " in row["name"] for row in report["files"]["refused"])
+    assert read > 500
+
+
+def test_a_test_of_very_many_marks_is_drawn_with_a_few_ticks() -> None:
+    rows_ = [[f"s{k}", k, k * 2] for k in range(9)]
+    report = reported(csv(("student", "pre", "post"), rows_), most=10**30)
+    assert 2 <= report_html(report).count('class="tick"') <= 13
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "most"),
+    [("7", 7, None), ("7,5", 7.5, None), ("7 / 10", 7, 10), ("50 %", 50, 100), ("-", None, None),
+     (".5", 0.5, None), ("3,00/5,00", 3, 5)],
+)  # fmt: skip
+def test_marks_are_read_as_people_write_them(
+    text: str, value: float | None, most: float | None
+) -> None:
+    found, of = mark(text)
+    assert (found, of) == (value, most)
+
+
+def test_headings_tell_the_most_marks_and_the_test() -> None:
+    assert with_most("Q. 1 /1.00") == ("Q. 1", 1)
+    assert with_most("pre (30)") == ("pre", 30)
+    assert with_most("pre [of 30]") == ("pre", 30)
+    assert with_most("Question 3") == ("Question 3", None)
+    assert split_form("pre_Q1") == ("pre", "Q1")
+    assert split_form("Q1 (post)") == ("post", "Q1")
+    assert split_form("energy 3") == ("", "energy 3")
+    assert form_of("前测") == "pre"
+    assert notes_of([]) == []
