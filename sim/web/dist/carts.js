@@ -4702,7 +4702,10 @@
       );
       this.root = root;
       this.spec = spec;
-      this.locked = locked;
+      this.locked = (now) => {
+        draw([]);
+        locked(now);
+      };
       this.saved = need(root, ".carts-saved");
       this.error = need(root, ".carts-predict-error");
       this.button = /** @type {HTMLButtonElement} */

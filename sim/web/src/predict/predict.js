@@ -43,7 +43,10 @@ export class Predict {
     const spec = /** @type {import("../../../view/types.js").PredictSpec} */ (baked.fence.predict);
     this.root = root;
     this.spec = spec;
-    this.locked = locked;
+    this.locked = (/** @type {boolean} */ now) => {
+      draw([]); // the carts leave the place for which it was drawn; the comparison shows it again
+      locked(now);
+    };
     this.saved = need(root, ".carts-saved");
     this.error = need(root, ".carts-predict-error");
     this.button = /** @type {HTMLButtonElement} */ (need(root, ".carts-lock"));

@@ -1,0 +1,1 @@
+"""Pictures of the docs that are taken from the real pages: `make pictures`."""
