@@ -1,7 +1,7 @@
 """The loop at the top of the README: predict, lock, the arrows grow, the light cart flies.
 
-Taken frame by frame from the built lesson, each at its own time of the cart, so that a slow computer
-gives the same film. Needs `make site`, and ffmpeg from Debian's packages.
+Taken frame by frame from the built lesson, each at its own time of the cart, so that a slow
+computer gives the same film. Needs `make site`, and ffmpeg from Debian's packages.
 """
 
 from __future__ import annotations

@@ -36,13 +36,14 @@ export function inside(baked, found = false) {
   return html`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
 <div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
-<div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described">
+<div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described ${id}-keys">
 ${view.layouts.map((layout) => stage(baked, layout))}
 <p class="carts-torn" data-now="no"${!view.mayTear && html` hidden`}>${tr("A torn box is not to scale: its cart is heavier.")}</p>
 ${run.header.effects.length > 0 && html`<p class="carts-acting"></p>`}
 ${fence.camera !== 0 && html`<p class="carts-camera">${cameraText(fence.camera)}</p>`}
 </div>
-<p class="carts-hidden" id="${id}-described">${description(baked)} ${tr("The space bar plays and pauses, the arrow keys step.")}</p>
+<p class="carts-hidden" id="${id}-described">${description(baked)}</p>
+<p class="carts-hidden" id="${id}-keys">${tr("The space bar plays and pauses, the arrow keys step.")}</p>
 ${timeline(baked)}
 ${transport(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>

@@ -232,6 +232,9 @@
     ended = () => {
     };
     // what to do at the end of the run
+    /** What to do after steps. @type {(before: number) => void} */
+    stepped = () => {
+    };
     /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
     /** @type {number[]} s, where playing stops by itself */
@@ -294,6 +297,7 @@
     /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
     step(way, count2 = 1) {
       this.pause();
+      const start = this.time;
       for (let k = 0; k < count2; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
@@ -302,6 +306,7 @@
         this.#move(passed ? event : target);
         this.#tell(before, way > 0);
       }
+      this.stepped(start);
     }
     /** @param {number} now */
     #tick(now) {
@@ -6437,6 +6442,68 @@ ${lines3.join("\n")}
     }
   };
 
+  // ../view/instant.js
+  var FEW2 = 6;
+  function instant({ header, trajectory }, t3, view, camera, forces2) {
+    const { decimals } = view;
+    const time = tr("At {time} s:", { time: fixed(t3, decimals.t ?? 3) });
+    const carts = header.bodies.slice(0, FEW2).map(({ name: name2 }) => {
+      const [x2, v2, a2] = [trajectory.x[name2], trajectory.v[name2], trajectory.a[name2]];
+      const place3 = valueAt(trajectory.t, x2 ?? [], v2 ?? [], t3) - camera * t3;
+      const speed = valueAt(trajectory.t, v2 ?? [], a2 ?? [], t3) - camera;
+      const seen = Math.abs(speed) < NOISE * view.velocity ? 0 : speed;
+      return tr("{cart} at {place} m, {velocity}.", {
+        cart: name2,
+        place: fixed(place3, decimals.x ?? 3),
+        velocity: motion(seen, decimals.v ?? 2, view.velocity)
+      });
+    });
+    return [time, ...carts, ...forces2 ? pushes(header, trajectory, t3, decimals.F ?? 2) : []].join(
+      " "
+    );
+  }
+  function pushes({ contacts }, { t: times2, F: F2, dF }, t3, decimals) {
+    return contacts.flatMap(({ pair, bodies: [left, right] }) => {
+      const force2 = F2[pair] ? valueAt(times2, F2[pair], dF[pair] ?? null, t3) : 0;
+      const size = fixed(Math.abs(force2), decimals);
+      if (!Number(size)) return [];
+      const [one, other] = isWall(left) ? [right, left] : [left, right];
+      const names = {
+        one: forceOn(body(one), body(other)),
+        other: forceOn(body(other), body(one)),
+        size
+      };
+      return [tr("{one}: {size} N; {other}: {size} N.", names)];
+    });
+  }
+
+  // src/scene/described.js
+  var REST2 = 250;
+  var Described = class {
+    #timer = 0;
+    #told = false;
+    /** @param {HTMLElement} root @param {import("../../../view/types.js").Baked} baked */
+    constructor(root, { fence, view }) {
+      this.place = root.querySelector(`#${CSS.escape(fence.id)}-described`);
+      this.fence = fence;
+      this.view = view;
+    }
+    /** @param {import("../../../view/types.js").Run} run @param {number} t in s @returns {string} the instant in words */
+    words(run, t3) {
+      return instant(run, t3, this.view, this.fence.camera, this.fence.forces === "shown");
+    }
+    /** @param {import("../../../view/types.js").Run} run @param {number} t in s @param {boolean} moving */
+    at(run, t3, moving) {
+      clearTimeout(this.#timer);
+      if (moving || !this.place || run.trajectory.t.length < 2) return;
+      if (t3 === 0 && !this.#told) return;
+      this.#told = true;
+      this.#timer = setTimeout(() => {
+        if (this.place) say(this.place, this.words(run, t3));
+      }, REST2);
+    }
+  };
+
   // src/scene/drag.js
   var Drag = class {
     /** @type {{control: Control, from: number, x: number, perUnit: number, sent: number} | null} */
@@ -7383,7 +7450,10 @@ ${lines3.join("\n")}
   // src/scene/graphs/table.js
   var ROWS2 = 10;
   var MOST_EVENTS = 24;
-  var REST2 = 250;
+  var WITHIN = 9;
+  var MOST_CONTACTS = 3;
+  var OF_CONTACTS = ["F", "R", "a"];
+  var REST3 = 250;
   var Table = class {
     /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
@@ -7399,14 +7469,17 @@ ${lines3.join("\n")}
       details;
       this.quantity = quantity;
       this.view = view;
-      details.addEventListener("toggle", () => this.fill());
+      details.addEventListener("toggle", () => {
+        this.#waiting = this.#shown;
+        this.fill();
+      });
     }
     /** @param {Run} run @param {Series[]} curves */
     show(run, curves) {
       this.#waiting = { run, curves };
       this.#shown = this.#waiting;
       clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST2);
+      this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST3);
     }
     /** @param {number} seen s, as far as the run was watched */
     grow(seen) {
@@ -7444,9 +7517,18 @@ ${lines3.join("\n")}
     }
     /** @param {Run} run */
     #times(run) {
-      return tableTimes(run).filter((t3) => t3 <= this.#seen);
+      const told3 = this.details.open && OF_CONTACTS.includes(this.quantity);
+      const within = told3 ? contactTimes(run) : [];
+      const times2 = /* @__PURE__ */ new Set([...tableTimes(run), ...within]);
+      return [...times2].filter((t3) => t3 <= this.#seen).sort((a2, b2) => a2 - b2);
     }
   };
+  function contactTimes({ header, trajectory }) {
+    const last = Number(trajectory.t[trajectory.t.length - 1]);
+    return touches(header.events, header.until).slice(0, MOST_CONTACTS).flatMap(
+      ({ start, end }) => Array.from({ length: WITHIN }, (_2, k) => start + (k + 1) / (WITHIN + 1) * (end - start))
+    ).filter((t3) => t3 <= last);
+  }
   function tableTimes({ header, trajectory }) {
     const times2 = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times2.add(event.t);
@@ -8442,11 +8524,11 @@ ${lines3.join("\n")}
     /** @param {import("../../../view/types.js").Run} run @param {import("../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
-      const pushes = isTold(run) ? marks(header, false) : [];
+      const pushes2 = isTold(run) ? marks(header, false) : [];
       this.#touches = windows;
       this.#events = [
         ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end"),
-        ...pushes.map(({ t: t3 }) => ({ t: t3, kind: "push" }))
+        ...pushes2.map(({ t: t3 }) => ({ t: t3, kind: "push" }))
       ];
       if (this.#until !== header.until) this.#renumber(header.until);
       this.#mark();
@@ -8801,6 +8883,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.#offerChoices();
       this.transport = new Transport(root, this.player, baked.view.decimals);
       this.announcer = new Announcer(root);
+      this.described = new Described(root, baked);
+      this.player.stepped = (before) => this.#stepped(before);
       this.drawing.zoom.addEventListener("change", () => this.#zoom());
       need(root, ".carts-frame").addEventListener("carts-redraw", () => {
         for (const graph2 of this.drawing.graphs) graph2.show(this.run, this.player.time);
@@ -8831,8 +8915,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.drawing.show(run, this.player.time);
       this.player.until = header.until;
       this.player.parts = slowParts(this.drawing.windows);
-      const pushes = isTold(run) ? marks(header, false) : [];
-      this.player.stops = [...header.events, ...pushes].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
+      const pushes2 = isTold(run) ? marks(header, false) : [];
+      this.player.stops = [...header.events, ...pushes2].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
       this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t: t3 }) => t3);
       this.#zoom();
       this.player.seek(this.player.time);
@@ -8852,8 +8936,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     /** Fills and opens the tables for paper. @param {boolean} open */
     print(open2) {
       for (const { table } of this.drawing.graphs) {
-        table.fill();
         table.details.open = open2;
+        table.fill();
       }
     }
     /** @param {number} before @param {boolean} forward */
@@ -8863,7 +8947,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.drawing.at(t3);
       for (const ghost of this.ghosts) ghost.at(t3);
       this.transport.show();
+      this.described.at(this.run, t3, this.player.playing);
       if (forward && t3 !== before) this.announcer.tell(this.drawing.story.between(before, t3));
+    }
+    /** Says what a step led to. @param {number} before in s */
+    #stepped(before) {
+      const t3 = this.player.time;
+      const events = t3 > before ? this.drawing.story.between(before, t3) : [];
+      if (t3 !== before) this.announcer.tell([...events, this.described.words(this.run, t3)]);
     }
     #offerChoices() {
       const { views } = this.drawing;

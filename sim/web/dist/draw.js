@@ -12534,13 +12534,14 @@ ${fence.watch === "first" && html`<button type="button" class="carts-button cart
     return html`<div class="carts-frame" role="group" aria-labelledby="${id}-title">
 <div class="carts-top"><p class="carts-title" id="${id}-title">${run.header.title ?? tr("Carts on an air track")}</p><button type="button" class="carts-sign carts-project" title=${tr("Full screen for the class (key P)")} aria-pressed="false" disabled>${tr("projector")}</button><span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span></div>
 <div class="carts-note" role="status" hidden></div>
-<div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described">
+<div class="carts-world" tabindex="0" role="group" aria-label=${tr("Carts on the track")} aria-describedby="${id}-described ${id}-keys">
 ${view.layouts.map((layout) => stage(baked, layout))}
 <p class="carts-torn" data-now="no"${!view.mayTear && html` hidden`}>${tr("A torn box is not to scale: its cart is heavier.")}</p>
 ${run.header.effects.length > 0 && html`<p class="carts-acting"></p>`}
 ${fence.camera !== 0 && html`<p class="carts-camera">${cameraText(fence.camera)}</p>`}
 </div>
-<p class="carts-hidden" id="${id}-described">${description(baked)} ${tr("The space bar plays and pauses, the arrow keys step.")}</p>
+<p class="carts-hidden" id="${id}-described">${description(baked)}</p>
+<p class="carts-hidden" id="${id}-keys">${tr("The space bar plays and pauses, the arrow keys step.")}</p>
 ${timeline(baked)}
 ${transport(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
@@ -13850,6 +13851,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
   // src/scene/graphs/table.js
   var ROWS2 = 10;
   var MOST_EVENTS = 24;
+  var WITHIN = 9;
+  var MOST_CONTACTS = 3;
+  var OF_CONTACTS = ["F", "R", "a"];
   var REST = 250;
   var Table = class {
     /** @type {{run: Run, curves: Series[]} | null} */
@@ -13866,7 +13870,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       details;
       this.quantity = quantity;
       this.view = view;
-      details.addEventListener("toggle", () => this.fill());
+      details.addEventListener("toggle", () => {
+        this.#waiting = this.#shown;
+        this.fill();
+      });
     }
     /** @param {Run} run @param {Series[]} curves */
     show(run, curves) {
@@ -13911,9 +13918,18 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** @param {Run} run */
     #times(run) {
-      return tableTimes(run).filter((t) => t <= this.#seen);
+      const told3 = this.details.open && OF_CONTACTS.includes(this.quantity);
+      const within = told3 ? contactTimes(run) : [];
+      const times2 = /* @__PURE__ */ new Set([...tableTimes(run), ...within]);
+      return [...times2].filter((t) => t <= this.#seen).sort((a, b) => a - b);
     }
   };
+  function contactTimes({ header, trajectory }) {
+    const last = Number(trajectory.t[trajectory.t.length - 1]);
+    return touches(header.events, header.until).slice(0, MOST_CONTACTS).flatMap(
+      ({ start, end }) => Array.from({ length: WITHIN }, (_, k) => start + (k + 1) / (WITHIN + 1) * (end - start))
+    ).filter((t) => t <= last);
+  }
   function tableTimes({ header, trajectory }) {
     const times2 = /* @__PURE__ */ new Set([...ticks(span(0, header.until, ROWS2)), header.until]);
     for (const event of header.events.slice(0, MOST_EVENTS)) times2.add(event.t);

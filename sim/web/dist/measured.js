@@ -482,6 +482,9 @@
     ended = () => {
     };
     // what to do at the end of the run
+    /** What to do after steps. @type {(before: number) => void} */
+    stepped = () => {
+    };
     /** @type {import("./slow.js").SlowPart[]} */
     parts = [];
     /** @type {number[]} s, where playing stops by itself */
@@ -544,6 +547,7 @@
     /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
     step(way, count = 1) {
       this.pause();
+      const start = this.time;
       for (let k = 0; k < count; k += 1) {
         const before = this.time;
         const target = before + way * STEP * this.rate;
@@ -552,6 +556,7 @@
         this.#move(passed ? event : target);
         this.#tell(before, way > 0);
       }
+      this.stepped(start);
     }
     /** @param {number} now */
     #tick(now) {

@@ -17,6 +17,8 @@ export class Player {
   /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
   seen = Infinity;
   ended = () => {}; // what to do at the end of the run
+  /** What to do after steps. @type {(before: number) => void} */
+  stepped = () => {};
   /** @type {import("./slow.js").SlowPart[]} */
   parts = [];
   /** @type {number[]} s, where playing stops by itself */
@@ -88,6 +90,7 @@ export class Player {
   /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
   step(way, count = 1) {
     this.pause();
+    const start = this.time;
     for (let k = 0; k < count; k += 1) {
       const before = this.time;
       const target = before + way * STEP * this.rate;
@@ -99,6 +102,7 @@ export class Player {
       this.#move(passed ? event : target);
       this.#tell(before, way > 0);
     }
+    this.stepped(start);
   }
 
   /** @param {number} now */

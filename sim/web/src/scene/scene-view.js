@@ -4,6 +4,7 @@ import { marks } from "../../../view/effects-words.js";
 import { isTold } from "../../../view/trajectory.js";
 import { need } from "../shared/dom.js";
 import { Announcer } from "./announcer.js";
+import { Described } from "./described.js";
 import { Drag } from "./drag.js";
 import { Drawing } from "./drawing.js";
 import { Choose, emptyGraph } from "./graphs/choose.js";
@@ -36,6 +37,8 @@ export class SceneView {
     this.#offerChoices();
     this.transport = new Transport(root, this.player, baked.view.decimals);
     this.announcer = new Announcer(root);
+    this.described = new Described(root, baked);
+    this.player.stepped = (before) => this.#stepped(before);
     this.drawing.zoom.addEventListener("change", () => this.#zoom());
     need(root, ".carts-frame").addEventListener("carts-redraw", () => {
       for (const graph of this.drawing.graphs) graph.show(this.run, this.player.time);
@@ -95,8 +98,8 @@ export class SceneView {
   /** Fills and opens the tables for paper. @param {boolean} open */
   print(open) {
     for (const { table } of this.drawing.graphs) {
-      table.fill();
       table.details.open = open;
+      table.fill();
     }
   }
 
@@ -107,7 +110,15 @@ export class SceneView {
     this.drawing.at(t);
     for (const ghost of this.ghosts) ghost.at(t);
     this.transport.show();
+    this.described.at(this.run, t, this.player.playing);
     if (forward && t !== before) this.announcer.tell(this.drawing.story.between(before, t));
+  }
+
+  /** Says what a step led to. @param {number} before in s */
+  #stepped(before) {
+    const t = this.player.time;
+    const events = t > before ? this.drawing.story.between(before, t) : [];
+    if (t !== before) this.announcer.tell([...events, this.described.words(this.run, t)]);
   }
 
   #offerChoices() {

@@ -7,6 +7,7 @@ import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, speedUnit } from "../../../../view/numbers.js";
 import { span, ticks } from "../../../../view/scales.js";
 import { valueAt } from "../../../../view/trajectory.js";
+import { touches } from "../../../../view/windows.js";
 import { QUANTITIES } from "../../../../view/words.js";
 import { html, need } from "../../shared/dom.js";
 
@@ -15,6 +16,9 @@ import { html, need } from "../../shared/dom.js";
 
 const ROWS = 10;
 const MOST_EVENTS = 24;
+const WITHIN = 9; // instants within a contact, where forces are told
+const MOST_CONTACTS = 3;
+const OF_CONTACTS = ["F", "R", "a"];
 const REST = 250; // ms without a new run before a closed table is filled
 
 export class Table {
@@ -31,7 +35,10 @@ export class Table {
     this.details = /** @type {HTMLDetailsElement} */ (details);
     this.quantity = quantity;
     this.view = view;
-    details.addEventListener("toggle", () => this.fill());
+    details.addEventListener("toggle", () => {
+      this.#waiting = this.#shown; // an open one has more rows than the page was built with
+      this.fill();
+    });
   }
 
   /** @param {Run} run @param {Series[]} curves */
@@ -80,8 +87,22 @@ export class Table {
 
   /** @param {Run} run */
   #times(run) {
-    return tableTimes(run).filter((t) => t <= this.#seen);
+    const told = this.details.open && OF_CONTACTS.includes(this.quantity);
+    const within = told ? contactTimes(run) : [];
+    const times = new Set([...tableTimes(run), ...within]);
+    return [...times].filter((t) => t <= this.#seen).sort((a, b) => a - b);
   }
+}
+
+/** Instants within the first contacts that last. @param {Run} run @returns {number[]} */
+function contactTimes({ header, trajectory }) {
+  const last = Number(trajectory.t[trajectory.t.length - 1]);
+  return touches(header.events, header.until)
+    .slice(0, MOST_CONTACTS)
+    .flatMap(({ start, end }) =>
+      Array.from({ length: WITHIN }, (_, k) => start + ((k + 1) / (WITHIN + 1)) * (end - start)),
+    )
+    .filter((t) => t <= last);
 }
 
 /** @param {Run} run @returns {number[]} round times and the times of the events, as far as the run got */
