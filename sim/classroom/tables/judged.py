@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sim.classroom.report.flag import Flag
-from sim.classroom.report.sentences import rows_doubled, rows_equal, rows_nameless
+from sim.classroom.tables.sentences import rows_doubled, rows_equal, rows_nameless
 from sim.classroom.tables.taken import Taken
 
 Refused = tuple[str, str]

@@ -6,13 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from sim.classroom.report import sentences as say
 from sim.classroom.report.flag import Flag
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.form_rows import plain
 from sim.classroom.summary.lesson_rows import Who
 from sim.classroom.summary.sums import LessonSums
+from sim.classroom.tables import sentences as say
 from sim.classroom.tables.judged import judged
 from sim.classroom.tables.sums import lesson_of
 from sim.classroom.tables.taken import WORTH_SEEN, MarkTable, Taken

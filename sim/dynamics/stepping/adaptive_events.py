@@ -16,8 +16,8 @@ from collections.abc import Callable
 from typing import Any
 
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.field import Row
 from sim.dynamics.stepping.located import CLOSE, Key, crossed, first_zero
+from sim.dynamics.stepping.pairs import Row
 from sim.dynamics.stepping.stepper import LocatedStepper
 from sim.scene.model import Scene
 

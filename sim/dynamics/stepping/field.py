@@ -16,44 +16,13 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
-from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.joint_forces import told
-from sim.effects.forces import FRICTION, BodyForce, PairForce, acting
-from sim.laws.lookup import contact_law
-from sim.laws.stepping import Mode, SteppedContact
-from sim.scene.model import Contact, Scene
-
-Row = list[Any]
-"""One number per cart; or one array, where many runs go on at once."""
-
-
-@dataclass(slots=True)
-class Pair:
-    """The neighbours of one gap; a wall has the index None. `force` is None without duration."""
-
-    gap: int
-    left: int | None
-    right: int | None
-    room: float  # m, at the start
-    contact: Contact
-    mu: float
-    force: SteppedContact | None
-    links: tuple[PairForce, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Detail:
-    """One evaluation: forces in N per gap and cart, power in W that dampers take, velocities."""
-
-    push: Row
-    links: dict[tuple[str, int], float]
-    outside: dict[tuple[str, int], float]
-    warming: float
-    damped: dict[str, float]
-    v: Row
+from sim.dynamics.stepping.pairs import Detail, Pair, Row, link_force, pair_of
+from sim.effects.forces import FRICTION, BodyForce, acting
+from sim.laws.stepping import Mode
+from sim.scene.model import Scene
 
 
 class Field:
@@ -65,7 +34,11 @@ class Field:
         self.mass = [cart.mass for cart in scene.carts]
         self.inverse = [1.0 / mass for mass in self.mass]
         self._acting = acting(scene)
-        self.pairs = [pair for k in range(self.count + 1) if (pair := self._pair(k)) is not None]
+        self.pairs = [
+            pair
+            for k in range(self.count + 1)
+            if (pair := pair_of(scene, k, self._acting)) is not None
+        ]
         self.pair_at = {pair.gap: pair for pair in self.pairs}
         self.memory: list[Any] = [self.number() for _ in range(self.count + 1)]
         self.modes: dict[int, Mode] | None = None  # by gap, where events are located
@@ -94,28 +67,6 @@ class Field:
         import numpy as np
 
         return np.zeros(self.lanes)
-
-    def _pair(self, gap: int) -> Pair | None:
-        scene = self.scene
-        contact = scene.contacts[gap]
-        if contact is None:
-            return None
-        left = gap - 1 if gap > 0 else None
-        right = gap if gap < self.count else None
-        masses = [scene.carts[k].mass for k in (left, right) if k is not None]
-        mu = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1])
-        law = contact_law(contact)
-        links = (one.pair_force(gap) for one in self._acting)
-        return Pair(
-            gap,
-            left,
-            right,
-            scene.gaps[gap],
-            contact,
-            mu,
-            law.stepping(mu) if law is not None else None,
-            tuple(link for link in links if link is not None),
-        )
 
     def _grips(self) -> list[tuple[float, float]] | None:
         found = [
@@ -176,24 +127,10 @@ class Field:
             else:
                 push[gap] = force.push(d, rate, self.memory[gap])
             for link in pair.links:
-                links[link.kind, gap] = links.get((link.kind, gap), 0.0) + self._link(link, d, rate)
-        return push, links, self._total(t, v, push, links)
-
-    def _link(self, link: PairForce, d: Any, rate: Any) -> Any:
-        if not self.lanes:
-            if d >= 0.0 and link.nearest:
-                raise UnsolvedError(
-                    f"a step took two carts through each other, where {link.kind} have no force",
-                    "a shorter step",
-                    0.0,
-                    (),
+                links[link.kind, gap] = links.get((link.kind, gap), 0.0) + link_force(
+                    link, d, rate, lanes=bool(self.lanes)
                 )
-            return link.force(-d, -rate)
-        import numpy as np
-
-        return np.array(
-            [link.force(-a, -b) for a, b in zip(d.tolist(), rate.tolist(), strict=True)]
-        )
+        return push, links, self._total(t, v, push, links)
 
     def _total(self, t: Any, v: Row, push: Row, links: dict[tuple[str, int], float]) -> Row:
         """N on each cart, friction left out."""

@@ -9,8 +9,9 @@ method joins the two, and asks for the force that keeps them together:
 
 from __future__ import annotations
 
-from sim.dynamics.stepping.field import Field, Pair, Row
+from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.joint_forces import joint_forces
+from sim.dynamics.stepping.pairs import Pair, Row
 
 
 def stays_pressed(field: Field, pair: Pair, t: float, s: Row, v: Row) -> bool:

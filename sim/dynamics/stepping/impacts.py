@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.dynamics.motion.impact import outgoing
-from sim.dynamics.stepping.field import Field, Pair, Row
+from sim.dynamics.stepping.field import Field
+from sim.dynamics.stepping.pairs import Pair, Row
 from sim.effects.forces import EnergyRelease
 
 SWEEPS = 20

@@ -12,8 +12,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sim.dynamics.stepping import held
-from sim.dynamics.stepping.field import Field, Row
+from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Impacts
+from sim.dynamics.stepping.pairs import Row
 
 Key = tuple[str, int, int]
 """("gap", its number, which of its guards) or ("body", its first cart, 0)."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, ClassVar, Protocol
 
-from sim.dynamics.stepping.field import Field, Row
+from sim.dynamics.stepping.field import Field
+from sim.dynamics.stepping.pairs import Row
 
 
 class StepMethod(Protocol):

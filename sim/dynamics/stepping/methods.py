@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sim.dynamics.stepping.explicit_euler import ExplicitEuler
-from sim.dynamics.stepping.field import Row
 from sim.dynamics.stepping.method import StepMethod
+from sim.dynamics.stepping.pairs import Row
 from sim.dynamics.stepping.rk4 import RK4
 from sim.dynamics.stepping.semi_implicit_euler import SemiImplicitEuler
 from sim.dynamics.stepping.stepper import LocatedStepper, Stepper

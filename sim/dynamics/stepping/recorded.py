@@ -20,8 +20,8 @@ from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.result.trajectory import Trajectory
-from sim.dynamics.stepping.field import Detail, Pair, Row
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
+from sim.dynamics.stepping.pairs import Detail, Pair, Row
 from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
 from sim.laws.lookup import contact_law

@@ -12,7 +12,8 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from sim.dynamics.stepping.field import Field, Row
+from sim.dynamics.stepping.field import Field
+from sim.dynamics.stepping.pairs import Row
 
 
 class RK4:

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from sim.dynamics.stepping.field import Detail, Field, Row
+from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Impacts
 from sim.dynamics.stepping.located import CLOSE, MOST_CHANGES, Key, Located, crossed, first_zero
 from sim.dynamics.stepping.method import StepMethod
+from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.rk4 import RK4
 from sim.scene.model import Scene
 

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 from sim.dynamics.result.events import ORDER, Event
 from sim.dynamics.result.record import Record
-from sim.dynamics.stepping.field import Field, Pair, Row
+from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Blow
+from sim.dynamics.stepping.pairs import Pair, Row
 
 Speeds = tuple[float, float]
 

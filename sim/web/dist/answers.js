@@ -1555,6 +1555,21 @@
     }
   };
 
+  // src/question/earlier.js
+  function showEarlier(question, earlier, hash2) {
+    const place2 = need(question, ".carts-q-earlier");
+    const old = earlier.filter((entry) => !isEmpty(entry.value));
+    place2.hidden = old.length === 0;
+    place2.replaceChildren(
+      ...old.map((entry) => {
+        const line = html("p");
+        const head = entry.hash !== hash2 ? tr("Your answer to an earlier version of this question:") : tr("Your other answer:");
+        line.append(html("strong", "", head), " ", entry.said || JSON.stringify(entry.value));
+        return line;
+      })
+    );
+  }
+
   // ../view/numbers.js
   var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   function exponent(value) {
@@ -2386,22 +2401,7 @@
           this.#say(isEmpty(found2.value) ? "" : this.#keptWord());
         }
         this.#print();
-        this.#showEarlier(earlier);
-      }
-      /** @param {any[]} earlier */
-      #showEarlier(earlier) {
-        const place2 = need(this, ".carts-q-earlier");
-        const old = earlier.filter((entry) => !isEmpty(entry.value));
-        place2.hidden = old.length === 0;
-        place2.replaceChildren(
-          ...old.map((entry) => {
-            const line = html("p");
-            const other = entry.hash !== this.facts.hash;
-            const head = other ? tr("Your answer to an earlier version of this question:") : tr("Your other answer:");
-            line.append(html("strong", "", head), " ", entry.said || JSON.stringify(entry.value));
-            return line;
-          })
-        );
+        showEarlier(this, earlier, this.facts.hash);
       }
       #changed() {
         if (this.closed || !this.#ready) return;

@@ -929,9 +929,9 @@
       }
       /** @param {string} message */
       #note(message) {
-        const note = need(this, ".carts-note");
-        say(note, message);
-        note.hidden = !message;
+        const note2 = need(this, ".carts-note");
+        say(note2, message);
+        note2.hidden = !message;
       }
     };
   }
@@ -1104,9 +1104,9 @@
       /** @param {Error & {reason?: string}} error */
       #fail(error) {
         this.dataset.reason = error.reason ?? "failed";
-        const note = need(this, ".carts-note");
-        say(note, `${error.message} ${KEPT}`);
-        note.hidden = false;
+        const note2 = need(this, ".carts-note");
+        say(note2, `${error.message} ${KEPT}`);
+        note2.hidden = false;
         this.#say("");
       }
       /** @param {string} text */
@@ -2386,9 +2386,9 @@
       }
       /** @param {string} message */
       #tell(message) {
-        const note = need(this, ".carts-note");
-        say(note, message);
-        note.hidden = !message;
+        const note2 = need(this, ".carts-note");
+        say(note2, message);
+        note2.hidden = !message;
       }
       /**
        * Asks for the whole map and draws it; what has to be run point by point comes afterwards.
@@ -3668,16 +3668,16 @@
     frame2.replaceWith(template.content);
     script.textContent = JSON.stringify({ ...baked, ...differs });
     template.remove();
-    const note = element.querySelector(".carts-found");
-    if (!note) return;
-    note.replaceChildren(
+    const note2 = element.querySelector(".carts-found");
+    if (!note2) return;
+    note2.replaceChildren(
       html("b", "", tr("You found the forces.")),
       " ",
       tr(
         "Now they are shown at each instant. Yours are the means: the steady forces that would do the same in the same time."
       )
     );
-    note.hidden = false;
+    note2.hidden = false;
   }
   function meanForces(run) {
     const found2 = [];
@@ -3725,6 +3725,18 @@
   var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
   var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
   var PREDICTION_KEPT = tr("Your prediction is kept.");
+  function note(scene, message) {
+    const place3 = need(scene, ".carts-note");
+    place3.hidden = !message;
+    say(place3, message);
+  }
+  function planOf(run) {
+    return (run?.header.plan ?? []).map((phase) => ({ ...phase, why: told2(phase.why) }));
+  }
+  function offerUndo(scene, on) {
+    const undo = scene.querySelector(".carts-undo");
+    if (undo instanceof HTMLButtonElement) undo.disabled = !on;
+  }
 
   // ../view/effects-forces.js
   var FEW = 3;
@@ -3997,8 +4009,53 @@
     }
   };
 
-  // src/predict/arrows.js
+  // src/predict/arrow-parts.js
   var LONG = 120;
+  function asked2(element, contacts) {
+    const { pair = "", on = "" } = element.dataset;
+    const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
+    const side = (
+      /** @type {"left" | "right"} */
+      bodies[0] === on ? "left" : "right"
+    );
+    return {
+      pair,
+      on,
+      by: (side === "left" ? bodies[1] : bodies[0]) ?? "",
+      side,
+      style: element.className.split(" ").find((name2) => /^carts-(b\d|wall)$/.test(name2)) ?? "",
+      slider: (
+        /** @type {HTMLInputElement} */
+        need(element, 'input[type="range"]')
+      )
+    };
+  }
+  function name({ on, by }) {
+    return forceOn(body(on), body(by));
+  }
+  function greatest2(run, pair) {
+    const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
+    const peak = run.header.events.find(
+      (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
+    );
+    if (typeof peak?.force === "number") return peak.force;
+    return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
+  }
+  function pulled(length, className, side, cut = false) {
+    const width = Math.max(length, 6) + 4;
+    const picture2 = svg("svg", {
+      viewBox: `0 0 ${width} 20`,
+      width,
+      height: 20,
+      "aria-hidden": "true"
+    });
+    const draw = cut ? cutArrow : blockArrow;
+    const d2 = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
+    picture2.append(svg("path", { class: className, d: d2 }));
+    return picture2;
+  }
+
+  // src/predict/arrows.js
   var MOST2 = 10;
   var ArrowsForm = class {
     /** @type {Row[]} */
@@ -4182,51 +4239,8 @@
       );
     }
   };
-  function asked2(element, contacts) {
-    const { pair = "", on = "" } = element.dataset;
-    const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
-    const side = (
-      /** @type {"left" | "right"} */
-      bodies[0] === on ? "left" : "right"
-    );
-    return {
-      pair,
-      on,
-      by: (side === "left" ? bodies[1] : bodies[0]) ?? "",
-      side,
-      style: element.className.split(" ").find((name2) => /^carts-(b\d|wall)$/.test(name2)) ?? "",
-      slider: (
-        /** @type {HTMLInputElement} */
-        need(element, 'input[type="range"]')
-      )
-    };
-  }
-  function name({ on, by }) {
-    return forceOn(body(on), body(by));
-  }
-  function greatest2(run, pair) {
-    const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
-    const peak = run.header.events.find(
-      (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
-    );
-    if (typeof peak?.force === "number") return peak.force;
-    return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
-  }
   function arrow(size, full, className, side) {
     return pulled(arrowLength(size, full, LONG), className, side, isCut(size, full));
-  }
-  function pulled(length, className, side, cut = false) {
-    const width = Math.max(length, 6) + 4;
-    const picture2 = svg("svg", {
-      viewBox: `0 0 ${width} 20`,
-      width,
-      height: 20,
-      "aria-hidden": "true"
-    });
-    const draw = cut ? cutArrow : blockArrow;
-    const d2 = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
-    picture2.append(svg("path", { class: className, d: d2 }));
-    return picture2;
   }
 
   // ../view/pad.js
@@ -6093,8 +6107,8 @@ ${lines3.join("\n")}
       text.hidden = true;
       text.rows = 4;
       text.setAttribute("aria-label", tr("Text to copy"));
-      const note = html("p", "carts-take-note");
-      note.setAttribute("role", "status");
+      const note2 = html("p", "carts-take-note");
+      note2.setAttribute("role", "status");
       const row = html("p", "carts-take-row");
       for (const [key, name2] of KINDS) {
         const button = html("button", "carts-button", name2);
@@ -6103,7 +6117,7 @@ ${lines3.join("\n")}
         row.append(button);
       }
       const code = html("div", "carts-take-code");
-      place3.append(row, note, text, code);
+      place3.append(row, note2, text, code);
       const offer = async (made3) => {
         text.hidden = false;
         text.value = made3;
@@ -6112,7 +6126,7 @@ ${lines3.join("\n")}
           () => true,
           () => false
         );
-        say(note, copied ? tr("It is copied.") : tr("Copy it from the box."));
+        say(note2, copied ? tr("It is copied.") : tr("Copy it from the box."));
       };
       const acts = {
         csv: () => {
@@ -6142,7 +6156,7 @@ ${lines3.join("\n")}
         const act = acts[button?.dataset.take ?? ""];
         if (!act) return;
         try {
-          say(note, "");
+          say(note2, "");
           code.replaceChildren();
           await act();
         } catch (error) {
@@ -6150,7 +6164,7 @@ ${lines3.join("\n")}
             /** @type {Error} */
             error
           );
-          say(note, tr("This browser could not do it: {why}", { why: message }));
+          say(note2, tr("This browser could not do it: {why}", { why: message }));
         }
       });
     }
@@ -6272,9 +6286,9 @@ ${lines3.join("\n")}
       dataset.state = "failed";
       dataset.reason = error.reason ?? "failed";
       this.acts.failed();
-      const note = need(this.element, ".carts-note");
-      note.hidden = false;
-      say(note, `${error.message} ${this.acts.told() ? STILL_PLAYS : NOT_SHOWN}`);
+      const note2 = need(this.element, ".carts-note");
+      note2.hidden = false;
+      say(note2, `${error.message} ${this.acts.told() ? STILL_PLAYS : NOT_SHOWN}`);
       this.#waiting.reject(error);
       this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
@@ -7273,11 +7287,11 @@ ${lines3.join("\n")}
       this.root = root;
     }
     /** @param {Series[]} curves @param {string} note */
-    show(curves, note) {
-      const wanted = [...curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note].join("|");
+    show(curves, note2) {
+      const wanted = [...curves.map((c2) => `${c2.style}${c2.over}${c2.label}`), note2].join("|");
       if (this.#told === wanted && this.root.firstChild) return;
       this.#told = wanted;
-      this.root.replaceChildren(...curves.map(entry), ...note ? [html("span", "", note)] : []);
+      this.root.replaceChildren(...curves.map(entry), ...note2 ? [html("span", "", note2)] : []);
     }
     /** Something else was written in its place. */
     forget() {
@@ -7700,8 +7714,8 @@ ${lines3.join("\n")}
       } else {
         this.ledger?.clear();
         const whole = this.#seen === Infinity;
-        const note = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
-        this.key.show(this.#curves, note);
+        const note2 = whole ? graphNote(this.quantity, header.events, this.#curves.length) : "";
+        this.key.show(this.#curves, note2);
       }
       this.at(t3);
     }
@@ -9072,7 +9086,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #runs = new Runs(this, client2, {
         scene: () => this.#baked?.fence.scene,
         draw: (run) => this.#draw(run),
-        say: (message) => this.#say(message)
+        say: (message) => note(this, message)
       });
       /** @type {ReturnType<typeof wireInside> | null} */
       #inside = null;
@@ -9083,13 +9097,13 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       #live = new Live(this, client2, {
         first: () => this.#first(),
         told: () => this.#told,
-        live: () => this.#told && void followLink(this, this.id, (text) => this.#say(text)),
+        live: () => this.#told && void followLink(this, this.id, (text) => note(this, text)),
         failed: () => this.#inside?.controls.enable(false)
       });
       #leaving = new AbortController();
       // ends what the element hears of page and worker
-      /** @type {Promise<void>} when the reader's earlier prediction is back */
       #restored = Promise.resolve();
+      // when the reader's earlier prediction is back
       connectedCallback() {
         this.#listen();
         if (this.#view) return;
@@ -9179,8 +9193,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         return this.#told ? this.#view?.run.trajectory ?? null : null;
       }
       get plan() {
-        const phases = this.#told ? this.#view?.run.header.plan ?? [] : [];
-        return phases.map((phase) => ({ ...phase, why: told2(phase.why) }));
+        return this.#told ? planOf(this.#view?.run) : [];
       }
       get time() {
         return this.#view?.player.time ?? 0;
@@ -9210,19 +9223,12 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       get #free() {
         return !this.#predict || Boolean(this.#watch?.over);
       }
-      /** @param {string} message for the reader; empty: none */
-      #say(message) {
-        const note = need(this, ".carts-note");
-        note.hidden = !message;
-        say(note, message);
-      }
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
         const shown3 = this.#inside?.how.follow(run);
         this.#inside?.controls.show(this.#values.good, run.header);
         this.#inside?.find?.show(run);
-        const undo = this.querySelector(".carts-undo");
-        if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
+        offerUndo(this, this.#told && this.#values.canUndo);
         return shown3;
       }
       #reset() {

@@ -944,6 +944,29 @@
     return typeof value?.text === "string" && typeof value?.base === "string";
   }
 
+  // src/teach/asked.js
+  async function zipped(client, file, text2, published) {
+    const { header } = await client.ask({}, () => ({
+      kind: "teach",
+      do: "zip",
+      file,
+      text: text2,
+      published
+    }));
+    return (
+      /** @type {string} */
+      /** @type {any} */
+      header.base64
+    );
+  }
+  async function restored(client, text2, own) {
+    const { header } = await client.ask({}, () => ({ kind: "teach", do: "restore", text: text2, own }));
+    return (
+      /** @type {any} */
+      header
+    );
+  }
+
   // src/teach/history.js
   var ONE_GO = 1500;
   var History = class {
@@ -2876,6 +2899,24 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
   }
 
+  // src/teach/earlier-draft.js
+  function earlierDraft(session2, draft) {
+    const row = html("p", "carts-teach-earlier");
+    const date = new Date(draft.last).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+    row.append(
+      `You have a draft of an earlier version of this lesson, of ${date}. `,
+      button2("Open it", () => session2.change(draft.text, ""), "carts-teach-older"),
+      " ",
+      button2("Save it", () => download(session2.name, draft.text, "text/markdown")),
+      " ",
+      button2("Delete it", () => {
+        void session2.drafts.forget(draft.hash);
+        row.remove();
+      })
+    );
+    return row;
+  }
+
   // src/teach/fields.js
   var PAUSE = 300;
   var made = 0;
@@ -3400,25 +3441,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     }
     /** @param {import("./drafts.js").Draft[]} drafts */
     offerEarlier(drafts) {
-      for (const draft of drafts) {
-        const row = html("p", "carts-teach-earlier");
-        const date = new Date(draft.last).toLocaleString([], {
-          dateStyle: "medium",
-          timeStyle: "short"
-        });
-        row.append(
-          `You have a draft of an earlier version of this lesson, of ${date}. `,
-          button2("Open it", () => this.session.change(draft.text, ""), "carts-teach-older"),
-          " ",
-          button2("Save it", () => download(this.session.name, draft.text, "text/markdown")),
-          " ",
-          button2("Delete it", () => {
-            void this.session.drafts.forget(draft.hash);
-            row.remove();
-          })
-        );
-        this.notices.append(row);
-      }
+      this.notices.append(...drafts.map((draft) => earlierDraft(this.session, draft)));
     }
     /** The whole text can still be changed and saved. @param {string} why */
     withoutPython(why) {
@@ -3678,16 +3701,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
         this.panel.status("Starting Python …");
         return this.#begin(await hashOf(own) === this.told.hash);
       }
-      const { header } = await this.client.ask({}, () => ({
-        kind: "teach",
-        do: "restore",
-        text: this.text,
-        own
-      }));
-      const { text: text2, missing } = (
-        /** @type {any} */
-        header
-      );
+      const { text: text2, missing } = await restored(this.client, this.text, own);
       const same = await hashOf(own) === this.told.hash;
       if (same) this.base = own;
       this.withheld = missing > 0;
@@ -3695,18 +3709,8 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       this.panel.ownTaken(missing, same);
     }
     /** @returns {Promise<string>} a zip in base64 */
-    async zip() {
-      const { header } = await this.client.ask({}, () => ({
-        kind: "teach",
-        do: "zip",
-        file: this.told.file,
-        text: this.text,
-        published: this.base
-      }));
-      return (
-        /** @type {any} */
-        header.base64
-      );
+    zip() {
+      return zipped(this.client, this.told.file, this.text, this.base);
     }
   };
   function when(time) {

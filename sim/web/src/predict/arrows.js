@@ -1,17 +1,16 @@
 /** Prediction: how long is the force arrow on each body when the bumpers are squeezed the most? */
 
-import { body, forceOn } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { fixed, short } from "../../../view/numbers.js";
-import { arrowLength, blockArrow, cutArrow, isCut } from "../../../view/shapes.js";
-import { html, need, say, svg } from "../shared/dom.js";
+import { arrowLength, isCut } from "../../../view/shapes.js";
+import { html, need, say } from "../shared/dom.js";
 import { readTyped } from "../shared/typed.js";
+import { asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
 
 /** @typedef {{pair: string, on: string, side: "left" | "right", size: number}} Guess size in N; side of the pair */
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, size: number | null,
  *   good: number | null, slider: HTMLInputElement, box: HTMLInputElement, error: HTMLElement}} Row */
 
-export const LONG = 120; // units of the comparison that stand for the full scale
 const MOST = 10; // full scales; a longer arrow than the slider's is typed, and drawn cut
 
 export class ArrowsForm {
@@ -199,55 +198,7 @@ export class ArrowsForm {
   }
 }
 
-/**
- * Which force a row of the form asks for, and its slider.
- * @param {HTMLElement} element @param {import("../../../view/types.js").Contact[]} contacts
- */
-export function asked(element, contacts) {
-  const { pair = "", on = "" } = element.dataset;
-  const bodies = contacts.find((contact) => contact.pair === pair)?.bodies ?? [on, on];
-  const side = /** @type {"left" | "right"} */ (bodies[0] === on ? "left" : "right");
-  return {
-    pair,
-    on,
-    by: (side === "left" ? bodies[1] : bodies[0]) ?? "",
-    side,
-    style: element.className.split(" ").find((name) => /^carts-(b\d|wall)$/.test(name)) ?? "",
-    slider: /** @type {HTMLInputElement} */ (need(element, 'input[type="range"]')),
-  };
-}
-
-/** @param {{on: string, by: string}} row */
-export function name({ on, by }) {
-  return forceOn(body(on), body(by));
-}
-
-/** Greatest contact force of a pair in N. @param {import("../../../view/types.js").Run} run @param {string} pair */
-export function greatest(run, pair) {
-  const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
-  const peak = run.header.events.find(
-    (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right,
-  );
-  if (typeof peak?.force === "number") return peak.force;
-  return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
-}
-
 /** @param {number} size @param {number} full @param {string} className @param {"left" | "right"} side */
 function arrow(size, full, className, side) {
   return pulled(arrowLength(size, full, LONG), className, side, isCut(size, full));
-}
-
-/** @param {number} length @param {string} className @param {"left" | "right"} side @param {boolean} cut */
-export function pulled(length, className, side, cut = false) {
-  const width = Math.max(length, 6) + 4;
-  const picture = svg("svg", {
-    viewBox: `0 0 ${width} 20`,
-    width,
-    height: 20,
-    "aria-hidden": "true",
-  });
-  const draw = cut ? cutArrow : blockArrow;
-  const d = side === "left" ? draw(width, 10, -length) : draw(0, 10, length);
-  picture.append(svg("path", { class: className, d }));
-  return picture;
 }

@@ -5,7 +5,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
-import { asked, greatest, LONG, name, pulled } from "./arrows.js";
+import { asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, share: number | null, slider: HTMLInputElement}} Row share: of the longest arrow */

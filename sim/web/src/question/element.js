@@ -2,7 +2,8 @@
 
 import { tr } from "../../../view/language.js";
 import { isEmpty } from "../answers/entry.js";
-import { html, need, say } from "../shared/dom.js";
+import { need, say } from "../shared/dom.js";
+import { showEarlier } from "./earlier.js";
 import { Feedback } from "./feedback.js";
 import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";
@@ -137,25 +138,7 @@ export function questionElement(book) {
         this.#say(isEmpty(found.value) ? "" : this.#keptWord());
       }
       this.#print();
-      this.#showEarlier(earlier);
-    }
-
-    /** @param {any[]} earlier */
-    #showEarlier(earlier) {
-      const place = need(this, ".carts-q-earlier");
-      const old = earlier.filter((entry) => !isEmpty(entry.value));
-      place.hidden = old.length === 0;
-      place.replaceChildren(
-        ...old.map((entry) => {
-          const line = html("p");
-          const other = entry.hash !== this.facts.hash;
-          const head = other
-            ? tr("Your answer to an earlier version of this question:")
-            : tr("Your other answer:");
-          line.append(html("strong", "", head), " ", entry.said || JSON.stringify(entry.value));
-          return line;
-        }),
-      );
+      showEarlier(this, earlier, this.facts.hash);
     }
 
     #changed() {

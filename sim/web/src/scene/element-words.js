@@ -1,6 +1,7 @@
 /** What a scene tells of itself. */
 
-import { tr } from "../../../view/language.js";
+import { told, tr } from "../../../view/language.js";
+import { need, say } from "../shared/dom.js";
 
 export const ASK_FIRST = tr("Make your prediction and lock it first.");
 export const LIVE = tr("live: Python computes in this page");
@@ -8,3 +9,21 @@ export const NOT_STARTED = tr("Python could not start.");
 export const STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
 export const NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
 export const PREDICTION_KEPT = tr("Your prediction is kept.");
+
+/** Says something above the picture. @param {HTMLElement} scene @param {string} message for the reader; empty: none */
+export function note(scene, message) {
+  const place = need(scene, ".carts-note");
+  place.hidden = !message;
+  say(place, message);
+}
+
+/** How a run was solved, phase by phase. @param {import("../../../view/types.js").Run | undefined} run */
+export function planOf(run) {
+  return (run?.header.plan ?? []).map((phase) => ({ ...phase, why: told(phase.why) }));
+}
+
+/** @param {HTMLElement} scene @param {boolean} on */
+export function offerUndo(scene, on) {
+  const undo = scene.querySelector(".carts-undo");
+  if (undo instanceof HTMLButtonElement) undo.disabled = !on;
+}

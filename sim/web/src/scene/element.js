@@ -1,8 +1,7 @@
 /** `<carts-scene>`: adopts the baked page, then lets Python compute what the reader asks for. */
 
-import { told } from "../../../view/language.js";
 import { showForces } from "../predict/find-forces.js";
-import { need, say } from "../shared/dom.js";
+import { need } from "../shared/dom.js";
 import { readBaked } from "./baked.js";
 import * as words from "./element-words.js";
 import { askFirst, wireInside } from "./inside.js";
@@ -29,7 +28,7 @@ export function sceneElement(client) {
     #runs = new Runs(this, client, {
       scene: () => this.#baked?.fence.scene,
       draw: (run) => this.#draw(run),
-      say: (message) => this.#say(message),
+      say: (message) => words.note(this, message),
     });
     /** @type {ReturnType<typeof wireInside> | null} */
     #inside = null;
@@ -39,12 +38,11 @@ export function sceneElement(client) {
     #live = new Live(this, client, {
       first: () => this.#first(),
       told: () => this.#told,
-      live: () => this.#told && void followLink(this, this.id, (text) => this.#say(text)),
+      live: () => this.#told && void followLink(this, this.id, (text) => words.note(this, text)),
       failed: () => this.#inside?.controls.enable(false),
     });
     #leaving = new AbortController(); // ends what the element hears of page and worker
-    /** @type {Promise<void>} when the reader's earlier prediction is back */
-    #restored = Promise.resolve();
+    #restored = Promise.resolve(); // when the reader's earlier prediction is back
 
     connectedCallback() {
       this.#listen();
@@ -143,8 +141,7 @@ export function sceneElement(client) {
     }
 
     get plan() {
-      const phases = this.#told ? (this.#view?.run.header.plan ?? []) : [];
-      return phases.map((phase) => ({ ...phase, why: told(phase.why) }));
+      return this.#told ? words.planOf(this.#view?.run) : [];
     }
 
     get time() {
@@ -181,20 +178,12 @@ export function sceneElement(client) {
       return !this.#predict || Boolean(this.#watch?.over);
     }
 
-    /** @param {string} message for the reader; empty: none */
-    #say(message) {
-      const note = need(this, ".carts-note");
-      note.hidden = !message;
-      say(note, message);
-    }
-
     /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
     #draw(run) {
       const shown = this.#inside?.how.follow(run);
       this.#inside?.controls.show(this.#values.good, run.header);
       this.#inside?.find?.show(run);
-      const undo = this.querySelector(".carts-undo");
-      if (undo instanceof HTMLButtonElement) undo.disabled = !this.#told || !this.#values.canUndo;
+      words.offerUndo(this, this.#told && this.#values.canUndo);
       return shown;
     }
 

@@ -2,7 +2,7 @@
 
 import { button } from "../answers/parts.js";
 import { html, say } from "../shared/dom.js";
-import { download } from "../shared/download.js";
+import { earlierDraft } from "./earlier-draft.js";
 import { PieceEditor } from "./piece.js";
 import { ownFile, toolbar } from "./saves.js";
 
@@ -211,25 +211,7 @@ export class Panel {
 
   /** @param {import("./drafts.js").Draft[]} drafts */
   offerEarlier(drafts) {
-    for (const draft of drafts) {
-      const row = html("p", "carts-teach-earlier");
-      const date = new Date(draft.last).toLocaleString([], {
-        dateStyle: "medium",
-        timeStyle: "short",
-      });
-      row.append(
-        `You have a draft of an earlier version of this lesson, of ${date}. `,
-        button("Open it", () => this.session.change(draft.text, ""), "carts-teach-older"),
-        " ",
-        button("Save it", () => download(this.session.name, draft.text, "text/markdown")),
-        " ",
-        button("Delete it", () => {
-          void this.session.drafts.forget(draft.hash);
-          row.remove();
-        }),
-      );
-      this.notices.append(row);
-    }
+    this.notices.append(...drafts.map((draft) => earlierDraft(this.session, draft)));
   }
 
   /** The whole text can still be changed and saved. @param {string} why */

@@ -1,5 +1,6 @@
 /** One teacher at work on one lesson: text, drafts, Python's answers, the page and the panel. */
 
+import { restored, zipped } from "./asked.js";
 import { History } from "./history.js";
 import { LessonPage } from "./page.js";
 import { Panel } from "./panel.js";
@@ -228,13 +229,7 @@ export class Session {
       this.panel.status("Starting Python …");
       return this.#begin((await hashOf(own)) === this.told.hash);
     }
-    const { header } = await this.client.ask({}, () => ({
-      kind: "teach",
-      do: "restore",
-      text: this.text,
-      own,
-    }));
-    const { text, missing } = /** @type {any} */ (header);
+    const { text, missing } = await restored(this.client, this.text, own);
     const same = (await hashOf(own)) === this.told.hash;
     if (same) this.base = own;
     this.withheld = missing > 0;
@@ -243,15 +238,8 @@ export class Session {
   }
 
   /** @returns {Promise<string>} a zip in base64 */
-  async zip() {
-    const { header } = await this.client.ask({}, () => ({
-      kind: "teach",
-      do: "zip",
-      file: this.told.file,
-      text: this.text,
-      published: this.base,
-    }));
-    return /** @type {any} */ (header).base64;
+  zip() {
+    return zipped(this.client, this.told.file, this.text, this.base);
   }
 }
 

@@ -1,0 +1,81 @@
+"""Neighbours as a stepping method sees them, and what one evaluation of their forces tells."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.effects.forces import PairForce
+from sim.laws.lookup import contact_law
+from sim.laws.stepping import SteppedContact
+from sim.scene.model import Contact, Scene
+
+Row = list[Any]
+"""One number per cart; or one array, where many runs go on at once."""
+
+
+@dataclass(slots=True)
+class Pair:
+    """The neighbours of one gap; a wall has the index None. `force` is None without duration."""
+
+    gap: int
+    left: int | None
+    right: int | None
+    room: float  # m, at the start
+    contact: Contact
+    mu: float
+    force: SteppedContact | None
+    links: tuple[PairForce, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Detail:
+    """One evaluation: forces in N per gap and cart, power in W that dampers take, velocities."""
+
+    push: Row
+    links: dict[tuple[str, int], float]
+    outside: dict[tuple[str, int], float]
+    warming: float
+    damped: dict[str, float]
+    v: Row
+
+
+def pair_of(scene: Scene, gap: int, effects: Sequence[Any]) -> Pair | None:
+    """The neighbours of a gap with what acts between them; None at an open end."""
+    contact = scene.contacts[gap]
+    if contact is None:
+        return None
+    left = gap - 1 if gap > 0 else None
+    right = gap if gap < len(scene.carts) else None
+    masses = [scene.carts[k].mass for k in (left, right) if k is not None]
+    mu = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1])
+    law = contact_law(contact)
+    links = (one.pair_force(gap) for one in effects)
+    return Pair(
+        gap,
+        left,
+        right,
+        scene.gaps[gap],
+        contact,
+        mu,
+        law.stepping(mu) if law is not None else None,
+        tuple(link for link in links if link is not None),
+    )
+
+
+def link_force(link: PairForce, d: Any, rate: Any, *, lanes: bool) -> Any:
+    """N, of a spring or magnets at overlap d [m] and rate [m/s]; `lanes`: of many runs."""
+    if not lanes:
+        if d >= 0.0 and link.nearest:
+            raise UnsolvedError(
+                f"a step took two carts through each other, where {link.kind} have no force",
+                "a shorter step",
+                0.0,
+                (),
+            )
+        return link.force(-d, -rate)
+    import numpy as np
+
+    return np.array([link.force(-a, -b) for a, b in zip(d.tolist(), rate.tolist(), strict=True)])
