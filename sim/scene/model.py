@@ -77,6 +77,8 @@ class Scene:
     gaps: tuple[float, ...]  # m, edge to edge; negative: overlap
     approaches: tuple[float, ...]  # m/s, right velocity minus left; negative: closing
     effects: tuple[Effect, ...] = field(default=())
+    estimates: tuple[Effect, ...] = field(default=())
+    """How large what is left out would be: asked for by nobody but the estimate of its effect."""
     until: float  # s
     gravity: float  # m/s²
 

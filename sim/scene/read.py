@@ -13,10 +13,13 @@ from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
-from sim.scene.read_effects import check_effects, check_room, read_effects
+from sim.scene.read_effects import check_effects, check_room, read_effects, read_estimates
 from sim.scene.tables import mapping, number, unknown_keys
 
-SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
+SCENE_KEYS = (
+    *("title", "carts", "track", "contact", "effects", "until", "gravity", "start"),
+    "estimate",
+)
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,15}", re.ASCII)
 NO_NAMES = ("left", "right", "null", "Null", "NULL")
 """The walls, and what YAML reads as nothing."""
@@ -56,6 +59,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
     check_effects(effects, table.get("effects", []), problems)
+    estimates = read_estimates(table.get("estimate", []), names, track, problems)
     released = {frozenset(e.between) for e in effects if kinds()[e.kind].overlap and e.between}
     gaps = gaps_of(exact, names, track, length)
     for k, gap in enumerate(gaps):
@@ -77,6 +81,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         gaps=tuple(float("inf") if gap is None else float(gap) for gap in gaps),
         approaches=approaches(exact, names, track),
         effects=effects,
+        estimates=estimates,
         until=float(until),
         gravity=float(gravity),
     )
