@@ -82,9 +82,22 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         approaches=approaches(exact, names, track),
         effects=effects,
         estimates=estimates,
+        tolerances=_tolerances(table),
         until=float(until),
         gravity=float(gravity),
     )
+
+
+def _tolerances(table: Mapping[str, Any]) -> dict[str, Fraction]:
+    """Half widths, SI, of what has one; the scene has been read, so that all of it makes sense."""
+    found = {
+        f"{name}.{field.key}": field.half_width(cart.get(field.key))
+        for name, cart in table["carts"].items()
+        for field in CART
+    }
+    track = table.get("track", {})
+    found[f"track.{TRACK_LENGTH.key}"] = TRACK_LENGTH.half_width(track.get(TRACK_LENGTH.key))
+    return {path: half for path, half in found.items() if half}
 
 
 def sorted_names(exact: Mapping[str, Mapping[str, Fraction]]) -> list[str]:

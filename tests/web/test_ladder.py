@@ -1,4 +1,4 @@
-"""The ladder in “What is in this model”: nothing before it is opened; then every effect, in order."""
+"""The ladder in “What is in this model”: nothing before it is opened; then all, in order."""
 
 from __future__ import annotations
 
