@@ -22,6 +22,10 @@ class NotProvableError(Exception):
     """With these inputs it cannot be decided what happens; the message says what."""
 
 
+class NoBoundError(NotProvableError):
+    """There is no bound for this kind of motion here: more digits would not help."""
+
+
 def exact(number: float) -> Ball:
     """The ball that holds this double and nothing else."""
     return arb(number)

@@ -62,6 +62,14 @@ class Body:
         total = sum((one.force(now.ball) for one in self.load), ZERO)
         return total - self.sliding * self.kinetic if self.sliding else total
 
+    def acceleration(self, now: Instant) -> Ball:
+        """m/s² without contacts; of carts on one slope and nothing else the very same ball."""
+        if not self.sliding and all(one.slope is self.load[0].slope for one in self.load):
+            pushed = sum((one.pushed(now.ball) for one in self.load), ZERO)
+            slope = self.load[0].slope
+            return slope if is_zero(pushed) else slope + pushed / self.mass
+        return self.force(now) / self.mass
+
     def way(self, start: Instant, end: Instant) -> Ball:
         """m. Between two times of its present motion."""
         if self.phase is not None:
@@ -95,7 +103,7 @@ class Body:
         if not (is_zero(self.static) and is_zero(self.kinetic)):
             self._rub(force + push)
         if not self.held:
-            self.a = self.force(now) / self.mass
+            self.a = self.acceleration(now)
 
     def _rub(self, force: Ball) -> None:
         way = sign(self.v, "which way a cart slides")
@@ -152,4 +160,4 @@ class Gap:
     @property
     def pull(self) -> Ball:
         """m/s². Of two bodies in flight."""
-        return self.right.a - self.left.a
+        return ZERO if self.left.a is self.right.a else self.right.a - self.left.a

@@ -10,9 +10,19 @@ import itertools
 from dataclasses import dataclass
 from typing import Any
 
-from flint import ctx
+from flint import arb, ctx
 
-from sim.certify.balls import Ball, NotProvableError, bounds, lower, upper
+from sim.certify.balls import (
+    ZERO,
+    Ball,
+    NoBoundError,
+    NotProvableError,
+    bounds,
+    exact,
+    is_zero,
+    lower,
+    upper,
+)
 from sim.certify.inputs import inputs
 from sim.certify.row import Told
 from sim.certify.run import BallRun
@@ -24,6 +34,10 @@ that multiply every error by ten each take the last."""
 
 NARROW = 2.0**-50
 """Of the greatest place or speed of the scene. A ball so small is wide by its inputs alone."""
+
+SPARE = 2.0**-100
+"""Of the largest number of its kind. Bounds leave so much more room (nothing, beside a double), so
+that an independent run with thirty digits or more finds its own rounded answer inside."""
 
 ORDER = ("contact", "release", "peak", "separate", "stick", "stop", "start", "end")
 """Events of one instant are listed in this order of kinds, as in a run."""
@@ -39,6 +53,7 @@ class Certificate:
     proved: bool
     reason: str
     bits: int
+    hopeless: bool = False  # for more digits
 
 
 def certify(scene: Scene) -> Certificate:
@@ -65,7 +80,7 @@ def _enough(found: Certificate, last: Certificate | None, scene: Scene) -> bool:
     if scene.tolerances:
         return True
     if not found.x:
-        return found.reason.endswith("yet")
+        return found.hopeless
     if last is not None and last.x and _width(found) > 0.5 * _width(last):
         return True
     return _width(found) <= NARROW
@@ -84,7 +99,7 @@ def _width(found: Certificate) -> float:
 def _best(scene: Scene) -> Certificate:
     """With both readings of a gap if that can be proved, else with the scene's own."""
     wide = _run(scene, wide=True)
-    if wide.proved:
+    if wide.proved or wide.hopeless:
         return wide
     narrow = _run(scene, wide=False)
     return narrow if narrow.proved or len(narrow.x) >= len(wide.x) else wide
@@ -103,7 +118,8 @@ def _run(scene: Scene, *, wide: bool) -> Certificate:
             bounds(ball)
     except NotProvableError as error:
         told = () if run is None else _sorted(run, names)
-        return Certificate({}, {}, told, False, str(error), ctx.prec)
+        hopeless = isinstance(error, NoBoundError)
+        return Certificate({}, {}, told, False, str(error), ctx.prec, hopeless)
     events = _sorted(run, names)
     doubt = run.doubt or _unordered(events)
     return Certificate(x, v, events, not doubt, doubt, ctx.prec)
@@ -135,13 +151,16 @@ def _unordered(events: tuple[Told, ...]) -> str:
 
 def document(found: Certificate) -> dict[str, Any]:
     """The JSON object of the interface."""
+    longest = found.events[-1].when.ball if found.events else exact(1.0)
+    x, v = (_largest(balls) for balls in (found.x, found.v))
     return {
-        "final": {
-            "x": {name: _text(ball) for name, ball in found.x.items()},
-            "v": {name: _text(ball) for name, ball in found.v.items()},
-        },
+        "final": {"x": _named(found.x, x), "v": _named(found.v, v + x / longest)},
         "events": [
-            {"t": _text(one.when.ball), "kind": one.kind, "bodies": list(one.bodies)}
+            {
+                "t": _text(one.when.ball, ZERO if one.kind == "end" else longest),
+                "kind": one.kind,
+                "bodies": list(one.bodies),
+            }
             for one in found.events
         ],
         "order": "proved" if found.proved else "not-provable",
@@ -150,6 +169,16 @@ def document(found: Certificate) -> dict[str, Any]:
     }
 
 
-def _text(ball: Ball) -> list[str]:
-    low, high = bounds(ball)
+def _largest(balls: dict[str, Ball]) -> Ball:
+    return max((abs(ball).upper() for ball in balls.values()), default=ZERO)
+
+
+def _named(balls: dict[str, Ball], largest: Ball) -> dict[str, list[str]]:
+    return {name: _text(ball, largest) for name, ball in balls.items()}
+
+
+def _text(ball: Ball, largest: Ball) -> list[str]:
+    """Bounds; what is nought and nothing else stays so."""
+    wide = ball if is_zero(ball) else ball + arb(0, 1) * largest * SPARE
+    low, high = bounds(wide)
     return [repr(low + 0.0), repr(high + 0.0)]

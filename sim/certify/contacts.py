@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sim.certify.balls import ZERO, NotProvableError, is_zero
+from sim.certify.balls import ZERO, NoBoundError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.foresight import Foresight
 from sim.certify.instants import Instant
@@ -18,11 +18,11 @@ class Contacts(Foresight):
         """Two bodies in flight meet."""
         for body in (gap.left, gap.right):
             if body.phase is not None:
-                raise NotProvableError(
+                raise NoBoundError(
                     f"{gap.shown} meet while one of them is in another contact: {COUPLED}"
                 )
         if gap.tail is not None or not is_zero(gap.memory):
-            raise NotProvableError(f"{gap.shown} meet again before their bumpers have recovered")
+            raise NoBoundError(f"{gap.shown} meet again before their bumpers have recovered")
         held = [body for body in (gap.left, gap.right) if body.held]
         self.forget((gap.left, gap.right))
         self.settle((gap.left, gap.right), now)
@@ -31,7 +31,7 @@ class Contacts(Foresight):
             self.touch(gap, now)
             return
         if not gap.rate < 0:
-            raise NotProvableError(f"{gap.shown} are pressed together without a duration")
+            raise NoBoundError(f"{gap.shown} are pressed together without a duration")
         self.tell(now, "contact", gap.names)
         if gap.contact.joins:
             self._join(gap, now)
@@ -56,7 +56,10 @@ class Contacts(Foresight):
                 other.left = one
             if other.right is left or other.right is right:
                 other.right = one
+        held = (left if left.carts else right).held  # the joint goes on as this one
         self.fly((one,), now)
+        if one.mass is not None and held != one.held:
+            self.tell_carts(now, "stop" if one.held else "start", one)
 
     def touch(self, gap: Gap, now: Instant) -> None:
         """A contact of finite duration begins."""
@@ -69,13 +72,12 @@ class Contacts(Foresight):
         """A phase begins; both bodies are settled."""
         touch = self.touches[gap.index]
         push = touch.force()
-        held = [body for body in (gap.left, gap.right) if body.held]
         for body, way in ((gap.left, -1), (gap.right, 1)):
             if body.mass is not None and not (body.sliding and is_zero(body.v)):
+                held = body.held
                 body.fly(now, way * push)
-        for body in held:
-            if not body.held:
-                self.tell_carts(now, "start", body)
+                if held != body.held:
+                    self.tell_carts(now, "stop" if body.held else "start", body)
         phase = ContactPhase(gap, touch.line, now)
         gap.left.phase = gap.right.phase = None
         for body in (gap.left, gap.right):
@@ -89,7 +91,7 @@ class Contacts(Foresight):
             if own is not None:
                 ends.append(Next(now.after(own[0]), "end", bodies, gap, own[1]))
                 horizon = min(horizon, own[0].upper().mid())
-            for tau, cause, body in phase.grips(horizon):
+            for tau, cause, body in () if touch.turns_alone else phase.grips(horizon):
                 ends.append(Next(now.after(tau), "end", bodies, gap, cause, body))
         self.phases[gap.index] = (phase, ends)
         for near in self.gaps:
@@ -106,6 +108,9 @@ class Contacts(Foresight):
         self._leave(gap, one.when)
         if one.cause == "turn":
             gap.rate = ZERO
+            if touch.turns_alone:  # at a wall the cart itself stands still now
+                for body in (gap.left, gap.right):
+                    body.v, body.sliding = ZERO, 0
             if touch.turn():
                 self.press(gap, one.when)
                 return
@@ -121,7 +126,7 @@ class Contacts(Foresight):
         self.fly((gap.left, gap.right), one.when)
         gap.room, gap.rate = room, rate
         if one.cause == "turn" and not is_zero(gap.pull):
-            raise NotProvableError(f"{gap.shown} stay pressed together under a force")
+            raise NoBoundError(f"{gap.shown} stay pressed together under a force")
         peak = touch.peak()
         if peak is not None:
             self.tell(peak, "peak", gap.names)
@@ -139,9 +144,14 @@ class Contacts(Foresight):
     def again(self, gap: Gap, now: Instant, grips: tuple[tuple[Body, str], ...]) -> None:
         """The same stage goes on with other loads."""
         touch, (phase, _) = self.touches[gap.index], self.phases[gap.index]
-        touch.see_peak(phase, now.minus(phase.begun), now, "")
+        alone = gap.left.mass is None or gap.right.mass is None
+        turns = alone and any(cause == "halt" for _, cause in grips)
+        still = turns and is_zero(touch.line.gamma)  # at a wall: o′ is the cart's velocity
+        touch.see_peak(phase, now.minus(phase.begun), now, "turn" if still else "")
         self._leave(gap, now)
         touch.fresh = False
+        if turns:
+            gap.rate = ZERO
         push = touch.force()
         for body, cause in grips:
             if cause == "halt":

@@ -7,7 +7,16 @@ order: the end is the same, and only the order of the list is then not proved.
 
 from __future__ import annotations
 
-from sim.certify.balls import ZERO, Ball, NotProvableError, exact, is_zero, lower, upper
+from sim.certify.balls import (
+    ZERO,
+    Ball,
+    NoBoundError,
+    NotProvableError,
+    exact,
+    is_zero,
+    lower,
+    upper,
+)
 from sim.certify.bodies import Gap
 from sim.certify.instants import instant
 from sim.certify.roots import falls_to_zero, first_root
@@ -36,10 +45,11 @@ class Foresight(Row):
                 raise NotProvableError(
                     f"what comes first: {self._called(first)} or {self._called(other)}"
                 )
-            self.doubt = self.doubt or (
-                f"{self._called(first)} and {self._called(other)} come at one instant, "
-                "as far as can be told"
-            )
+            if not exactly:
+                self.doubt = self.doubt or (
+                    f"{self._called(first)} and {self._called(other)} come at one instant, "
+                    "as far as can be told"
+                )
         return first
 
     def _around(self, one: Next) -> set[int]:
@@ -97,7 +107,7 @@ class Foresight(Row):
                 if clear is not None:
                     found.append(Next(gap.since.after(clear), "clear", bodies, gap))
         elif tail:
-            raise NotProvableError(f"{gap.shown} have not recovered when one of them meets another")
+            raise NoBoundError(f"{gap.shown} have not recovered when one of them meets another")
         elif is_zero(gap.room) and is_zero(gap.rate):
             raise NotProvableError(
                 f"{gap.shown} touch while one of them is in another contact: {COUPLED}"
@@ -147,6 +157,5 @@ class Foresight(Row):
                     if 0.0 < t <= self.scene.until:
                         found.setdefault(t, set()).add(k)
         return [
-            Next(instant(t), "switch", tuple(self.bodies[k] for k in sorted(found[t])))
-            for t in sorted(found)
+            Next(instant(t), "switch", (), carts=tuple(sorted(found[t]))) for t in sorted(found)
         ]

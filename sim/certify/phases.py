@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sim.certify.balls import ZERO, Ball, NotProvableError, is_zero
+from sim.certify.balls import ZERO, Ball, NoBoundError, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
 from sim.certify.oscillation import Line, Oscillation
@@ -26,10 +26,10 @@ class ContactPhase:
         left, right = gap.left, gap.right
         self.gap, self.begun, self.line = gap, now, line
         self.left, self.right = left, right
-        a = ZERO if left.still else left.force(now) / left.mass
-        b = ZERO if right.still else right.force(now) / right.mass
+        a = ZERO if left.still else left.acceleration(now)
+        b = ZERO if right.still else right.acceleration(now)
         if left.still and right.still:
-            raise NotProvableError(f"two bodies at rest press each other at {gap.shown}")
+            raise NoBoundError(f"two bodies at rest press each other at {gap.shown}")
         if left.still or right.still:
             mover = right if left.still else left
             self.mu, self.drift, self.pull = mover.mass, ZERO, a - b
@@ -41,8 +41,8 @@ class ContactPhase:
             self.centre = (left.mass * left.v + right.mass * right.v) / total
             self.drift = ZERO
             if not (is_zero(a) and is_zero(b)):
-                self.drift = (left.mass * a + right.mass * b) / total
-            self.pull = ZERO if is_zero(a) and is_zero(b) else a - b
+                self.drift = a if a is b else (left.mass * a + right.mass * b) / total
+            self.pull = ZERO if a is b else a - b
             self.sides = (self.mu / left.mass, -self.mu / right.mass)
         self.swing = Oscillation(line, self.mu, -gap.room, -gap.rate, self.pull)
 

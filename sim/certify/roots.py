@@ -110,8 +110,8 @@ def falls_to_zero(c: Ball, u: Ball, a: Ball, end: Ball, what: str) -> Ball | Non
             return None
         return _at_constant_rate(c, u, what)
     falls = a < 0
-    if not falls and not a > 0:
-        raise NotProvableError(what)
+    if not falls and not a > 0:  # nearly no acceleration: of which sign does not matter
+        return first_root(lambda t: c + t * (u + a * t / 2), lambda t: u + a * t, end, what)
     if is_zero(c) and (u < 0 or (is_zero(u) and falls)):
         return arb(0)
     if not falls and u >= 0:

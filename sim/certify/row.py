@@ -27,6 +27,7 @@ class Next:
     gap: Gap | None = None
     cause: str = ""
     body: Body | None = None
+    carts: tuple[int, ...] = ()  # of a switch: which body they are in is known only then
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from sim.certify.balls import ZERO, NotProvableError
+from sim.certify.balls import ZERO, NoBoundError
 from sim.certify.contacts import Contacts
 from sim.certify.row import Next
 
-MOST_EVENTS = 20_000
+MOST_EVENTS = 10_000
 """Consequences of one run. A certificate of more takes minutes and is asked for by nobody."""
 
 
@@ -14,13 +14,13 @@ class BallRun(Contacts):
     """A scene on its way from 0 to its end."""
 
     def go(self) -> None:
-        """To the end. Raises NotProvableError; `told` then holds what was proved before."""
+        """To the end. Raises NoBoundError; `told` then holds what was proved before."""
         self._start()
         switches = self.switches()
         while True:
             coming = [one for _, ends in self.phases.values() for one in ends]
             coming += [one for gap in self.gaps for one in self.of_gap(gap)]
-            coming += self.halts() + switches[:1]
+            coming += self.halts() + [self._now(one) for one in switches[:1]]
             first = self.first(coming)
             if first is None:
                 break
@@ -28,10 +28,15 @@ class BallRun(Contacts):
                 switches = switches[1:]
             self.happened += 1
             if self.happened > MOST_EVENTS:
-                raise NotProvableError(f"there are more than {MOST_EVENTS} changes")
+                raise NoBoundError(f"there are more than {MOST_EVENTS} changes")
             self._happen(first)
         self.settle(self.bodies, self.until)
         self.tell(self.until, "end", tuple(self.names))
+
+    def _now(self, one: Next) -> Next:
+        """A switch with the bodies that its carts are in now."""
+        bodies = tuple(dict.fromkeys(self.bodies[k] for k in one.carts))
+        return Next(one.when, one.kind, bodies)
 
     def _start(self) -> None:
         for gap in self.gaps:

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from flint import arb
 
 from sim.certify import damping
-from sim.certify.balls import ZERO, Ball, NotProvableError, exact, is_zero
+from sim.certify.balls import ZERO, Ball, NoBoundError, NotProvableError, exact, is_zero
 from sim.certify.bodies import Body, Gap
 from sim.certify.instants import Instant
 from sim.certify.oscillation import Line
@@ -41,9 +41,9 @@ class Touch:
         contact = gap.contact
         law, restitution = contact.law, contact.restitution
         if contact.stiffness is None or restitution is None:
-            raise NotProvableError(f"{law} has no duration")
+            raise NoBoundError(f"{law} has no duration")
         if law != BUMPER and law not in DAMPED:
-            raise NotProvableError(f"{law} has no bound yet")
+            raise NoBoundError(f"{law} has no bound yet")
         self.gap, self.law, self.begun = gap, law, now
         self.k, self.e = exact(contact.stiffness), exact(restitution)
         self.fresh = is_zero(gap.room)
@@ -60,6 +60,12 @@ class Touch:
         """Is e exactly 1?"""
         return is_zero(self.e - 1)
 
+    @property
+    def turns_alone(self) -> bool:
+        """Is it a bumper pressed against a wall? Where it turns, its cart stops."""
+        walls = self.gap.left.mass is None or self.gap.right.mass is None
+        return walls and self.stage == "press" and not self.elastic
+
     def _bumper(self) -> None:
         closing = -self.gap.rate
         if self.fresh or closing > 0 or self.elastic:
@@ -72,7 +78,7 @@ class Touch:
     def _spring_back(self, greatest: Ball) -> None:
         square = self.e * self.e
         if is_zero(square):
-            raise NotProvableError("a bumper that does not spring back is pressed at the start")
+            raise NoBoundError("a bumper that does not spring back is pressed at the start")
         self.stage = "back"
         self.gap.memory = greatest
         self.line = Line(self.k / square, ZERO, (1 - square) * greatest)
