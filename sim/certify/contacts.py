@@ -123,14 +123,20 @@ class Contacts(Foresight):
             same = common_velocity(gap.left, gap.right)
             for body in (gap.left, gap.right):
                 body.v = same
+        held = [body for body in (gap.left, gap.right) if body.held]
         self.fly((gap.left, gap.right), one.when)
         gap.room, gap.rate = room, rate
-        if one.cause == "turn" and not is_zero(gap.pull):
+        pairs = gap.left.mass is not None and gap.right.mass is not None
+        loaded = not is_zero(gap.pull) or (pairs and self.scene.effects)
+        if one.cause == "turn" and loaded:  # it is held at its greatest overlap, and never parts
             raise NoBoundError(f"{gap.shown} stay pressed together under a force")
         peak = touch.peak()
         if peak is not None:
             self.tell(peak, "peak", gap.names)
         self.tell(one.when, "separate", gap.names)
+        for body in (gap.left, gap.right):
+            if body.mass is not None and body.held != (body in held):
+                self.tell_carts(one.when, "stop" if body.held else "start", body)
 
     def _leave(self, gap: Gap, now: Instant) -> None:
         """Out of a phase: bodies and gaps are settled, and in flight."""

@@ -17,13 +17,16 @@ from sim.scene.said import said
 _BRACKETS = re.compile(
     r"\s*([+-]?\d*(?:\.(\d*))?)\((\d+)\)((?:[eE][+-]?\d{1,4})?)(.*)", re.ASCII | re.DOTALL
 )
+_DIGITS = re.compile(r"[\d.]\(\d+\)", re.ASCII)
 _SIGNS = ("±", "+/-", "+-")
 _UNIT = re.compile(r"[\d.eE+\-\s]*(.*)", re.ASCII | re.DOTALL)
 
 
 def has_tolerance(value: object) -> bool:
     """Does a text say how far off the number may be?"""
-    return isinstance(value, str) and ("(" in value or any(mark in value for mark in _SIGNS))
+    if not isinstance(value, str):
+        return False
+    return _DIGITS.search(value) is not None or any(mark in value for mark in _SIGNS)
 
 
 def read_tolerant(value: str, dimension: Dimension) -> tuple[Fraction, Fraction]:

@@ -36,6 +36,7 @@ class Pair:
     k: mpf
     e: mpf
     c: mpf
+    zeta: mpf
     state: str = "open"
     memory: mpf = field(default_factory=lambda: mpf(0))
 
@@ -129,7 +130,7 @@ class Digits:
                 raise UnsupportedError("hertz")
             e, stiff = mpf(contact.restitution), mpf(contact.stiffness)
             zeta = mpf(0) if contact.law == "bumper" else damping(contact.law, e)
-            pair = Pair(contact.law, stiff, e, 2 * zeta * mp.sqrt(stiff * self._mu(k)))
+            pair = Pair(contact.law, stiff, e, 2 * zeta * mp.sqrt(stiff * self._mu(k)), zeta)
             self.pairs[k] = pair
             d, s = self._overlap(k)
             if d > 0:
@@ -425,6 +426,10 @@ class Digits:
                 one.fixed = True
             if one.fixed:
                 one.v = mpf(0)
+            for other, pair in self.pairs.items():  # dampers are those of the bodies that now meet
+                if pair is not None and other not in self.joined:
+                    light = self._inverse(other - 1) + self._inverse(other)
+                    pair.c = 2 * pair.zeta * mp.sqrt(pair.k / light) if light else mpf(0)
 
 
 def _value(coefficients: list[mpf], t: mpf) -> mpf:
