@@ -7,6 +7,7 @@ from typing import Any
 
 from mpmath import mpf
 
+from sim.certify.certificate import ORDER
 from sim.scene import Scene
 from tests.reference.many_digits import NOTHING, Digits, integrate
 
@@ -44,9 +45,16 @@ def _ends(scene: Scene, certificate: dict[str, Any], oracle: Digits) -> list[str
     return found
 
 
+def _listed(event: tuple[mpf, str, tuple[str, ...]], oracle: Digits) -> tuple[int, int, int]:
+    """Those of one instant stand in a list by kind, then from left to right, as in a run."""
+    t, kind, bodies = event
+    row = ["left", *(cart.name for cart in oracle.scene.carts), "right"]
+    return int(exactly(t) * 10**30), ORDER.index(kind), row.index(bodies[0])
+
+
 def _events(certificate: dict[str, Any], oracle: Digits) -> list[str]:
     mine = [event for event in certificate["events"] if event["kind"] not in LEFT_OUT]
-    theirs = oracle.events
+    theirs = sorted(oracle.events, key=lambda e: _listed(e, oracle))
     if certificate["order"] != "proved":  # those of one instant may come in either order
         mine = sorted(mine, key=lambda e: (e["bodies"], float(e["t"][0])))
         theirs = sorted(theirs, key=lambda e: (list(e[2]), e[0]))
