@@ -59,10 +59,14 @@ test-fast: node_modules/ready
 bench: node_modules/ready browsers
 	@$(PY) -m tests.benchmarks $(AREA)
 
-#   make fuzz          long random tests; AREA=physics: the adversary of the engine, as a table
+#   make fuzz          long random tests; AREA=physics: the adversary of the engine, as a table;
+#                      AREA=certificates: forty digits against certificates of random scenes
 ifeq ($(AREA),physics)
 fuzz: .venv/ready
 	@$(PY) -m tests.fuzz
+else ifeq ($(AREA),certificates)
+fuzz: .venv/ready
+	@$(PY) -m tests.certify
 else
 fuzz: node_modules/ready browsers
 	@$(PY) -m pytest tests --fuzz

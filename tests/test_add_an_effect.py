@@ -84,6 +84,19 @@ def test_a_stepping_method_comes_to_the_same_end(project: Path, method: str) -> 
     assert abs(run["energy"]["imbalance"]) < 1e-3
 
 
+def test_a_scene_without_it_says_what_it_would_change(project: Path) -> None:
+    """A cart at rest in a wind of 0.3 m/s with b = 0.002 kg/s: v = w (1 − e^(−bt/m))."""
+    text = "carts: {A: {mass: 0.5, position: 0, velocity: 0}}\nuntil: 4 s\n"
+    (project / "calm.yml").write_text(text)
+    found = json.loads(python(project, "-m", "sim", "plan", "--relevance", "calm.yml", "--json"))
+    (wind,) = [row for row in found if row["effect"] == "wind"]
+    x = 0.3 * (T - M / 0.002 * (1.0 - math.exp(-0.002 * T / M)))
+    v = 0.3 * (1.0 - math.exp(-0.002 * T / M))
+    wanted = {"x.A": x, "v.A": v}[wind["changes"]["quantity"]]
+    assert wind["changes"]["amount"] == pytest.approx(wanted, rel=1e-9)
+    assert wind["size"] == "0.3 m/s" and not wind["listed"]
+
+
 def test_what_accuracy_costs_is_told(project: Path) -> None:
     rows = {row["method"]: row for row in carts(project, "cost")["rows"]}
     assert rows["rk4"]["error_v"] < 1e-6

@@ -26,6 +26,7 @@ MAY_IMPORT = {
     "effects": {"effects", "scene"},
     "laws": {"laws", "scene"},
     "dynamics": {"dynamics", "effects", "laws", "scene"},
+    "certify": {"certify", "scene"},  # nothing of the run that it proves
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
     "measured": {"measured", "dynamics", "effects", "laws", "scene"},
@@ -46,6 +47,7 @@ MAY_IMPORT = {
         "pages",
         "bridge",
         "classroom",
+        "certify",
         "measured",
         "lesson",
         "dynamics",
@@ -124,7 +126,19 @@ def test_import_sim_pulls_in_nothing_of_ours() -> None:
     assert {name for name in loaded_by("import sim") if name.startswith("sim.")} == set()
 
 
-HEAVY = {"numpy", "scipy", "yaml", "mkdocs", "markdown", "jinja2", "click", "playwright", "js"}
+HEAVY = {
+    "flint",
+    "mpmath",
+    "numpy",
+    "scipy",
+    "yaml",
+    "mkdocs",
+    "markdown",
+    "jinja2",
+    "click",
+    "playwright",
+    "js",
+}
 
 
 @pytest.mark.parametrize(
@@ -207,7 +221,7 @@ def test_the_rooms_of_the_numerics_import_in_one_direction(room: str) -> None:
         }
 
 
-@pytest.mark.parametrize("layer", ["scene", "effects", "laws", "dynamics"])
+@pytest.mark.parametrize("layer", ["scene", "effects", "laws", "dynamics", "certify"])
 def test_no_modules_import_each_other_in_a_circle(layer: str) -> None:
     """Imports for types only and those inside functions count too."""
     names = {

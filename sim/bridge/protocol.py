@@ -42,6 +42,7 @@ OTHERS = {
     "hard": "sim.bridge.hard_answer",
     "energy": "sim.bridge.energy_answer",
     "model": "sim.bridge.model_text",
+    "relevance": "sim.bridge.relevance_answer",
     "class": "sim.bridge.class_answer",
     "measured": "sim.bridge.measured_answer",
     "teach": "sim.pages.teach.answer",

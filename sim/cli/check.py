@@ -27,6 +27,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: st
 
     PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes
     are checked. Exit code 1 means that something was found, 2 that there is nothing to check.
+    A hint is no finding: an effect that a scene lists in vain, or one that it misses much.
 
     \b
     carts check
@@ -44,7 +45,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: st
             f"There are no lessons here (looked for {usual}). Go to the folder of your site first, "
             "or name a file: carts check my-lesson.md"
         )
-    found = check_paths(places, root)
+    found = check_paths(places, root, hints=True)
     if form == "github":
         for finding in found:
             click.echo(finding.as_annotation())
@@ -61,7 +62,10 @@ def report(found: list[Finding]) -> None:
     """Print findings for people, the count last."""
     for finding in found:
         click.echo(str(finding))
-    if found:
-        click.echo(f"{len(found)} finding{'s' if len(found) > 1 else ''}")
+    if any(finding.code == "relevance" for finding in found):
+        click.echo("Of hints about effects, carts plan --relevance SCENE.yml tells more.")
+    wrong = [finding for finding in found if finding.severity != "hint"]
+    if wrong:
+        click.echo(f"{len(wrong)} finding{'s' if len(wrong) > 1 else ''}")
     else:
         click.echo("no findings")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from typing import TYPE_CHECKING
 
 import click
 
@@ -11,12 +12,22 @@ from sim.cli.progress import run_on_terminal
 from sim.cli.tables import table
 from sim.dynamics.report.document import finite, phase_object
 from sim.dynamics.report.plan import not_simulated, plan
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.pages.findings import Finding
+
+if TYPE_CHECKING:
+    from sim.scene import Scene
 
 
 @click.command("plan")
 @click.argument("scene", metavar="SCENE.yml")
-@click.option("--json", "as_json", is_flag=True, help="Print the phases as a JSON list.")
-def command(scene: str, as_json: bool) -> None:
+@click.option("--json", "as_json", is_flag=True, help="Print a JSON list.")
+@click.option(
+    "--relevance",
+    is_flag=True,
+    help="Say what each effect changes, or would change, by running the scene with and without.",
+)
+def command(scene: str, as_json: bool, relevance: bool) -> None:
     """Say how a scene would be solved, phase by phase, and why.
 
     SCENE.yml is a scene file; - reads standard input.
@@ -24,8 +35,12 @@ def command(scene: str, as_json: bool) -> None:
     \b
     carts plan my-scene.yml
     carts plan --json my-scene.yml
+    carts plan --relevance my-scene.yml
     """
     description = scene_file.read(scene)
+    if relevance:
+        _relevance(scene, description, as_json=as_json)
+        return
     phases = plan(run_on_terminal(scene, description))
     if as_json:
         click.echo(json.dumps(finite([phase_object(p) for p in phases]), ensure_ascii=False))
@@ -35,3 +50,26 @@ def command(scene: str, as_json: bool) -> None:
     left_out = not_simulated(description)
     if left_out:
         click.echo(f"\nNot simulated: {', '.join(left_out)}.")
+
+
+def _relevance(name: str, description: Scene, *, as_json: bool) -> None:
+    """The ladder: largest first, with the reading accuracy of a graph as the line."""
+    from sim.dynamics.relevance.difference import READS
+    from sim.dynamics.relevance.ladder import capital, ladder, rows
+
+    try:
+        rungs = ladder(description)
+    except UnsolvedError as error:
+        place = scene_file.shown_name(name), 1, 1
+        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+    if as_json:
+        click.echo(json.dumps(finite(rows(rungs)), ensure_ascii=False))
+        return
+    line = f"---- a graph shows {100 * READS:g} % of its height, and nothing below ----"
+    drawn = False
+    for rung in rungs:
+        if not rung.visible and not drawn:
+            click.echo(line)
+            drawn = True
+        source = f" [{rung.candidate.source}]" if rung.candidate.source else ""
+        click.echo(f"{capital(rung.sentence)}{source}")

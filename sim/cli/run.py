@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from sim.cli import scene_file
 from sim.cli.progress import run_on_terminal
-from sim.cli.tables import columns_as_csv, run_as_text
+from sim.cli.tables import certificate_as_text, columns_as_csv, run_as_text
 from sim.dynamics.loop.run import MOST_EVENTS
 from sim.dynamics.report.document import report
 from sim.dynamics.result.trajectory import trajectory
@@ -51,6 +51,12 @@ METHODS = ("exact", "euler", "semi-implicit", "verlet", "rk4", "rk4-events", *AD
     show_default=True,
     help="Stop after this many events.",
 )
+@click.option(
+    "--certify",
+    "certified",
+    is_flag=True,
+    help="Prove bounds of every event time and of the end, and the order of events.",
+)
 @click.option("--no-events", is_flag=True, help="Count events per kind instead of listing them.")
 def command(
     scene: str,
@@ -61,6 +67,7 @@ def command(
     as_csv: bool,
     max_events: int,
     no_events: bool,
+    certified: bool,
 ) -> None:
     """Run a scene and say what happened.
 
@@ -70,6 +77,7 @@ def command(
     carts run my-scene.yml
     carts run my-scene.yml --method rk4 --step 0.01
     carts run my-scene.yml --json
+    carts run my-scene.yml --certify
     """
     if as_json and as_csv:
         raise click.UsageError("--json and --csv exclude each other.")
@@ -77,6 +85,8 @@ def command(
         raise click.UsageError(f"--step does not go with --method {method}: it has no fixed step.")
     if rtol is not None and method not in ADAPTIVE:
         raise click.UsageError("--rtol goes with --method rk45 or adaptive.")
+    if certified and (as_csv or method != "exact"):
+        raise click.UsageError("--certify goes with the exact run, as text or with --json.")
     description = scene_file.read(scene)
     if method != "exact":
         from sim.dynamics.stepping.recorded import stepped_report
@@ -100,12 +110,29 @@ def command(
         keep_events=not no_events,
         keep_motion=as_csv or not no_events,
     )
+    certificate = _certificate(description) if certified else None
     if as_json:
-        click.echo(json.dumps(report(finished), allow_nan=False, ensure_ascii=False))
+        told = report(finished) | ({"certificate": certificate} if certificate else {})
+        click.echo(json.dumps(told, allow_nan=False, ensure_ascii=False))
     elif as_csv:
         click.echo(columns_as_csv(trajectory(finished)), nl=False)
     else:
         click.echo(run_as_text(finished))
+    if certificate is not None and not as_json:
+        click.echo(f"\n{certificate_as_text(certificate)}")
+
+
+def _certificate(description: Scene) -> dict[str, Any]:
+    """Its JSON object; needs a package that not everybody has."""
+    try:
+        from sim.certify.certificate import certify, document
+    except ModuleNotFoundError as error:
+        if error.name != "flint":
+            raise
+        raise click.UsageError(
+            "--certify needs the package python-flint: pip install 'newtons-carts[certify]'"
+        ) from None
+    return document(certify(description))
 
 
 def _stepped(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from sim.dynamics.report.document import energy_parts
 from sim.dynamics.report.warnings import warnings
@@ -112,3 +113,26 @@ def columns_as_csv(samples: Trajectory) -> str:
     header = ",".join(f"{' '.join(name)} ({UNITS[name[0]]})" for name in columns)
     lines = (",".join(repr(value) for value in row) for row in zip(*columns.values(), strict=True))
     return "\r\n".join([header, *lines, ""])
+
+
+def certificate_as_text(found: dict[str, Any]) -> str:
+    """What `carts run --certify` prints for people: bounds of the end, and what is not proved."""
+    if not found["final"]["x"]:
+        return f"No certificate: {found['reason']}."
+    units = {"x": "m", "v": "m/s"}
+    rows = [
+        (f"{kind} {name}", low, high, units[kind])
+        for kind, carts in found["final"].items()
+        for name, (low, high) in carts.items()
+    ]
+    parts = ["Proved, with every rounding outwards:"]
+    parts.append(table(("", "not less than", "not more than", ""), rows))
+    events = [
+        (event["kind"], " ".join(event["bodies"]), *event["t"], "s") for event in found["events"]
+    ]
+    parts.append(table(("event", "", "not before", "not after", ""), events[:MOST_LINES]))
+    if found["order"] == "proved":
+        parts.append("The order of the events is proved.")
+    else:
+        parts.append(f"The order of the events is not proved: {found['reason']}.")
+    return "\n".join(parts)

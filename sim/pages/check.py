@@ -18,6 +18,7 @@ from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
+from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.fence_scan import Block, scan
@@ -30,8 +31,11 @@ USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
 SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 
 
-def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
-    """Everything that is wrong with the blocks of one lesson, in the order of its lines."""
+def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False) -> list[Finding]:
+    """Everything that is wrong with the blocks of one lesson, in the order of its lines.
+
+    `hints`: also effects of a scene that it hardly calls for, and missing ones that it does.
+    """
     findings: list[Finding] = []
     items = PageItems()
     blocks = tuple(scan(text.splitlines()))
@@ -48,14 +52,16 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds) -> list[Finding]:
             elif block.name == "measured":
                 read_measured_block(block, lesson, ids, first_line=1)
             else:
-                _read(block, lesson, ids, items)
+                findings += _read(block, lesson, ids, items, hints=hints)
         except AuthorError as error:
             findings += error.findings
     return sorted([*findings, *items.findings(), *text_findings(text, lesson)])
 
 
-def _read(block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> None:
-    """Read one block and add it to `items`; raises `AuthorError`."""
+def _read(
+    block: Block, lesson: Lesson, ids: SiteIds, items: PageItems, *, hints: bool
+) -> list[Finding]:
+    """Read one block and add it to `items`, and give hints; raises `AuthorError`."""
     if block.name == "question":
         items.questions.append(read_question_block(block, lesson, ids, first_line=1))
     elif block.name == "challenge":
@@ -68,6 +74,9 @@ def _read(block: Block, lesson: Lesson, ids: SiteIds, items: PageItems) -> None:
         if isinstance(run, list):
             raise AuthorError(map(scene.places.finding, run))
         items.scenes.append(scene.fence)
+        if hints:
+            return relevance_hints(scene.fence.scene, scene.places)
+    return []
 
 
 def _check_map(block: MapBlock) -> None:
@@ -82,7 +91,7 @@ def check_bank(text: str, file: str) -> list[Finding]:
     return read_bank_text(text, file)[1]
 
 
-def check_scene(text: str, file: str) -> list[Finding]:
+def check_scene(text: str, file: str, *, hints: bool = False) -> list[Finding]:
     """Everything that is wrong with one scene file."""
     try:
         plain, places = read_scene_text(text, file)
@@ -92,10 +101,12 @@ def check_scene(text: str, file: str) -> list[Finding]:
     except SceneError as error:
         return sorted(places.finding(problem) for problem in error.problems)
     run = bake(fence.plain)
-    return sorted(map(places.finding, run)) if isinstance(run, list) else []
+    if isinstance(run, list):
+        return sorted(map(places.finding, run))
+    return relevance_hints(fence.scene, places) if hints else []
 
 
-def check_paths(paths: Iterable[Path], root: Path) -> list[Finding]:
+def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> list[Finding]:
     """The findings in all lessons and scene files under `paths`; names are shown from `root`."""
     ids = SiteIds()
     findings: list[Finding] = []
@@ -111,13 +122,13 @@ def check_paths(paths: Iterable[Path], root: Path) -> list[Finding]:
                 lesson = Lesson(
                     shown.as_posix(), scene_folders(file, root), bank_folders(file, root)
                 )
-                findings += check_lesson(text, lesson, ids)
+                findings += check_lesson(text, lesson, ids, hints=hints)
                 findings += withheld_findings(text, lesson.file)
             elif file.parent.name == BANK_FOLDER:
                 findings += check_bank(text, shown.as_posix())
             else:
-                findings += check_scene(text, shown.as_posix())
-    return findings
+                findings += check_scene(text, shown.as_posix(), hints=hints)
+    return list(dict.fromkeys(findings))  # several lessons may show one scene file
 
 
 def scene_folders(lesson: Path, root: Path) -> tuple[Path, ...]:

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Literal
 
-Severity = Literal["error", "warning"]
+Severity = Literal["error", "warning", "hint"]
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -42,7 +42,8 @@ class Finding:
         """A workflow command of GitHub Actions: the note stands on its line of the commit."""
         place = f"file={_value(self.file)},line={self.line},col={self.col}"
         text = f"{self.message}. {self.hint}" if self.hint else self.message
-        return f"::{self.severity} {place}::{_plain(text)}"
+        kind = "notice" if self.severity == "hint" else self.severity
+        return f"::{kind} {place}::{_plain(text)}"
 
 
 def _plain(text: str) -> str:

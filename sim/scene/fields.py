@@ -12,6 +12,7 @@ from sim.scene import quantity
 from sim.scene.problem import Path, Problem
 from sim.scene.quantity import Dimension, QuantityError, read_quantity
 from sim.scene.said import said
+from sim.scene.tolerance import has_tolerance, read_tolerant
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +28,7 @@ class Field:
     above: bool = False  # the least value itself is not allowed
     optional: bool = False
     label: str = ""  # of its slider
+    tolerant: bool = False  # may say how far off it is, see `tolerance`
 
     @property
     def allowed(self) -> str:
@@ -45,9 +47,12 @@ class Field:
         return "any finite number"
 
     def read(self, value: object, path: Path) -> Fraction | Problem:
-        """The exact SI value, or what is wrong with it."""
+        """The exact SI value, the middle of a tolerance, or what is wrong with it."""
         try:
-            number = read_quantity(value, self.dimension)
+            if self.tolerant and has_tolerance(value):
+                number = self._middle(str(value))
+            else:
+                number = read_quantity(value, self.dimension)
         except QuantityError as error:
             return Problem(path, error.code, error.message, error.hint)
         low = None if self.least is None else quantity.exact(self.least)
@@ -68,15 +73,43 @@ class Field:
             )
         return number
 
+    def _middle(self, value: str) -> Fraction:
+        """Of what has a tolerance; every number that it allows must be one that may stand here."""
+        middle, half = read_tolerant(value, self.dimension)
+        low = None if self.least is None else quantity.exact(self.least)
+        if low is not None and (middle - half < low or (self.above and middle - half == low)):
+            message = said(
+                "{key} could be {least} within its tolerance",
+                key=said(self.key),
+                least=self.least or "0",
+            )
+            raise QuantityError("out-of-range", message, said("a smaller tolerance"))
+        return middle
+
+    def half_width(self, value: object) -> Fraction:
+        """SI. Of the tolerance in a value that `read` took; 0 without one."""
+        if not (self.tolerant and has_tolerance(value)):
+            return Fraction(0)
+        return read_tolerant(str(value), self.dimension)[1]
+
 
 SKINS = ("cart", "van", "truck", "trailer", "box", "puck")
 """What a cart is drawn as; its motion does not know."""
 
 CART = (
-    Field("mass", quantity.MASS, None, "mass of the cart", least="0", above=True),
-    Field("position", quantity.LENGTH, None, "position of the cart's centre at t = 0"),
+    Field("mass", quantity.MASS, None, "mass of the cart", least="0", above=True, tolerant=True),
+    Field(
+        "position", quantity.LENGTH, None, "position of the cart's centre at t = 0", tolerant=True
+    ),
     Field("velocity", quantity.SPEED, "0", "velocity at t = 0; + is to the right"),
-    Field("length", quantity.LENGTH, "0.20", "length of the cart, bumpers included", least="0"),
+    Field(
+        "length",
+        quantity.LENGTH,
+        "0.20",
+        "length of the cart, bumpers included",
+        least="0",
+        tolerant=True,
+    ),
     Field(
         "bumper_length",
         quantity.LENGTH,
@@ -94,6 +127,7 @@ TRACK_LENGTH = Field(
     least="0",
     above=True,
     optional=True,
+    tolerant=True,
 )
 
 RESTITUTION = Field(

@@ -8,7 +8,9 @@ Everything here is frozen; a changed scene is a new one. Positions are those of 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Literal
 
 from sim.scene.effects import Effect
@@ -77,6 +79,10 @@ class Scene:
     gaps: tuple[float, ...]  # m, edge to edge; negative: overlap
     approaches: tuple[float, ...]  # m/s, right velocity minus left; negative: closing
     effects: tuple[Effect, ...] = field(default=())
+    estimates: tuple[Effect, ...] = field(default=())
+    """How large what is left out would be: asked for by nobody but the estimate of its effect."""
+    tolerances: Mapping[str, Fraction] = field(default_factory=dict)
+    """Half widths in SI by path, ``A.mass``. A run takes the middle; a certificate the whole."""
     until: float  # s
     gravity: float  # m/s²
 

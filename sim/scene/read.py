@@ -13,10 +13,13 @@ from sim.scene.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
-from sim.scene.read_effects import check_effects, check_room, read_effects
+from sim.scene.read_effects import check_effects, check_room, read_effects, read_estimates
 from sim.scene.tables import mapping, number, unknown_keys
 
-SCENE_KEYS = ("title", "carts", "track", "contact", "effects", "until", "gravity", "start")
+SCENE_KEYS = (
+    *("title", "carts", "track", "contact", "effects", "until", "gravity", "start"),
+    "estimate",
+)
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,15}", re.ASCII)
 NO_NAMES = ("left", "right", "null", "Null", "NULL")
 """The walls, and what YAML reads as nothing."""
@@ -56,6 +59,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
     check_effects(effects, table.get("effects", []), problems)
+    estimates = read_estimates(table.get("estimate", []), names, track, problems)
     released = {frozenset(e.between) for e in effects if kinds()[e.kind].overlap and e.between}
     gaps = gaps_of(exact, names, track, length)
     for k, gap in enumerate(gaps):
@@ -77,9 +81,23 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         gaps=tuple(float("inf") if gap is None else float(gap) for gap in gaps),
         approaches=approaches(exact, names, track),
         effects=effects,
+        estimates=estimates,
+        tolerances=_tolerances(table),
         until=float(until),
         gravity=float(gravity),
     )
+
+
+def _tolerances(table: Mapping[str, Any]) -> dict[str, Fraction]:
+    """Half widths, SI, of what has one; the scene has been read, so that all of it makes sense."""
+    found = {
+        f"{name}.{field.key}": field.half_width(cart.get(field.key))
+        for name, cart in table["carts"].items()
+        for field in CART
+    }
+    track = table.get("track", {})
+    found[f"track.{TRACK_LENGTH.key}"] = TRACK_LENGTH.half_width(track.get(TRACK_LENGTH.key))
+    return {path: half for path, half in found.items() if half}
 
 
 def sorted_names(exact: Mapping[str, Mapping[str, Fraction]]) -> list[str]:

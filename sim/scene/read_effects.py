@@ -23,6 +23,19 @@ def read_effects(
     return tuple(effect for effect in listed if effect.active)
 
 
+def read_estimates(
+    value: object, names: list[str], track: Track, problems: list[Problem]
+) -> tuple[Effect, ...]:
+    """Sizes of effects that do not act, for the estimate of what they would change."""
+    found: list[Problem] = []
+    listed = listed_effects(value, names, track, found)
+    for one in found:
+        told = one.message.replace("effects is a list", "estimate is a list")
+        hint = one.hint.replace("effects:\n", "estimate:\n")
+        problems.append(Problem(("estimate", *one.path[1:]), one.code, told, hint))
+    return listed
+
+
 def listed_effects(
     value: object, names: list[str], track: Track, problems: list[Problem]
 ) -> tuple[Effect, ...]:

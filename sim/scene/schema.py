@@ -37,6 +37,7 @@ ACTIVE = {"type": "boolean", "description": "false: described, so that a switch 
 def scene_schema() -> dict[str, Any]:
     """A scene file."""
     overlap = {"type": "boolean", "description": "true: carts may overlap at the start"}
+    effects = {"type": "array", "items": {"anyOf": [_effect(k) for k in kinds().values()]}}
     properties = {
         "title": {"type": "string"},
         "carts": {
@@ -47,7 +48,8 @@ def scene_schema() -> dict[str, Any]:
         },
         "track": _table(TRACK_LENGTH, left=SIDES, right=SIDES),
         "contact": _contact(pairs={"type": "object", "additionalProperties": _contact()}),
-        "effects": {"type": "array", "items": {"anyOf": [_effect(k) for k in kinds().values()]}},
+        "effects": effects,
+        "estimate": {"description": "sizes of what is left out"} | effects,
         "until": field_schema(UNTIL),
         "gravity": field_schema(GRAVITY),
         "start": _table(overlap=overlap),

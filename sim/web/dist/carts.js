@@ -486,10 +486,10 @@
     show(rows) {
       for (const group2 of this.root.querySelectorAll("[data-method]")) {
         const method = group2.getAttribute("data-method") ?? "";
-        const { line, points } = lineOf(rows, method);
+        const { line: line2, points } = lineOf(rows, method);
         const d2 = METHODS[method]?.mark ?? "";
         group2.replaceChildren(
-          svg("path", { class: "carts-cost-line", d: line }),
+          svg("path", { class: "carts-cost-line", d: line2 }),
           ...points.map(
             ([x2, y2]) => svg("path", { class: "carts-cost-point", transform: `translate(${x2} ${y2})`, d: d2 })
           )
@@ -682,13 +682,13 @@
   };
 
   // src/cost/table.js
-  function fill(table, lines3) {
-    const body2 = lines3.map(([head = "", ...values]) => {
-      const line = html("tr");
+  function fill(table, lines4) {
+    const body2 = lines4.map(([head = "", ...values]) => {
+      const line2 = html("tr");
       const first = html("th", "", head);
       first.setAttribute("scope", "row");
-      line.append(first, ...values.map((value) => html("td", "", value)));
-      return line;
+      line2.append(first, ...values.map((value) => html("td", "", value)));
+      return line2;
     });
     table.querySelector("tbody")?.replaceChildren(...body2);
   }
@@ -879,8 +879,8 @@
         this.#figure?.show(rows);
         this.#mark();
         const until = Number(this.run?.header.until);
-        const lines3 = rows.map((row) => cells(row, until));
-        fill(need(this, ".carts-cost-table table"), lines3);
+        const lines4 = rows.map((row) => cells(row, until));
+        fill(need(this, ".carts-cost-table table"), lines4);
       }
       /** The ring stands where the chosen method and step were measured. */
       #mark() {
@@ -2014,13 +2014,13 @@
     if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
     return a2 * (1 - part) + b2 * part;
   }
-  function between(values, lines3, count2, factor, next, line) {
+  function between(values, lines4, count2, factor, next, line2) {
     const fine = (count2 - 1) * factor + 1;
-    const found2 = new Float64Array(lines3 * fine);
-    for (let i2 = 0; i2 < lines3; i2 += 1) {
+    const found2 = new Float64Array(lines4 * fine);
+    for (let i2 = 0; i2 < lines4; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
         const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at3 = i2 * line + left * next;
+        const at3 = i2 * line2 + left * next;
         const part = (k - left * factor) / factor;
         found2[i2 * fine + k] = mixed(Number(values[at3]), Number(values[at3 + next]), part);
       }
@@ -2044,15 +2044,15 @@
   }
   function lines(bands, width, { count: count2, zero }) {
     const places = bands.slice();
-    const line = 2 * count2 + 1;
+    const line2 = 2 * count2 + 1;
     const compare = (at3, other) => {
       const own = Number(bands[at3]);
       const next = Number(bands[other]);
       if (next === own || own === count2) return;
       if (next !== count2 && own >= zero !== next >= zero) {
-        places[at3] = line;
-        places[other] = line;
-      } else if (places[at3] !== line) places[at3] = count2 + 1 + own;
+        places[at3] = line2;
+        places[other] = line2;
+      } else if (places[at3] !== line2) places[at3] = count2 + 1 + own;
     };
     for (let at3 = 0; at3 < bands.length; at3 += 1) {
       if ((at3 + 1) % width) compare(at3, at3 + 1);
@@ -2221,20 +2221,20 @@
   }
   function tableOf(columns, rows, axisText, valueText2) {
     if (rows === 1) {
-      const lines4 = spread(columns, 2 * ROWS - 1).map((k) => [axisText(0, k), valueText2(k)]);
-      return { head: [], lines: lines4 };
+      const lines5 = spread(columns, 2 * ROWS - 1).map((k) => [axisText(0, k), valueText2(k)]);
+      return { head: [], lines: lines5 };
     }
     const across2 = spread(columns, COLUMNS);
-    const lines3 = spread(rows, ROWS).map((row) => [
+    const lines4 = spread(rows, ROWS).map((row) => [
       axisText(1, row),
       ...across2.map((k) => valueText2(row * columns + k))
     ]);
-    return { head: across2.map((k) => axisText(0, k)), lines: lines3 };
+    return { head: across2.map((k) => axisText(0, k)), lines: lines4 };
   }
 
   // src/map/table.js
   function fillTable(table, grid, axisText, facts) {
-    const { head, lines: lines3 } = tableOf(
+    const { head, lines: lines4 } = tableOf(
       grid.columns,
       grid.rows,
       axisText,
@@ -2242,12 +2242,12 @@
     );
     const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
     for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
-    const body2 = lines3.map(([name2 = "", ...cells2]) => {
-      const line = html("tr");
+    const body2 = lines4.map(([name2 = "", ...cells2]) => {
+      const line2 = html("tr");
       const first = html("th", "", name2);
       first.setAttribute("scope", "row");
-      line.append(first, ...cells2.map((cell2) => html("td", "", cell2)));
-      return line;
+      line2.append(first, ...cells2.map((cell2) => html("td", "", cell2)));
+      return line2;
     });
     table.querySelector("tbody")?.replaceChildren(...body2);
   }
@@ -5107,18 +5107,18 @@
     show({ header }, decimals) {
       this.until = header.until;
       this.#size();
-      const lines3 = header.plan.map((phase) => {
+      const lines4 = header.plan.map((phase) => {
         const [times2, how, why] = phaseWords(phase, decimals);
-        const line = html("li");
-        line.append(html("b", "", times2), ` ${how}. `, html("span", "carts-quiet", why));
-        return line;
+        const line2 = html("li");
+        line2.append(html("b", "", times2), ` ${how}. `, html("span", "carts-quiet", why));
+        return line2;
       });
-      this.plan.replaceChildren(...lines3);
+      this.plan.replaceChildren(...lines4);
     }
     /** @param {[string, string][]} lines what is told of a stepped run */
-    tell(lines3) {
-      this.table.hidden = lines3.length === 0;
-      const rows = lines3.map(([head, value]) => {
+    tell(lines4) {
+      this.table.hidden = lines4.length === 0;
+      const rows = lines4.map(([head, value]) => {
         const row = html("tr");
         const first = html("th", "", head);
         first.setAttribute("scope", "row");
@@ -5293,6 +5293,94 @@
     return pageHasScipy() || document.querySelector("carts-cost") !== null;
   }
 
+  // src/scene/ladder.js
+  var REST2 = 400;
+  var Ladder = class {
+    /** @type {Run | null} */
+    #run = null;
+    #turn = 0;
+    #timer = 0;
+    #owner = {};
+    // of its own: an estimate is no newer run
+    /**
+     * @param {HTMLElement} root @param {import("../runtime/client.js").Client} client
+     * @param {() => Record<string, unknown>} message a request about the scene as it is now
+     */
+    constructor(root, client2, message) {
+      this.client = client2;
+      this.message = message;
+      this.details = /** @type {HTMLDetailsElement} */
+      need(root, ".carts-model");
+      this.details.addEventListener("toggle", () => this.#opened(0));
+    }
+    /** Another run is there: what stands open is told anew. @param {Run} run */
+    follow(run) {
+      this.#run = run;
+      this.#turn += 1;
+      this.#opened(REST2);
+    }
+    /** @param {number} wait in ms */
+    #opened(wait) {
+      clearTimeout(this.#timer);
+      if (!this.details.open || !this.#run || !isTold(this.#run)) return;
+      this.#timer = setTimeout(() => void this.#ask(), wait);
+    }
+    async #ask() {
+      const turn = this.#turn;
+      const place3 = this.#place();
+      const note2 = need(place3, ".carts-ladder-note");
+      say(note2, tr("The scene is run once with each effect and once without …"));
+      try {
+        const { header } = await this.client.ask(this.#owner, this.message);
+        if (turn !== this.#turn) return;
+        const { ok, rungs, reads } = (
+          /** @type {any} */
+          header
+        );
+        if (!ok) throw new Error("refused");
+        need(place3, ".carts-ladder").replaceChildren(...lines2(rungs, reads));
+        say(note2, "");
+      } catch {
+        if (turn !== this.#turn) return;
+        need(place3, ".carts-ladder").replaceChildren();
+        say(note2, tr("What effects would change cannot be computed here."));
+      }
+    }
+    #place() {
+      const there = this.details.querySelector(".carts-ladder-box");
+      if (there) return there;
+      const box2 = html("div", "carts-ladder-box");
+      const note2 = html("p", "carts-ladder-note carts-quiet");
+      note2.setAttribute("role", "status");
+      box2.append(
+        html("p", "carts-how-head", tr("What does this scene call for? Largest first:")),
+        html("ol", "carts-ladder"),
+        note2
+      );
+      this.details.append(box2);
+      return box2;
+    }
+  };
+  function lines2(rungs, reads) {
+    const shown3 = rungs.filter(({ visible }) => visible).map(line);
+    const hidden = rungs.filter(({ visible }) => !visible).map(line);
+    const between2 = html(
+      "li",
+      "carts-ladder-line",
+      tr("What is less than {part} % of its height, a graph cannot show:", {
+        part: short(100 * reads)
+      })
+    );
+    return [...shown3, between2, ...hidden];
+  }
+  function line({ sentence: sentence2, source, listed: listed2 }) {
+    const text = told2(sentence2);
+    const item = html("li", listed2 ? "carts-ladder-listed" : "");
+    item.append(text.slice(0, 1).toUpperCase() + text.slice(1));
+    if (source) item.append(" ", html("span", "carts-quiet", `(${told2(source)})`));
+    return item;
+  }
+
   // src/scene/projector.js
   var MOST_HANDS = 999;
   var listening = /* @__PURE__ */ new WeakSet();
@@ -5362,7 +5450,7 @@
     scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
   }
   function count(scene, option2) {
-    const line = html("span", "carts-hands");
+    const line2 = html("span", "carts-hands");
     const box2 = document.createElement("input");
     box2.type = "number";
     box2.min = "0";
@@ -5374,8 +5462,8 @@
     const bar2 = document.createElement("meter");
     bar2.setAttribute("aria-hidden", "true");
     const part = html("span");
-    line.append(box2, bar2, part);
-    option2.after(line);
+    line2.append(box2, bar2, part);
+    option2.after(line2);
     box2.addEventListener("input", () => {
       const boxes = (
         /** @type {NodeListOf<HTMLInputElement>} */
@@ -5455,7 +5543,7 @@
     whole.append(sheet);
     let y2 = GAP;
     const write4 = (text, x2, at3, weight) => {
-      const line = svg("text", {
+      const line2 = svg("text", {
         x: x2,
         y: at3,
         fill: ink,
@@ -5463,8 +5551,8 @@
         "font-size": 13,
         "font-weight": weight
       });
-      line.textContent = text;
-      whole.append(line);
+      line2.textContent = text;
+      whole.append(line2);
     };
     write4(scene.querySelector(".carts-title")?.textContent ?? "", GAP, y2 + 12, "700");
     y2 += LINE2 + 4;
@@ -5702,11 +5790,11 @@
       }
     }
     if (quantities.includes("F")) columns.push(...effectColumns(run));
-    const lines3 = [columns.map(([name2]) => quoted(name2)).join(",")];
+    const lines4 = [columns.map(([name2]) => quoted(name2)).join(",")];
     for (let k = 0; k < trajectory.t.length; k += 1) {
-      lines3.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
+      lines4.push(columns.map(([, values]) => String(Number(values[k]) || 0)).join(","));
     }
-    return `${lines3.join("\r\n")}\r
+    return `${lines4.join("\r\n")}\r
 `;
   }
   function effectColumns({ header, trajectory }) {
@@ -6036,32 +6124,32 @@
   function sceneBlock(fence, settings) {
     const scene = structuredClone(fence.scene);
     for (const [target, value] of Object.entries(settings)) change(scene, target, value);
-    const lines3 = [`id: ${fence.id}-copy`];
+    const lines4 = [`id: ${fence.id}-copy`];
     for (const [key, value] of Object.entries(scene)) {
       if (key === "carts") {
-        lines3.push("carts:");
+        lines4.push("carts:");
         for (const [name2, cart] of Object.entries(
           /** @type {object} */
           value
         )) {
-          lines3.push(`  ${name2}: ${flow(cart)}`);
+          lines4.push(`  ${name2}: ${flow(cart)}`);
         }
-      } else lines3.push(`${key}: ${flow(value)}`);
+      } else lines4.push(`${key}: ${flow(value)}`);
     }
-    lines3.push(`show: ${flow(fence.show)}`);
-    if (fence.slow !== "auto") lines3.push(`slow: ${fence.slow}`);
-    if (fence.boxes === "alike") lines3.push(`boxes: ${fence.boxes}`);
-    if (fence.forces !== "shown") lines3.push(`forces: ${fence.forces}`);
-    if (fence.camera) lines3.push(`view: moving ${fence.camera} m/s`);
+    lines4.push(`show: ${flow(fence.show)}`);
+    if (fence.slow !== "auto") lines4.push(`slow: ${fence.slow}`);
+    if (fence.boxes === "alike") lines4.push(`boxes: ${fence.boxes}`);
+    if (fence.forces !== "shown") lines4.push(`forces: ${fence.forces}`);
+    if (fence.camera) lines4.push(`view: moving ${fence.camera} m/s`);
     const switches = fence.switches ?? [];
-    if (fence.controls.length || switches.length) lines3.push("controls:");
+    if (fence.controls.length || switches.length) lines4.push("controls:");
     for (const { set, low, high, step, unit } of fence.controls) {
       const part = (value) => `${value} ${unit}`.trim();
-      lines3.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
+      lines4.push(`  - {set: ${set}, from: ${part(low)}, to: ${part(high)}, step: ${part(step)}}`);
     }
-    for (const { set } of switches) lines3.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
+    for (const { set } of switches) lines4.push(`  - {switch: ${set.replace(/\.active$/, "")}}`);
     return `\`\`\`scene
-${lines3.join("\n")}
+${lines4.join("\n")}
 \`\`\`
 `;
   }
@@ -6216,7 +6304,10 @@ ${lines3.join("\n")}
     const how = new How(element, view, client2, (more) => {
       return { kind: "how", scene, set: { ...acts.settings() }, ...more };
     });
-    return { controls: sliders, find, how };
+    const ladder = new Ladder(element, client2, () => {
+      return { kind: "relevance", scene, set: { ...acts.settings() } };
+    });
+    return { controls: sliders, find, how, ladder };
   }
   function askFirst(element, baked, view, { locked, forgotten }) {
     const ask = element.querySelector(".carts-predict");
@@ -6492,7 +6583,7 @@ ${lines3.join("\n")}
   }
 
   // src/scene/described.js
-  var REST2 = 250;
+  var REST3 = 250;
   var Described = class {
     #timer = 0;
     #told = false;
@@ -6514,7 +6605,7 @@ ${lines3.join("\n")}
       this.#told = true;
       this.#timer = setTimeout(() => {
         if (this.place) say(this.place, this.words(run, t3));
-      }, REST2);
+      }, REST3);
     }
   };
 
@@ -7156,25 +7247,25 @@ ${lines3.join("\n")}
   function drawAxes(root, plane) {
     const times2 = timeMarks(plane);
     const rows = valueMarks(plane);
-    marks2(need(root, '[data-part="times"]'), times2.length, (line, text, i2) => {
+    marks2(need(root, '[data-part="times"]'), times2.length, (line2, text, i2) => {
       const { at: at3, label } = (
         /** @type {{at: string, label: string}} */
         times2[i2]
       );
-      put(line, "class", "carts-grid");
-      put(line, "d", `M${at3} ${TOP4}V${BOTTOM4}`);
+      put(line2, "class", "carts-grid");
+      put(line2, "d", `M${at3} ${TOP4}V${BOTTOM4}`);
       put(text, "class", "carts-tick-x");
       put(text, "x", at3);
       put(text, "y", String(BOTTOM4 + 14));
       say(text, label);
     });
-    marks2(need(root, '[data-part="values"]'), rows.length, (line, text, i2) => {
+    marks2(need(root, '[data-part="values"]'), rows.length, (line2, text, i2) => {
       const { at: at3, textY, label, zero } = (
         /** @type {(typeof rows)[number]} */
         rows[i2]
       );
-      put(line, "class", zero ? "carts-zero" : "carts-grid");
-      put(line, "d", `M${LEFT4} ${at3}H${RIGHT3}`);
+      put(line2, "class", zero ? "carts-zero" : "carts-grid");
+      put(line2, "d", `M${LEFT4} ${at3}H${RIGHT3}`);
       put(text, "class", "carts-tick-y");
       put(text, "x", String(LEFT4 - 5));
       put(text, "y", textY);
@@ -7302,9 +7393,9 @@ ${lines3.join("\n")}
     const made3 = html("span", `carts-${style}`);
     const size = { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" };
     const sample = svg("svg", size);
-    const line = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
+    const line2 = { class: `carts-curve carts-${style}${over ? " carts-over" : ""}`, d: "M0 5H26" };
     const marker = { class: `carts-dot carts-${style}`, d: MARKERS[style] ?? "" };
-    sample.append(svg("path", line), svg("path", { ...marker, transform: "translate(13 5)" }));
+    sample.append(svg("path", line2), svg("path", { ...marker, transform: "translate(13 5)" }));
     made3.append(sample, label);
     return made3;
   }
@@ -7467,7 +7558,7 @@ ${lines3.join("\n")}
   var WITHIN = 9;
   var MOST_CONTACTS = 3;
   var OF_CONTACTS = ["F", "R", "a"];
-  var REST3 = 250;
+  var REST4 = 250;
   var Table = class {
     /** @type {{run: Run, curves: Series[]} | null} */
     #waiting = null;
@@ -7493,7 +7584,7 @@ ${lines3.join("\n")}
       this.#waiting = { run, curves };
       this.#shown = this.#waiting;
       clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST3);
+      this.#timer = setTimeout(() => this.fill(), this.details.open ? 0 : REST4);
     }
     /** @param {number} seen s, as far as the run was watched */
     grow(seen) {
@@ -7699,11 +7790,11 @@ ${lines3.join("\n")}
       const group2 = need(this.root, '[data-part="curves"]');
       fit(group2, this.#curves.length, () => svg("path"));
       this.#curves.forEach((curve2, i2) => {
-        const line = (
+        const line2 = (
           /** @type {Element} */
           group2.children[i2]
         );
-        put(line, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
+        put(line2, "class", `carts-curve carts-${curve2.style}${curve2.over ? " carts-over" : ""}`);
       });
       this.#lines(run);
       ghostCurves(this.plot, behind, this.behind?.trajectory.t ?? [], this.#plane);
@@ -7723,11 +7814,11 @@ ${lines3.join("\n")}
     #lines(run) {
       const group2 = need(this.root, '[data-part="curves"]');
       this.#curves.forEach((curve2, i2) => {
-        const line = (
+        const line2 = (
           /** @type {Element} */
           group2.children[i2]
         );
-        put(line, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
+        put(line2, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
       const end = Math.min(RIGHT3, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
@@ -7811,7 +7902,7 @@ ${lines3.join("\n")}
     puck: { wheels: false, corner: 12, lines: puck }
   };
   function van(box2, front) {
-    return lines2(box2, front, [
+    return lines3(box2, front, [
       [
         [0.06, 0.9],
         [0.34, 0.9],
@@ -7833,7 +7924,7 @@ ${lines3.join("\n")}
     ]);
   }
   function truck(box2, front) {
-    return lines2(box2, front, [
+    return lines3(box2, front, [
       [
         [0.22, 0],
         [0.22, 1]
@@ -7852,7 +7943,7 @@ ${lines3.join("\n")}
     ]);
   }
   function trailer(box2, front) {
-    return lines2(box2, front, [
+    return lines3(box2, front, [
       [
         [-0.5, 0.2],
         [0.5, 0.2]
@@ -7869,7 +7960,7 @@ ${lines3.join("\n")}
     ]);
   }
   function crate(box2, front) {
-    return lines2(box2, front, [
+    return lines3(box2, front, [
       [
         [-0.4, 0.1],
         [0.4, 0.1],
@@ -7896,7 +7987,7 @@ ${lines3.join("\n")}
     ]);
   }
   function puck(box2, front) {
-    return lines2(box2, front, [
+    return lines3(box2, front, [
       [
         [-0.48, 0.15],
         [0.48, 0.15]
@@ -7907,7 +7998,7 @@ ${lines3.join("\n")}
       ]
     ]);
   }
-  function lines2({ width, height }, front, strokes) {
+  function lines3({ width, height }, front, strokes) {
     if (width < NARROW) return "";
     const at3 = ([x2, y2]) => `${px(front * x2 * width)} ${px(-y2 * height)}`;
     return strokes.map((points) => `M${points.map(at3).join("L")}`).join("");
@@ -8779,14 +8870,14 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     const set = document.createElement("fieldset");
     set.append(html("legend", "", title));
     for (const { key, label, seen } of choices) {
-      const line = html("label");
+      const line2 = html("label");
       const box2 = document.createElement("input");
       box2.type = "checkbox";
       box2.checked = seen;
       box2.dataset.choice = key;
       box2.addEventListener("change", () => act(key, box2.checked));
-      line.append(box2, ` ${label}`);
-      set.append(line);
+      line2.append(box2, ` ${label}`);
+      set.append(line2);
     }
     set.hidden = choices.length === 0;
     return set;
@@ -9153,6 +9244,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         if (this.#lesson) inside.find?.show(baked.run);
         void inside.find?.restore();
         void inside.how.follow(baked.run);
+        inside.ladder.follow(baked.run);
         if (this.#watch.over) view.show(baked.run);
         view.enable(!this.#predict);
         inside.controls.enable(!this.#predict);
@@ -9226,6 +9318,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
         const shown3 = this.#inside?.how.follow(run);
+        this.#inside?.ladder.follow(run);
         this.#inside?.controls.show(this.#values.good, run.header);
         this.#inside?.find?.show(run);
         offerUndo(this, this.#told && this.#values.canUndo);

@@ -7,6 +7,7 @@ import { need } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 import { Controls, valueIn } from "./controls.js";
 import { How } from "./how/how.js";
+import { Ladder } from "./ladder.js";
 import { offerProjector } from "./projector.js";
 import { TakeAlong } from "./take-along/take-along.js";
 
@@ -62,7 +63,10 @@ export function wireInside(element, baked, view, client, acts) {
   const how = new How(element, view, client, (more) => {
     return { kind: "how", scene, set: { ...acts.settings() }, ...more };
   });
-  return { controls: sliders, find, how };
+  const ladder = new Ladder(element, client, () => {
+    return { kind: "relevance", scene, set: { ...acts.settings() } };
+  });
+  return { controls: sliders, find, how, ladder };
 }
 
 /**

@@ -1,0 +1,163 @@
+"""What moves between events, and what is between two neighbours.
+
+A body is a cart, or carts that velcro holds together. Between events it is held, it flies under a
+constant force, or it is in one phase of a contact (`phases`). Of every gap its room and rate are
+kept from the last event of one of its bodies on: so that what touches has room 0, exactly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from sim.certify.balls import ZERO, Ball, NotProvableError, is_zero, sign
+from sim.certify.instants import Instant, instant
+from sim.certify.loads import Load
+from sim.scene.model import Contact
+
+
+class Phase(Protocol):
+    """One branch of a contact, as its two bodies see it."""
+
+    begun: Instant
+
+    def way(self, body: Body, start: Instant, end: Instant) -> Ball:
+        """m. Between two times of the phase."""
+
+    def speed(self, body: Body, now: Instant) -> Ball:
+        """m/s."""
+
+
+@dataclass(slots=True, eq=False)
+class Body:
+    """`mass` None: it does not move (a wall, or what sticks to one)."""
+
+    carts: list[int]
+    mass: Ball  # kg
+    v: Ball = ZERO  # m/s, at `begun`
+    begun: Instant = field(default_factory=lambda: instant(0.0))
+    a: Ball = ZERO  # m/s², in flight
+    load: list[Load] = field(default_factory=list)
+    held: bool = False  # by friction
+    sliding: int = 0
+    phase: Phase | None = None
+
+    @property
+    def still(self) -> bool:
+        """Does nothing move it?"""
+        return self.mass is None or self.held
+
+    @property
+    def kinetic(self) -> Ball:
+        """N. Friction while it slides."""
+        return sum((one.kinetic for one in self.load), ZERO)
+
+    @property
+    def static(self) -> Ball:
+        """N. What friction can hold."""
+        return sum((one.static for one in self.load), ZERO)
+
+    def force(self, now: Instant) -> Ball:
+        """N without contacts, with the friction of its direction."""
+        total = sum((one.force(now.ball) for one in self.load), ZERO)
+        return total - self.sliding * self.kinetic if self.sliding else total
+
+    def acceleration(self, now: Instant) -> Ball:
+        """m/s² without contacts; of carts on one slope and nothing else the very same ball."""
+        if not self.sliding and all(one.slope is self.load[0].slope for one in self.load):
+            pushed = sum((one.pushed(now.ball) for one in self.load), ZERO)
+            slope = self.load[0].slope
+            return slope if is_zero(pushed) else slope + pushed / self.mass
+        return self.force(now) / self.mass
+
+    def way(self, start: Instant, end: Instant) -> Ball:
+        """m. Between two times of its present motion."""
+        if self.phase is not None:
+            return self.phase.way(self, start, end)
+        if self.still:
+            return ZERO
+        tau = end.minus(start)
+        if is_zero(self.a):
+            return self.v * tau
+        return (self.v + self.a * start.minus(self.begun)) * tau + self.a * tau * tau / 2
+
+    def speed(self, now: Instant) -> Ball:
+        """m/s."""
+        if self.phase is not None:
+            return self.phase.speed(self, now)
+        if self.still:
+            return ZERO
+        return self.v if is_zero(self.a) else self.v + self.a * now.minus(self.begun)
+
+    def fly(self, now: Instant, push: Ball = ZERO) -> None:
+        """From `now` on it is alone, or under the force `push` [N] of a contact besides its load.
+
+        Says whether friction holds it, and which way it slides. Raises where that is not proved.
+        """
+        self.begun, self.phase, self.a = now, None, ZERO
+        if self.mass is None:
+            self.v = ZERO
+            return
+        self.sliding, self.held = 0, False
+        force = sum((one.force(now.ball) for one in self.load), ZERO)
+        if not (is_zero(self.static) and is_zero(self.kinetic)):
+            self._rub(force + push)
+        if not self.held:
+            self.a = self.acceleration(now)
+
+    def _rub(self, force: Ball) -> None:
+        way = sign(self.v, "which way a cart slides")
+        if way == 0:
+            if abs(force) <= self.static:
+                self.held = True
+                return
+            if not abs(force) > self.static:
+                raise NotProvableError("whether friction holds a cart")
+            way = sign(force, "which way a cart begins to slide")
+        self.sliding = way
+
+
+@dataclass(slots=True, eq=False)
+class Gap:
+    """Between two neighbours; `contact` None: an open side, and nothing to meet."""
+
+    index: int
+    names: tuple[str, str]
+    left: Body
+    right: Body
+    contact: Contact
+    room: Ball  # m, at `since`; negative: pressed into each other
+    rate: Ball  # m/s
+    since: Instant = field(default_factory=lambda: instant(0.0))
+    joined: bool = False
+    memory: Ball = ZERO  # m, of a bumper that has not recovered
+    tail: tuple[Ball, Ball] | None = None  # κ, γ of a dashpot that has not recovered
+    spent: bool = False  # its force is nought at `since`, exactly
+    touching: bool = False
+
+    def room_at(self, now: Instant) -> Ball:
+        """m."""
+        if now is self.since:
+            return self.room
+        return self.room + self.right.way(self.since, now) - self.left.way(self.since, now)
+
+    def rate_at(self, now: Instant) -> Ball:
+        """m/s."""
+        if now is self.since:
+            return self.rate
+        return self.right.speed(now) - self.left.speed(now)
+
+    @property
+    def shown(self) -> str:
+        """A and B, for a reason."""
+        return " and ".join(self.names)
+
+    @property
+    def simple(self) -> bool:
+        """Are both in flight, so that the room is a parabola?"""
+        return self.left.phase is None and self.right.phase is None
+
+    @property
+    def pull(self) -> Ball:
+        """m/s². Of two bodies in flight."""
+        return ZERO if self.left.a is self.right.a else self.right.a - self.left.a

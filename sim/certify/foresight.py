@@ -1,0 +1,161 @@
+"""What comes next: for every gap, every sliding cart and every contact, and which of it is first.
+
+Of all that may happen next, an event is taken only if it is proved to come before every other that
+shares a body or a gap with it. Two that have nothing to do with each other may come in either
+order: the end is the same, and only the order of the list is then not proved.
+"""
+
+from __future__ import annotations
+
+from sim.certify.balls import (
+    ZERO,
+    Ball,
+    NoBoundError,
+    NotProvableError,
+    exact,
+    is_zero,
+    lower,
+    upper,
+)
+from sim.certify.bodies import Gap
+from sim.certify.instants import instant
+from sim.certify.roots import falls_to_zero, first_root
+from sim.certify.row import COUPLED, Next, Row
+
+
+class Foresight(Row):
+    """What is still to come of a row."""
+
+    def first(self, coming: list[Next]) -> Next | None:
+        """The provably first; None if nothing comes before the end."""
+        known = [(lower(one.when.ball), upper(one.when.ball), one) for one in coming]
+        end = upper(self.until.ball)
+        known = [row for row in known if not row[0] > end]
+        if not known:
+            return None
+        low, high, first = min(known, key=lambda row: (row[1], row[0]))
+        if high > end:
+            raise NotProvableError("whether something still happens before the end")
+        around = self._around(first)
+        for other_low, other_high, other in known:
+            if other is first or other_low > high:
+                continue
+            exactly = low == high == other_low == other_high
+            if self._around(other) & around and not (exactly and self._apart(first, other)):
+                raise NotProvableError(
+                    f"what comes first: {self._called(first)} or {self._called(other)}"
+                )
+            if not exactly:
+                self.doubt = self.doubt or (
+                    f"{self._called(first)} and {self._called(other)} come at one instant, "
+                    "as far as can be told"
+                )
+        return first
+
+    def _around(self, one: Next) -> set[int]:
+        """Gaps that an event changes."""
+        found = set() if one.gap is None else {one.gap.index}
+        for gap in self.gaps:
+            if gap.left in one.bodies or gap.right in one.bodies:
+                found.add(gap.index)
+        return found
+
+    def _apart(self, one: Next, other: Next) -> bool:
+        """At exactly one instant: is either order the same, as no body takes part in both?"""
+        return not set(map(id, one.bodies)) & set(map(id, other.bodies))
+
+    def _called(self, one: Next) -> str:
+        if one.gap is not None:
+            return f"{one.kind} of {one.gap.shown}"
+        carts = [self.names[k] for body in one.bodies for k in body.carts]
+        return f"{one.kind} of {' and '.join(carts)}"
+
+    def halts(self) -> list[Next]:
+        """Where friction brings carts in flight to rest."""
+        found = []
+        for body in dict.fromkeys(self.bodies):
+            if body.phase is None and body.sliding and not body.still:
+                braked = body.sliding * body.a
+                if braked < 0:
+                    when = body.begun.after(-body.v / body.a)
+                    found.append(Next(when, "halt", (body,), body=body))
+                elif not braked >= 0:
+                    raise NotProvableError("whether a cart comes to rest")
+        return found
+
+    def of_gap(self, gap: Gap) -> list[Next]:
+        """A meeting, and the recovery of bumpers; kept until one of the bodies changes."""
+        if gap.joined or gap.touching:
+            return []
+        found = self.ahead.get(gap.index)
+        if found is None:
+            found = self.ahead[gap.index] = list(self._meeting(gap))
+        return found
+
+    def _meeting(self, gap: Gap) -> list[Next]:
+        bodies = (gap.left, gap.right)
+        if gap.left.still and gap.right.still:
+            return []
+        doubt = f"whether {gap.shown} meet"
+        found = []
+        tail = gap.tail is not None or not is_zero(gap.memory)
+        if gap.simple:
+            left = self.until.minus(gap.since).upper().mid()
+            tau = falls_to_zero(*self._force_left(gap), left, doubt)
+            if tail:
+                clear = falls_to_zero(-gap.room, -gap.rate, -gap.pull, left, doubt)
+                if clear is not None:
+                    found.append(Next(gap.since.after(clear), "clear", bodies, gap))
+        elif tail:
+            raise NoBoundError(f"{gap.shown} have not recovered when one of them meets another")
+        elif is_zero(gap.room) and is_zero(gap.rate):
+            raise NotProvableError(
+                f"{gap.shown} touch while one of them is in another contact: {COUPLED}"
+            )
+        else:
+            tau = first_root(
+                lambda t: gap.room_at(gap.since.after(t)),
+                lambda t: gap.rate_at(gap.since.after(t)),
+                (self.horizon(gap) - gap.since.ball).upper().mid(),
+                doubt,
+            )
+        if tau is not None:
+            found.append(Next(gap.since.after(tau), "touch", bodies, gap))
+        return found
+
+    def _force_left(self, gap: Gap) -> tuple[Ball, Ball, Ball]:
+        """What has to fall to nought for a touch, as a parabola: room, or −N where it lingers."""
+        if gap.tail is not None:
+            k, c = gap.tail
+            first = ZERO if gap.spent else k * gap.room + c * gap.rate
+            return first, k * gap.rate + c * gap.pull, k * gap.pull
+        if not is_zero(gap.memory):
+            e = exact(gap.contact.restitution or 0.0)
+            spent = is_zero(e) or gap.spent
+            room = ZERO if spent else gap.room + (1 - e * e) * gap.memory
+            return room, gap.rate, gap.pull
+        return gap.room, gap.rate, gap.pull
+
+    def horizon(self, gap: Gap) -> Ball:
+        """s. Up to there the present motions of both bodies hold."""
+        ends = [self.until.ball]
+        for _, coming in self.phases.values():
+            for one in coming:
+                if gap.left in one.bodies or gap.right in one.bodies:
+                    ends.append(one.when.ball.upper())
+        best = ends[0]
+        for end in ends[1:]:
+            best = min(best, end)
+        return best
+
+    def switches(self) -> list[Next]:
+        """When pushes begin and end: nothing is told of it."""
+        found: dict[float, set[int]] = {}
+        for k, load in enumerate(self.inputs.loads):
+            for begin, end, _ in load.pushes:
+                for t in (begin, end):
+                    if 0.0 < t <= self.scene.until:
+                        found.setdefault(t, set()).add(k)
+        return [
+            Next(instant(t), "switch", (), carts=tuple(sorted(found[t]))) for t in sorted(found)
+        ]

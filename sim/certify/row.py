@@ -1,0 +1,128 @@
+"""The row of bodies and gaps at one moment, brought from one event to the next.
+
+Gaps are settled before the bodies around them: room and rate at an instant follow from the motions
+up to it, and what touches has room 0, exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from sim.certify.balls import ZERO
+from sim.certify.bodies import Body, Gap
+from sim.certify.inputs import Inputs
+from sim.certify.instants import Instant, instant
+from sim.certify.phases import ContactPhase
+from sim.certify.touches import Touch
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Next:
+    """Something that will happen at `when` if nothing comes before."""
+
+    when: Instant
+    kind: str  # touch, clear, end (of a phase), halt, switch
+    bodies: tuple[Body, ...]
+    gap: Gap | None = None
+    cause: str = ""
+    body: Body | None = None
+    carts: tuple[int, ...] = ()  # of a switch: which body they are in is known only then
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """An event as it will be listed."""
+
+    when: Instant
+    kind: str
+    bodies: tuple[str, ...]
+
+
+COUPLED = "coupled contacts have no bound yet"
+
+
+class Row:
+    """A scene on its way from 0 to its end."""
+
+    def __init__(self, inputs: Inputs) -> None:
+        self.inputs, self.scene = inputs, inputs.scene
+        self.names = [cart.name for cart in self.scene.carts]
+        self.zero, self.until = instant(0.0), instant(self.scene.until)
+        self.bodies = [
+            Body([k], inputs.masses[k], inputs.velocities[k], self.zero, load=[inputs.loads[k]])
+            for k in range(len(self.names))
+        ]
+        walls = (Body([], None), Body([], None))
+        row = [walls[0], *self.bodies, walls[1]]
+        self.gaps = [
+            Gap(
+                k,
+                self.scene.names_at(k),
+                row[k],
+                row[k + 1],
+                contact,
+                inputs.gaps[k],
+                ZERO,
+                self.zero,
+            )
+            for k, contact in enumerate(self.scene.contacts)
+            if contact is not None
+        ]
+        self.moved = [ZERO for _ in self.names]  # m, of each cart
+        self.touches: dict[int, Touch] = {}
+        self.phases: dict[int, tuple[ContactPhase, list[Next]]] = {}
+        self.ahead: dict[int, list[Next]] = {}  # of each gap
+        self.told: list[Told] = []
+        self.doubt = ""  # about the order of two events that are independent
+        self.happened = 0
+
+    def settle(self, bodies: Iterable[Body], now: Instant) -> None:
+        """Bring bodies to `now`, and the gaps around them."""
+        bodies = {body: None for body in bodies if body.carts}
+        for gap in self.gaps:
+            if gap.joined or not ({gap.left, gap.right} & {*bodies}):
+                continue
+            if gap.since is not now:
+                room, rate = gap.room_at(now), gap.rate_at(now)
+                gap.room, gap.rate, gap.since = room, rate, now
+                gap.spent = False
+        for body in bodies:
+            if body.begun is not now:
+                way, v = body.way(body.begun, now), body.speed(now)
+                for k in body.carts:
+                    self.moved[k] = self.moved[k] + way
+                body.v, body.begun = v, now
+
+    def fly(self, bodies: Iterable[Body], now: Instant) -> None:
+        """New motions; rates of the gaps around follow."""
+        for body in bodies:
+            if body.carts and body.phase is None:
+                body.fly(now)
+        for gap in self.gaps:
+            if not gap.joined and not gap.touching and {gap.left, gap.right} & {*bodies}:
+                if gap.since is not now:
+                    raise AssertionError("a gap was not settled")
+                if not self._alike(gap):
+                    gap.rate = gap.right.speed(now) - gap.left.speed(now)
+
+    def _alike(self, gap: Gap) -> bool:
+        """Do both go on with one velocity, the same number?"""
+        if gap.left.v is gap.right.v and gap.left.phase is None and gap.right.phase is None:
+            gap.rate = ZERO
+            return True
+        return False
+
+    def forget(self, bodies: Iterable[Body]) -> None:
+        """What was foreseen around these bodies no longer holds."""
+        for gap in self.gaps:
+            if {gap.left, gap.right} & {body for body in bodies if body.carts}:
+                self.ahead.pop(gap.index, None)
+
+    def tell(self, when: Instant, kind: str, bodies: tuple[str, ...]) -> None:
+        """An event for the list."""
+        self.told.append(Told(when, kind, bodies))
+
+    def tell_carts(self, when: Instant, kind: str, body: Body) -> None:
+        """An event of every cart of a body."""
+        self.tell(when, kind, tuple(self.names[k] for k in body.carts))

@@ -1,0 +1,83 @@
+"""The run in balls: the provably first event, its consequences, and so on to the end."""
+
+from __future__ import annotations
+
+from sim.certify.balls import ZERO, NoBoundError
+from sim.certify.contacts import Contacts
+from sim.certify.row import Next
+
+MOST_EVENTS = 10_000
+"""Consequences of one run. A certificate of more takes minutes and is asked for by nobody."""
+
+
+class BallRun(Contacts):
+    """A scene on its way from 0 to its end."""
+
+    def go(self) -> None:
+        """To the end. Raises NoBoundError; `told` then holds what was proved before."""
+        self._start()
+        switches = self.switches()
+        while True:
+            coming = [one for _, ends in self.phases.values() for one in ends]
+            coming += [one for gap in self.gaps for one in self.of_gap(gap)]
+            coming += self.halts() + [self._now(one) for one in switches[:1]]
+            first = self.first(coming)
+            if first is None:
+                break
+            if first.kind == "switch":
+                switches = switches[1:]
+            self.happened += 1
+            if self.happened > MOST_EVENTS:
+                raise NoBoundError(f"there are more than {MOST_EVENTS} changes")
+            self._happen(first)
+        self.settle(self.bodies, self.until)
+        self.tell(self.until, "end", tuple(self.names))
+
+    def _now(self, one: Next) -> Next:
+        """A switch with the bodies that its carts are in now."""
+        bodies = tuple(dict.fromkeys(self.bodies[k] for k in one.carts))
+        return Next(one.when, one.kind, bodies)
+
+    def _start(self) -> None:
+        for gap in self.gaps:
+            gap.rate = gap.right.v - gap.left.v
+        for body in self.bodies:
+            body.fly(self.zero)
+        for gap in self.gaps:
+            if gap.room < 0:
+                self.touch(gap, self.zero)
+
+    def _happen(self, one: Next) -> None:
+        if one.kind == "touch" and one.gap is not None:
+            self.meet(one.gap, one.when)
+        elif one.kind == "clear" and one.gap is not None:
+            self.forget(one.bodies)
+            self.settle(one.bodies, one.when)
+            one.gap.room, one.gap.memory, one.gap.tail = ZERO, ZERO, None
+            self.fly(one.bodies, one.when)
+        elif one.kind == "end" and one.gap is not None:
+            self.phase_ends(one.gap, one)
+        elif one.kind == "halt" and one.body is not None:
+            self.forget(one.bodies)
+            self.settle(one.bodies, one.when)
+            one.body.v = ZERO
+            self.fly(one.bodies, one.when)
+            if one.body.held:
+                self.tell_carts(one.when, "stop", one.body)
+        else:
+            self._switch(one)
+
+    def _switch(self, one: Next) -> None:
+        held = [body for body in one.bodies if body.held]
+        for gap_index in [
+            k for k, (p, _) in self.phases.items() if {p.left, p.right} & {*one.bodies}
+        ]:
+            gap = next(gap for gap in self.gaps if gap.index == gap_index)
+            self.again(gap, one.when, ())
+        free = [body for body in one.bodies if body.phase is None]
+        self.forget(free)
+        self.settle(free, one.when)
+        self.fly(free, one.when)
+        for body in held:
+            if not body.held:
+                self.tell_carts(one.when, "start", body)

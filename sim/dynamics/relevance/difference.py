@@ -1,0 +1,112 @@
+"""Where two runs of nearly the same scene differ most, measured on the graph that shows it.
+
+Places are compared at the same times; they never jump. Velocities are compared at the end and after
+the same contact of both runs: a contact a moment later is no other velocity. Both are told as parts
+of their graph's height, which goes from the least to the greatest value, nought included.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from dataclasses import dataclass
+
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.trajectory import sample
+
+INSTANTS = 12
+"""Equal parts of a run at whose ends places are compared: differences grow slowly between."""
+
+MOST_CONTACTS = 40
+"""Contacts whose velocities are compared: what differs does so before that many."""
+
+READS = 0.01
+"""Reading accuracy of a graph, of its height: 1.3 of the 134 units of a drawn graph, less than the
+width of its curves. Two runs that are nearer than this have one curve."""
+
+ROUNDING = 1e-12
+"""Of a graph's height. Less than this is what arithmetic leaves of nothing."""
+
+Speeds = dict[tuple[str, tuple[str, ...], int], tuple[float, dict[str, float]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What is looked at of one run, and the heights of its two graphs [m], [m/s]."""
+
+    run: Run
+    times: tuple[float, ...]
+    places: tuple[tuple[float, ...], ...]
+    after: Speeds
+    heights: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """The greatest change: of ``x.A`` [m] or ``v.A`` [m/s], when, and as part of the graph."""
+
+    quantity: str
+    at: float
+    amount: float
+    relative: float  # inf: on a graph that shows nothing else
+
+    @property
+    def visible(self) -> bool:
+        """Does a graph of ordinary size show it?"""
+        return self.relative > READS
+
+    @property
+    def nothing(self) -> bool:
+        """Is it rounding alone?"""
+        return self.relative <= ROUNDING
+
+
+def seen(run: Run, times: tuple[float, ...] | None = None) -> Seen:
+    """A run that kept motion and events, looked at at `times` [s], by default equally spaced."""
+    times = times or tuple(run.t * k / INSTANTS for k in range(1, INSTANTS))
+    sampled = [sample(run, min(t, run.t)) for t in times]
+    places = (*(tuple(x) for x, _ in sampled), run.x)
+    after = _after_contacts(run)
+    carts = run.scene.carts
+    all_x = [0.0, *(c.position for c in carts), *(x for row in places for x in row)]
+    all_v = [0.0, *(c.velocity for c in carts), *run.v, *(v for _, row in sampled for v in row)]
+    all_v += [v for _, speeds in after.values() for v in speeds.values()]
+    heights = (max(all_x) - min(all_x), max(all_v) - min(all_v))
+    return Seen(run, (*times, run.t), places, after, heights)
+
+
+def _after_contacts(run: Run) -> Speeds:
+    found: Speeds = {}
+    count: Counter[tuple[str, ...]] = Counter()
+    for event in run.record.events:
+        if len(found) == MOST_CONTACTS:
+            break
+        if event.kind in ("contact", "separate") and event.impulse:
+            count[event.bodies] += 1
+            found["", event.bodies, count[event.bodies]] = (event.t, event.after)
+    return found
+
+
+def difference(own: Seen, other: Seen) -> Difference:
+    """The greatest difference as part of the graphs of `own`."""
+    names = [cart.name for cart in own.run.scene.carts]
+    height_x, height_v = own.heights
+    best = Difference(f"v.{names[0]}", own.run.t, 0.0, 0.0)
+
+    def see(quantity: str, at: float, amount: float, height: float) -> None:
+        nonlocal best
+        relative = amount / height if height else (math.inf if amount else 0.0)
+        more = relative == best.relative == math.inf and amount > best.amount
+        if relative > best.relative or more:
+            best = Difference(quantity, at, amount, relative)
+
+    for t, mine, theirs in zip(own.times, own.places, other.places, strict=True):
+        for name, a, b in zip(names, mine, theirs, strict=True):
+            see(f"x.{name}", t, abs(a - b), height_x)
+    for name, a, b in zip(names, own.run.v, other.run.v, strict=True):
+        see(f"v.{name}", own.run.t, abs(a - b), height_v)
+    for key, (t, speeds) in own.after.items():
+        if key in other.after:
+            for name, v in speeds.items():
+                see(f"v.{name}", t, abs(v - other.after[key][1].get(name, v)), height_v)
+    return best

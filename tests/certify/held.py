@@ -1,0 +1,69 @@
+"""A certificate held against the oracle: which of its claims miss what forty digits say."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from mpmath import mpf
+
+from sim.certify.certificate import ORDER
+from sim.scene import Scene
+from tests.reference.many_digits import NOTHING, Digits, integrate
+
+LEFT_OUT = ("peak", "end")
+"""Kinds of events that the oracle does not look for."""
+
+
+def exactly(number: mpf) -> Fraction:
+    """Every digit of it."""
+    sign, mantissa, exponent, _ = number._mpf_  # mpf(number) would round it
+    return Fraction((-1) ** sign * int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def misses(scene: Scene, certificate: dict[str, Any]) -> list[str]:
+    """What of a certificate is not so; empty: all holds. Raises where the oracle cannot tell."""
+    oracle = integrate(scene)
+    return [*_ends(scene, certificate, oracle), *_events(certificate, oracle)]
+
+
+def _ends(scene: Scene, certificate: dict[str, Any], oracle: Digits) -> list[str]:
+    found = []
+    for k, cart in enumerate(scene.carts):
+        group = oracle.group(k)
+        assert group is not None
+        truth = {
+            "x": Fraction(cart.position) + exactly(oracle.moved[k]),
+            "v": exactly(group.v),
+        }
+        for kind, value in truth.items():
+            low, high = certificate["final"][kind][cart.name]
+            if low == high == "0.0" and abs(value) <= exactly(NOTHING):
+                continue  # the oracle's rounding of what is nought
+            if not Fraction(float(low)) <= value <= Fraction(float(high)):
+                found.append(f"{kind}.{cart.name} = {float(value)!r} not in [{low}, {high}]")
+    return found
+
+
+def _listed(event: tuple[mpf, str, tuple[str, ...]], oracle: Digits) -> tuple[int, int, int]:
+    """Those of one instant stand in a list by kind, then from left to right, as in a run."""
+    t, kind, bodies = event
+    row = ["left", *(cart.name for cart in oracle.scene.carts), "right"]
+    return int(exactly(t) * 10**30), ORDER.index(kind), row.index(bodies[0])
+
+
+def _events(certificate: dict[str, Any], oracle: Digits) -> list[str]:
+    mine = [event for event in certificate["events"] if event["kind"] not in LEFT_OUT]
+    theirs = sorted(oracle.events, key=lambda e: _listed(e, oracle))
+    if certificate["order"] != "proved":  # those of one instant may come in either order
+        mine = sorted(mine, key=lambda e: (e["bodies"], float(e["t"][0])))
+        theirs = sorted(theirs, key=lambda e: (list(e[2]), e[0]))
+    names = [(event["kind"], tuple(event["bodies"])) for event in mine]
+    if names != [(kind, bodies) for _, kind, bodies in theirs]:
+        return [f"events {names} are {[(kind, bodies) for _, kind, bodies in theirs]}"]
+    found = []
+    for event, (t, kind, bodies) in zip(mine, theirs, strict=True):
+        low, high = event["t"]
+        if not Fraction(float(low)) <= exactly(t) <= Fraction(float(high)):
+            found.append(f"{kind} of {bodies} at {float(t)!r} not in [{low}, {high}]")
+    return found

@@ -1,0 +1,62 @@
+"""Random scenes that a certificate may be asked for: pairs and rows, all laws, constant forces."""
+
+from __future__ import annotations
+
+from random import Random
+from typing import Any
+
+LAWS = ("bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro")
+
+
+def plain(seed: int) -> dict[str, Any]:
+    """One scene as an author would write it; few digits, so that carts may meet at one instant."""
+    dice = Random(seed)
+    count = dice.choice([1, 2, 2, 2, 2, 3, 4])
+    x, carts = 0.0, {}
+    for k in range(count):
+        x = round(x + 0.2 + dice.choice([0.0, 0.05, dice.uniform(0.05, 0.8)]), 3)
+        carts["ABCD"[k]] = {
+            "mass": round(10 ** dice.uniform(-1, 1), 3),
+            "position": x,
+            "velocity": dice.choice([0, 0.5, -0.5, round(dice.uniform(-1.5, 1.5), 3)]),
+        }
+    right = dice.random() < 0.4
+    track: dict[str, Any] = {"left": dice.choice(["open", "open", "wall"])}
+    track |= {"right": "wall", "length": round(x + 0.1 + dice.uniform(0.1, 1), 3)} if right else {}
+    scene = {
+        "carts": carts,
+        "track": track,
+        "contact": _contact(dice),
+        "until": dice.choice([1, 3]),
+    }
+    if count > 1 and dice.random() < 0.2:
+        scene["contact"]["pairs"] = {"A-B": _contact(dice)}
+    if dice.random() < 0.4:
+        scene["effects"] = [_effect(dice, list(carts)) for _ in range(dice.choice([1, 1, 2]))]
+    return scene
+
+
+def _contact(dice: Random) -> dict[str, Any]:
+    law = dice.choice(LAWS)
+    found: dict[str, Any] = {"law": law}
+    if law != "velcro":
+        least = 0.02 if law.startswith("push") else 0
+        found["restitution"] = max(least, dice.choice([0, 0.5, 1, round(dice.uniform(0, 1), 3)]))
+    if law not in ("instant", "velcro"):
+        found["stiffness"] = round(10 ** dice.uniform(2, 4.5))
+    return found
+
+
+def _effect(dice: Random, names: list[str]) -> dict[str, Any]:
+    kind = dice.choice(["friction", "incline", "push"])
+    if kind == "friction":
+        low = round(dice.uniform(0, 0.05), 4)
+        more = (
+            {"static": round(low * dice.uniform(1, 2) + 0.0001, 4)} if dice.random() < 0.3 else {}
+        )
+        return {"friction": {"coefficient": low, **more}}
+    if kind == "incline":
+        return {"incline": {"angle": round(dice.uniform(-0.05, 0.05), 4)}}
+    begin = round(dice.uniform(0, 1), 2)
+    push = {"cart": dice.choice(names), "force": round(dice.uniform(-1, 1), 2), "from": begin}
+    return {"push": push | {"until": round(begin + dice.uniform(0.1, 1), 2)}}
