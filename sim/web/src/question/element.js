@@ -6,6 +6,7 @@ import { html, need, say } from "../shared/dom.js";
 import { Feedback } from "./feedback.js";
 import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";
+import { interactionsForm } from "./forms/interactions.js";
 import { drawnForm, ownReading } from "./forms/run.js";
 import { tableForm } from "./forms/table.js";
 import { numberForm, wordsForm } from "./forms/typed.js";
@@ -30,6 +31,7 @@ const FORMS = {
   ordering: orderForm,
   matching: matchForm,
   table: tableForm,
+  interactions: interactionsForm,
   drawn: drawnForm,
   idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed),
 };
