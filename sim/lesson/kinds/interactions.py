@@ -121,8 +121,11 @@ class Interactions(Question):
         return {"objects": list(self.objects)}
 
     def mark(self, value: object, own: float | None = None) -> Mark:
-        """Right as a whole; partly with half of the links and none invented. `shown` names each
-        right link (`link-1-2-contact`) and the rows that fit."""
+        """Right as a whole; partly with half of the links and none invented.
+
+        `shown` names each right link (`link-1-2-contact`), the rows about invented links that fit,
+        and of those about missing ones the first: one question at a time.
+        """
         del own
         of = self.common.marks
         if is_empty(value):
@@ -132,15 +135,14 @@ class Interactions(Question):
             return Mark("unclear", 0, of)
         right = set(self.links)
         lost, invented = right - drawn, drawn - right
-        rows = [f"missing-{k}" for k, one in enumerate(self.missing, start=1) if one.fits(lost)]
-        rows += [f"wrong-{k}" for k, one in enumerate(self.wrong, start=1) if one.fits(invented)]
-        told = self.feedback()
+        asks = _fitting("missing", self.missing, lost)
+        answers = _fitting("wrong", self.wrong, invented)
         shown = [f"link-{link.name}" for link in self.links if link in drawn]
         return all_or_nothing(
             not lost and not invented,
             not invented and 2 * len(lost) <= len(right),
             of,
-            shown=(*shown, *(row for row in rows if row in told)),
+            shown=(*shown, *asks[:1], *answers),
             beliefs=tuple(one.belief for one in self.wrong if one.belief and one.fits(invented)),
         )
 
@@ -163,3 +165,9 @@ class Interactions(Question):
                 return None
             links.add(Link(*ends, cast("By", row["by"])))
         return links
+
+
+def _fitting(word: str, known: tuple[Known, ...], links: set[Link]) -> list[str]:
+    """The names of the rows that say something to one of the links."""
+    rows = enumerate(known, start=1)
+    return [f"{word}-{k}" for k, one in rows if one.feedback and one.fits(links)]

@@ -1682,7 +1682,7 @@
       ).filter((row) => key.feedback.includes(row));
       const good = right.filter((link) => drawn.includes(link));
       const names = good.map((link) => `link-${link}`);
-      const shown = [...names, ...told("missing", lost), ...told("wrong", invented)];
+      const shown = [...names, ...told("missing", lost).slice(0, 1), ...told("wrong", invented)];
       const rows2 = key.wrong.filter((row) => row.belief && fits2(row, invented));
       const beliefs = rows2.map((row) => row.belief);
       const half = !invented.length && 2 * lost.length <= right.length;

@@ -118,7 +118,7 @@ const RULES = {
         .filter((/** @type {string} */ row) => key.feedback.includes(row));
     const good = right.filter((/** @type {string} */ link) => drawn.includes(link));
     const names = good.map((/** @type {string} */ link) => `link-${link}`);
-    const shown = [...names, ...told("missing", lost), ...told("wrong", invented)];
+    const shown = [...names, ...told("missing", lost).slice(0, 1), ...told("wrong", invented)];
     const rows = key.wrong.filter((/** @type {any} */ row) => row.belief && fits(row, invented));
     const beliefs = rows.map((/** @type {any} */ row) => row.belief);
     const half = !invented.length && 2 * lost.length <= right.length;
