@@ -32,6 +32,7 @@ THIRD_LAW = {
     "no-touch-no-pair": "Without touching there is only one force, not a pair.",
     "no-motion-no-force": "While nothing moves there are no forces.",
     "weight-is-passed-on": "The weight of a thing is passed on to what it lies on.",
+    "force-passed-on": "What lies between two things only passes a force on from one to the other.",
     "partner-is-balance": "The partner of a force is the other force on the same thing.",
 }
 SECOND_LAW = {

@@ -9,6 +9,7 @@ from sim.lesson import keys
 from sim.lesson.kinds.arrange import Matching, Ordering
 from sim.lesson.kinds.choice import Multiple, Single
 from sim.lesson.kinds.idea import Idea
+from sim.lesson.kinds.interactions import Interactions
 from sim.lesson.kinds.number import Number
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
@@ -23,7 +24,7 @@ KINDS: dict[str, type[Question]] = {
     kind.KIND: kind
     for kind in (
         Single, Multiple, Number, Short, Long, Ordering, Matching, Confidence, Reading, Drawn,
-        Idea, Table,
+        Idea, Table, Interactions,
     )
 }  # fmt: skip
 

@@ -16,6 +16,8 @@ from sim.lesson.key_file import FORMAT, KIND
 from sim.lesson.kinds.arrange import Matching, Ordering
 from sim.lesson.kinds.choice import Multiple, Option, Single
 from sim.lesson.kinds.idea import Idea
+from sim.lesson.kinds.interactions import Interactions
+from sim.lesson.kinds.links import Known, Link
 from sim.lesson.kinds.number import Number, Wrong
 from sim.lesson.kinds.run import Drawn, Reading
 from sim.lesson.kinds.sure import Confidence
@@ -168,6 +170,8 @@ def _question(row: Mapping[str, Any], common: Common) -> Question:
         return _matching(row, common)
     if kind == "table":
         return _table(row, common)
+    if kind == "interactions":
+        return _interactions(row, common)
     if kind == "reading":
         return Reading(
             common=common, scene=str(row["scene"]), quantity=str(row["quantity"]),
@@ -198,6 +202,25 @@ def _table(row: Mapping[str, Any], common: Common) -> Table:
     )
     plot = (int(row["plot"][0]) - 1, int(row["plot"][1]) - 1) if row["plot"] else None
     return Table(common=common, columns=tuple(row["columns"]), rows=rows, plot=plot)
+
+
+def _interactions(row: Mapping[str, Any], common: Common) -> Interactions:
+    """The boxes, the right links, and the beliefs behind invented ones."""
+    objects, key = tuple(map(str, row["objects"])), row["key"]
+
+    def ends(told: Mapping[str, Any]) -> tuple[int, int]:
+        a, b = told["between"]
+        return objects.index(a), objects.index(b)
+
+    return Interactions(
+        common=common,
+        objects=objects,
+        links=tuple(Link(*ends(link), link["by"]) for link in key["links"]),
+        focus=tuple(objects.index(name) for name in row["focus"]),
+        wrong=tuple(
+            Known(*ends(told), tuple(told["by"]), "", str(told["belief"])) for told in key["wrong"]
+        ),
+    )
 
 
 def _matching(row: Mapping[str, Any], common: Common) -> Matching:

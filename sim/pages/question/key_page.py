@@ -97,6 +97,8 @@ def answer_words(item: Question, key: dict[str, Any]) -> str:
             f"{name}: {cell['answer']:g} {asked[name]['unit']} ± {cell['tolerance']:g}".strip()
             for name, cell in cells
         )
+    if item.KIND == "interactions":
+        return "; ".join(f"{' – '.join(link['between'])} ({link['by']})" for link in key["links"])
     if item.KIND == "matching":
         pairs = key["pairs"].items()
         return "; ".join(

@@ -16,6 +16,7 @@ from sim.lesson.form import DRAW_KEYS, FORM_KEYS
 from sim.lesson.keys import Key
 from sim.lesson.kinds.arrange import PAIR_KEYS
 from sim.lesson.kinds.choice import OPTION_KEYS
+from sim.lesson.kinds.links import INVENTED_KEYS
 from sim.lesson.kinds.number import WRONG_KEYS
 from sim.lesson.question import COMMON_KEYS
 from sim.lesson.read import KINDS
@@ -52,6 +53,7 @@ def reference() -> str:
         "@@KINDS@@": kinds,
         "@@OPTION@@": _keys(OPTION_KEYS),
         "@@WRONG@@": _keys(WRONG_KEYS),
+        "@@INVENTED@@": _keys(INVENTED_KEYS),
         "@@PAIR@@": _keys(PAIR_KEYS),
         "@@FORM@@": _keys(FORM_KEYS),
         "@@DRAW@@": _keys(DRAW_KEYS),

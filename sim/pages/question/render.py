@@ -13,6 +13,7 @@ from sim.lesson.goal import NEAR
 from sim.lesson.question import CERTAINTY
 from sim.pages.language import mark, tr
 from sim.pages.question.challenge import Challenge
+from sim.pages.question.diagram import diagram
 from sim.pages.question.inside import to_html, to_inline
 from sim.pages.templates import script_json, templates
 
@@ -51,6 +52,7 @@ def render_question(
         "texts": texts,
         "data": data,
         "facts": script_json(data),
+        "diagram": diagram(data["objects"]) if question.KIND == "interactions" else None,
         "lines": LINES.get(question.KIND, 0),
         "hints": [Markup(to_html(hint)) for hint in common.hints] if key else [],
         "feedback": _feedback(question) if key else {},

@@ -431,10 +431,10 @@
   function place() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
     const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
-    const path = location.pathname.split("/").slice(-2).join("/");
+    const path2 = location.pathname.split("/").slice(-2).join("/");
     return {
       site: cartsSite ?? meta("carts-site") ?? "site",
-      page: cartsPage ?? meta("carts-page") ?? path
+      page: cartsPage ?? meta("carts-page") ?? path2
     };
   }
 
@@ -1001,22 +1001,22 @@
     return count === 1 ? tr("1 answer") : tr("{count} answers", { count });
   }
   function elsewhere(found2, book2) {
-    const words2 = [];
+    const words3 = [];
     if (found2.student !== book2.student) {
       const whose = found2.student || tr("somebody without a code word");
-      words2.push(tr("They belong to {whose}: continue under that code word to see them.", { whose }));
+      words3.push(tr("They belong to {whose}: continue under that code word to see them.", { whose }));
     }
     if (!found2.entries.some(([key]) => key.startsWith(`${book2.page}#`))) {
       const alone2 = location.protocol === "file:" && navigator.userAgent.includes("Firefox/");
       const page = { page: found2.lesson };
-      words2.push(
+      words3.push(
         alone2 ? tr(
           "They belong to the page “{page}”: open that page and bring the file back there.",
           page
         ) : tr("They belong to the page “{page}”: open that page to see them.", page)
       );
     }
-    return words2.join(" ");
+    return words3.join(" ");
   }
   function importRow(book2, told) {
     const row = html("p", "carts-answers-import");
@@ -1108,23 +1108,23 @@
     const how = book2.store?.how;
     if (how === "memory")
       return tr("This browser keeps nothing after the page is closed. Save your file now.");
-    const words2 = [tr("Your answers are kept in this browser on this computer, and nowhere else.")];
-    if (how === "text") words2.push(tr("If the computer crashes, the last seconds may be lost."));
+    const words3 = [tr("Your answers are kept in this browser on this computer, and nowhere else.")];
+    if (how === "text") words3.push(tr("If the computer crashes, the last seconds may be lost."));
     if (location.protocol === "file:" && navigator.userAgent.includes("Firefox/")) {
-      words2.push(
+      words3.push(
         tr(
           "Firefox keeps them for this page in this folder: if the folder is moved or renamed, bring your file back in."
         )
       );
     } else if (location.protocol === "file:") {
-      words2.push(tr("They are still there if the folder is moved or renamed."));
+      words3.push(tr("They are still there if the folder is moved or renamed."));
     }
-    words2.push(
+    words3.push(
       tr(
         "A private window, or a laptop that is wiped when you log out, may forget them: save your file before you leave."
       )
     );
-    return words2.join(" ");
+    return words3.join(" ");
   }
 
   // src/question/handin.js
@@ -1285,11 +1285,11 @@
       }
       /** Shows the form, or why it is closed. */
       #follow() {
-        const { handed, words: words2 } = this.state;
+        const { handed, words: words3 } = this.state;
         const now = /* @__PURE__ */ new Date();
         const all = {
           now,
-          words: words2 ?? [],
+          words: words3 ?? [],
           answered: this.#worksheetDone(),
           handed: handedForms(book2)
         };
@@ -1340,12 +1340,12 @@
       #ask(on) {
         const left = this.#questions().filter((question) => !question.answered).length;
         const missing = left === 1 ? tr("1 question is not answered.") : tr("{count} questions are not answered.", { count: left });
-        const words2 = [
+        const words3 = [
           left ? missing : "",
           book2.student ? "" : tr("You have typed no code word yet: My answers."),
           tr("After handing in you cannot change anything.")
         ];
-        say(need(this, ".carts-quiz-sure-text"), words2.filter(Boolean).join(" "));
+        say(need(this, ".carts-quiz-sure-text"), words3.filter(Boolean).join(" "));
         need(this, ".carts-quiz-sure").hidden = !on;
         need(this, ".carts-quiz-hand-in").hidden = on;
         need(this, on ? ".carts-quiz-yes" : ".carts-quiz-hand-in").focus();
@@ -1391,13 +1391,13 @@
         place2.hidden = !handed;
         if (!handed) return;
         const { code } = this.state;
-        const words2 = [
+        const words3 = [
           tr("Handed in on {when}.", { when: new Date(handed).toLocaleString() }),
           code ? tr("Hand-in code: {code}.", { code }) : "",
           tr("Save your file under “My answers”."),
           review ? "" : tr("The questions are hidden until your teacher opens them again.")
         ];
-        say(place2, words2.filter(Boolean).join(" "));
+        say(place2, words3.filter(Boolean).join(" "));
       }
     };
   }
@@ -1600,6 +1600,15 @@
     return String(rounded === 0 ? 0 : rounded);
   }
 
+  // src/question/marking/link-name.js
+  var WAYS = ["contact", "distance"];
+  function linkName(objects, between, by) {
+    if (!Array.isArray(between) || between.length !== 2 || typeof by !== "string" || !WAYS.includes(by))
+      return "";
+    const [a, b] = between.map((one) => objects.indexOf(one)).sort((one, other) => one - other);
+    return a === void 0 || b === void 0 || a < 0 || a === b ? "" : `${a + 1}-${b + 1}-${by}`;
+  }
+
   // src/question/marking/plain.js
   function plain(text) {
     return text.toLowerCase().replace(/[−–]/g, "-").replace(/[\s.,;:!?“”„"'’`()]+/g, " ").trim();
@@ -1673,6 +1682,26 @@
       });
       const shown = good.map((name) => `cell-${name}`);
       return whole(good.length === names.length, good.length > 0, marks, shown);
+    },
+    interactions: ({ objects, key, marks }, value) => {
+      const drawn = Array.isArray(value) ? value.map((link) => linkName(objects, link?.between, link?.by)) : [""];
+      if (drawn.includes("")) return made("unclear", 0, marks);
+      const right = key.links.map(
+        (link) => linkName(objects, link.between, link.by)
+      );
+      const lost = right.filter((link) => !drawn.includes(link));
+      const invented = drawn.filter((link) => !right.includes(link));
+      const fits2 = (row, links) => row.by.some((by) => links.includes(linkName(objects, row.between, by)));
+      const told = (name, links) => key[name].map(
+        (row, k) => fits2(row, links) ? `${name}-${k + 1}` : ""
+      ).filter((row) => key.feedback.includes(row));
+      const good = right.filter((link) => drawn.includes(link));
+      const names = good.map((link) => `link-${link}`);
+      const shown = [...names, ...told("missing", lost).slice(0, 1), ...told("wrong", invented)];
+      const rows2 = key.wrong.filter((row) => row.belief && fits2(row, invented));
+      const beliefs = rows2.map((row) => row.belief);
+      const half = !invented.length && 2 * lost.length <= right.length;
+      return whole(!lost.length && !invented.length, half, marks, shown, beliefs);
     },
     confidence: ({ options }, value) => options.includes(value) ? made("open", null, 0) : made("unclear", null, 0),
     drawn: () => made("open", null, 0),
@@ -1919,6 +1948,311 @@
     return letter ? `${letter}: ${text}` : text;
   }
 
+  // src/question/forms/diagram.js
+  var APART = 7;
+  var NEXT = (
+    /** @type {Record<string, number>} */
+    {
+      ArrowRight: 1,
+      ArrowDown: 1,
+      ArrowLeft: -1,
+      ArrowUp: -1
+    }
+  );
+  var Diagram = class {
+    /** @type {number | null} */
+    #picked = null;
+    #open = false;
+    /** @param {HTMLElement} root @param {string[]} names @param {(a: number, b: number) => void} join */
+    constructor(root, names, join) {
+      this.names = names;
+      this.join = join;
+      this.picture = /** @type {SVGSVGElement} */
+      root.querySelector(".carts-q-diagram");
+      this.drawn = /** @type {SVGElement} */
+      root.querySelector(".carts-q-drawn");
+      this.status = /** @type {HTMLElement} */
+      root.querySelector(".carts-q-picked");
+      this.nodes = /** @type {SVGGElement[]} */
+      [...root.querySelectorAll(".carts-q-node")];
+      put(this.picture, "role", "group");
+      put(this.picture, "aria-label", tr("Choose one object, then the other."));
+      for (const [k, node] of this.nodes.entries()) this.#listen(node, k);
+      this.#show();
+    }
+    /** @param {boolean} on */
+    enable(on) {
+      this.#open = on;
+      this.#pick(null);
+    }
+    /** @param {Line[]} lines */
+    draw(lines) {
+      const twice = ({ a, b }) => lines.filter((line) => line.a === a && line.b === b).length > 1;
+      this.drawn.replaceChildren(
+        ...lines.map((line) => {
+          const side = twice(line) ? line.by === "contact" ? APART : -APART : 0;
+          const d = path(this.#centre(line.a), this.#centre(line.b), side);
+          return svg("path", { class: `carts-q-${line.by}`, "data-verdict": line.verdict, d });
+        })
+      );
+    }
+    /** @param {SVGGElement} node @param {number} k */
+    #listen(node, k) {
+      put(node, "role", "button");
+      put(node, "aria-label", this.names[k] ?? "");
+      put(node, "tabindex", k ? "-1" : "0");
+      node.addEventListener("pointerdown", (event) => {
+        if (!this.#open || event.button > 0) return;
+        node.setPointerCapture(event.pointerId);
+        const move = (now) => this.#rubber(k, now);
+        node.addEventListener("pointermove", move);
+        const end = (now) => {
+          for (const kind of ["pointerup", "pointercancel"]) {
+            node.removeEventListener(
+              kind,
+              /** @type {EventListener} */
+              end
+            );
+          }
+          node.removeEventListener("pointermove", move);
+          this.drawn.querySelector(".carts-q-rubber")?.remove();
+          const to = this.#under(now);
+          if (now.type === "pointercancel" || to < 0) return;
+          if (to === k) this.#choose(k);
+          else this.#done(k, to);
+        };
+        node.addEventListener("pointerup", end);
+        node.addEventListener("pointercancel", end);
+      });
+      node.addEventListener("keydown", (event) => this.#key(event, k));
+      node.addEventListener("click", ({ detail }) => {
+        if (!detail) this.#choose(k);
+      });
+    }
+    /** @param {KeyboardEvent} event @param {number} k */
+    #key(event, k) {
+      const step = NEXT[event.key];
+      if (step) this.#focus((k + step + this.nodes.length) % this.nodes.length);
+      else if (event.key === "Escape") this.#pick(null);
+      else if (["Enter", " "].includes(event.key)) this.#choose(k);
+      else return;
+      event.preventDefault();
+    }
+    /** @param {number} k */
+    #focus(k) {
+      for (const [other, node] of this.nodes.entries())
+        put(node, "tabindex", other === k ? "0" : "-1");
+      this.nodes[k]?.focus();
+    }
+    /** The first of two, the same again, or the second. @param {number} k */
+    #choose(k) {
+      if (!this.#open) return;
+      const first = this.#picked;
+      if (first === null) this.#pick(k);
+      else if (first === k) this.#pick(null);
+      else this.#done(first, k);
+    }
+    /** @param {number} from @param {number} to */
+    #done(from, to) {
+      this.#pick(null);
+      this.join(Math.min(from, to), Math.max(from, to));
+    }
+    /** @param {number | null} k */
+    #pick(k) {
+      this.#picked = k;
+      this.#show();
+    }
+    #show() {
+      const first = this.#picked;
+      for (const [k, node] of this.nodes.entries()) put(node, "aria-pressed", String(k === first));
+      const words3 = tr("{object} and … ? Choose the other object.", {
+        object: this.names[first ?? 0] ?? ""
+      });
+      say(this.status, first === null ? "" : words3);
+    }
+    /** The box under the pointer, −1 for none. @param {PointerEvent} event */
+    #under({ clientX: x, clientY: y }) {
+      return this.nodes.findIndex((node) => {
+        const { left, right, top, bottom } = node.getBoundingClientRect();
+        return left <= x && x <= right && top <= y && y <= bottom;
+      });
+    }
+    /** A line that follows the pointer. @param {number} k @param {PointerEvent} event */
+    #rubber(k, event) {
+      const from = this.#centre(k);
+      const box = this.picture.getBoundingClientRect();
+      const scale = this.picture.viewBox.baseVal.width / box.width;
+      const to = { x: (event.clientX - box.left) * scale, y: (event.clientY - box.top) * scale };
+      const old = this.drawn.querySelector(".carts-q-rubber");
+      const line = old ?? this.drawn.appendChild(svg("path", { class: "carts-q-rubber" }));
+      put(line, "d", path(from, to, 0));
+    }
+    /** @param {number} k */
+    #centre(k) {
+      const place2 = /translate\(([\d.]+) ([\d.]+)\)/.exec(
+        this.nodes[k]?.getAttribute("transform") ?? ""
+      );
+      return { x: Number(place2?.[1]), y: Number(place2?.[2]) };
+    }
+  };
+  function path(from, to, side) {
+    const [dx, dy] = [to.x - from.x, to.y - from.y];
+    const far = Math.hypot(dx, dy) || 1;
+    const [sx, sy] = [-dy / far * side, dx / far * side];
+    const at2 = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+    return `M${at2(from.x + sx, from.y + sy)}L${at2(to.x + sx, to.y + sy)}`;
+  }
+
+  // src/question/forms/interactions.js
+  var force = (on, by) => tr("force on {on} by {by}", { on, by });
+  function words2({ between: [a, b], by }) {
+    return by === "contact" ? tr("{a} and {b} touch", { a, b }) : tr("{a} and {b}, without touching", { a, b });
+  }
+  function interactionsForm(root, changed, { objects, focus, key }) {
+    const links = /* @__PURE__ */ new Map();
+    let verdicts = {};
+    const radios = (
+      /** @type {HTMLInputElement[]} */
+      [
+        ...root.querySelectorAll(".carts-q-ways input")
+      ]
+    );
+    const adder = need(root, ".carts-q-add");
+    const [first, how, second] = (
+      /** @type {HTMLSelectElement[]} */
+      [
+        ...adder.querySelectorAll("select")
+      ]
+    );
+    const add2 = (
+      /** @type {HTMLButtonElement} */
+      need(adder, "button")
+    );
+    const list = need(root, ".carts-q-linked");
+    const status2 = need(root, ".carts-q-picked");
+    if (!first || !how || !second) throw new Error("this diagram lacks its lists");
+    const way = () => radios.find((radio) => radio.checked)?.value ?? "contact";
+    const name = ({ between, by }) => linkName(objects, between, by);
+    const sorted = () => [...links].sort(([a], [b]) => a.localeCompare(b, "en")).map(([, link]) => link);
+    const diagram = new Diagram(root, objects, (a, b) => toggle(a, b));
+    function toggle(a, b, by = way()) {
+      const link = (
+        /** @type {Link} */
+        { between: [objects[a], objects[b]], by }
+      );
+      if (!links.delete(name(link))) links.set(name(link), link);
+      touched();
+    }
+    function touched() {
+      verdicts = {};
+      say(status2, "");
+      changed();
+      show();
+    }
+    function show() {
+      diagram.draw(
+        sorted().map((link) => {
+          const [a = 0, b = 0] = link.between.map((one) => objects.indexOf(one));
+          return { a, b, by: link.by, verdict: verdicts[name(link)] ?? "" };
+        })
+      );
+      list.replaceChildren(...sorted().map(row));
+      for (const object of focus) forcesOn(object);
+    }
+    function row(link) {
+      const [a, b] = link.between;
+      const line = html("li");
+      const verdict = verdicts[name(link)] ?? "";
+      const remove = (
+        /** @type {HTMLButtonElement} */
+        html("button", "carts-button", "×")
+      );
+      put(remove, "type", "button");
+      put(remove, "aria-label", tr("Remove: {link}", { link: words2(link) }));
+      remove.disabled = add2.disabled;
+      remove.addEventListener("click", () => {
+        links.delete(name(link));
+        touched();
+        const next = (
+          /** @type {HTMLElement | null} */
+          list.querySelector("button")
+        );
+        (next ?? first)?.focus();
+      });
+      const said = html("span", "carts-q-text");
+      said.append(
+        html("strong", "", words2(link)),
+        html("span", "carts-q-pair-forces", `${force(a, b)} · ${force(b, a)}`)
+      );
+      const sign = { right: `✓ ${tr("right")}`, wrong: `✗ ${tr("not yet")}` }[verdict] ?? "";
+      line.dataset.verdict = verdict;
+      line.append(said, html("span", "carts-q-cell-mark", sign), remove);
+      return line;
+    }
+    function forcesOn(object) {
+      const place2 = root.querySelector(`[data-focus="${CSS.escape(object)}"] ul`);
+      const acting = sorted().filter(({ between }) => between.includes(object));
+      place2?.replaceChildren(
+        ...acting.map(({ between: [a, b], by }) => {
+          const line = html("li", "", force(object, object === a ? b : a));
+          line.classList.add(`carts-q-by-${by}`);
+          return line;
+        })
+      );
+    }
+    const choose = (by) => {
+      for (const radio of radios) radio.checked = radio.value === by;
+      how.value = by;
+    };
+    for (const radio of radios) radio.addEventListener("change", () => choose(radio.value));
+    how.addEventListener("change", () => choose(how.value));
+    add2.addEventListener("click", () => {
+      const ends = [first, second].map((select) => objects.indexOf(select.value)).sort();
+      const [a = -1, b = -1] = ends;
+      if (a < 0 || a === b) return say(status2, tr("Choose two different objects."));
+      const known2 = linkName(objects, [objects[a], objects[b]], how.value);
+      if (links.has(known2)) return say(status2, tr("This link is there already."));
+      toggle(a, b, how.value);
+      first.value = second.value = "";
+      first.focus();
+    });
+    choose("contact");
+    show();
+    return {
+      get value() {
+        return links.size ? sorted() : null;
+      },
+      set value(value) {
+        links.clear();
+        verdicts = {};
+        for (const link of Array.isArray(value) ? value : []) {
+          const known2 = linkName(objects, link?.between, link?.by);
+          const [a, b, by] = known2.split("-");
+          const between = (
+            /** @type {[string, string]} */
+            [a, b].map((k) => objects[Number(k) - 1])
+          );
+          if (known2) links.set(known2, { between, by: String(by) });
+        }
+        show();
+      },
+      enable(on) {
+        for (const one of [...radios, first, how, second, add2]) one.disabled = !on;
+        diagram.enable(on);
+        show();
+      },
+      said: () => sorted().map(words2).join("; "),
+      marked: (shown) => {
+        verdicts = Object.fromEntries(
+          [...links.keys()].map((one) => [one, shown.includes(`link-${one}`) ? "right" : "wrong"])
+        );
+        show();
+        const lost = (key?.links ?? []).some((link) => !links.has(name(link)));
+        say(status2, lost ? tr("Somewhere a line is still missing.") : "");
+      }
+    };
+  }
+
   // ../view/trajectory.js
   function rowAt(times, t) {
     let low = 0;
@@ -2073,10 +2407,10 @@
     const found2 = {};
     const baked = scene?.querySelector("script.carts-baked")?.textContent;
     for (const body of JSON.parse(baked ?? "{}").bodies ?? []) found2[body.name] = body.mass;
-    for (const [path, value] of Object.entries(setBy(scene))) {
-      if (!path.endsWith(".mass")) continue;
+    for (const [path2, value] of Object.entries(setBy(scene))) {
+      if (!path2.endsWith(".mass")) continue;
       const mass = readNumber(String(value), KILOGRAMS);
-      if ("value" in mass) found2[path.slice(0, -".mass".length)] = mass.value;
+      if ("value" in mass) found2[path2.slice(0, -".mass".length)] = mass.value;
     }
     return found2;
   }
@@ -2191,9 +2525,9 @@
       /** @type {HTMLElement} */
       place2.querySelector(".carts-q-cell-mark")
     );
-    const words2 = { right: tr("right"), wrong: tr("not yet"), "": "" };
+    const words3 = { right: tr("right"), wrong: tr("not yet"), "": "" };
     place2.dataset.verdict = verdict;
-    sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words2[verdict];
+    sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words3[verdict];
   }
   function plot(root, { rows: rows2, plot: plot2, given: given2 }, value) {
     const known2 = (
@@ -2298,6 +2632,7 @@
     ordering: orderForm,
     matching: matchForm,
     table: tableForm,
+    interactions: interactionsForm,
     drawn: drawnForm,
     idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed)
   };

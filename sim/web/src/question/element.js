@@ -7,6 +7,7 @@ import { showEarlier } from "./earlier.js";
 import { Feedback } from "./feedback.js";
 import { matchForm, orderForm } from "./forms/arrange.js";
 import { choiceForm } from "./forms/choice.js";
+import { interactionsForm } from "./forms/interactions.js";
 import { drawnForm, ownReading } from "./forms/run.js";
 import { tableForm } from "./forms/table.js";
 import { numberForm, wordsForm } from "./forms/typed.js";
@@ -31,6 +32,7 @@ const FORMS = {
   ordering: orderForm,
   matching: matchForm,
   table: tableForm,
+  interactions: interactionsForm,
   drawn: drawnForm,
   idea: (root, changed, { options }) => (options.length ? choiceForm : wordsForm)(root, changed),
 };

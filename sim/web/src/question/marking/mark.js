@@ -7,6 +7,7 @@
  */
 
 import { isEmpty } from "../../answers/entry.js";
+import { linkName } from "./link-name.js";
 import { plain } from "./plain.js";
 
 const NEAR = 1 + 1e-9; // a number on the edge of the tolerance is inside, whatever its last bit
@@ -95,6 +96,33 @@ const RULES = {
     });
     const shown = good.map((name) => `cell-${name}`);
     return whole(good.length === names.length, good.length > 0, marks, shown);
+  },
+
+  interactions: ({ objects, key, marks }, value) => {
+    const drawn = Array.isArray(value)
+      ? value.map((link) => linkName(objects, link?.between, link?.by))
+      : [""];
+    if (drawn.includes("")) return made("unclear", 0, marks);
+    const right = key.links.map((/** @type {any} */ link) =>
+      linkName(objects, link.between, link.by),
+    );
+    const lost = right.filter((/** @type {string} */ link) => !drawn.includes(link));
+    const invented = drawn.filter((link) => !right.includes(link));
+    const fits = (/** @type {any} */ row, /** @type {string[]} */ links) =>
+      row.by.some((/** @type {string} */ by) => links.includes(linkName(objects, row.between, by)));
+    const told = (/** @type {string} */ name, /** @type {string[]} */ links) =>
+      key[name]
+        .map((/** @type {any} */ row, /** @type {number} */ k) =>
+          fits(row, links) ? `${name}-${k + 1}` : "",
+        )
+        .filter((/** @type {string} */ row) => key.feedback.includes(row));
+    const good = right.filter((/** @type {string} */ link) => drawn.includes(link));
+    const names = good.map((/** @type {string} */ link) => `link-${link}`);
+    const shown = [...names, ...told("missing", lost).slice(0, 1), ...told("wrong", invented)];
+    const rows = key.wrong.filter((/** @type {any} */ row) => row.belief && fits(row, invented));
+    const beliefs = rows.map((/** @type {any} */ row) => row.belief);
+    const half = !invented.length && 2 * lost.length <= right.length;
+    return whole(!lost.length && !invented.length, half, marks, shown, beliefs);
   },
 
   confidence: ({ options }, value) =>
