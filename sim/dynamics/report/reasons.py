@@ -63,7 +63,7 @@ def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
     return [
         said(
             "only {pairs} in contact, and nobody else can reach them before it ends: "
-            "the law {law} has a closed form, exact",
+            "one formula gives the whole contact, exact (law: {law})",
             pairs=_names(scene, gaps),
             law=listed(laws),
         )

@@ -5362,8 +5362,9 @@
     }
   };
   function lines2(rungs, reads) {
-    const shown3 = rungs.filter(({ visible }) => visible).map(line);
-    const hidden = rungs.filter(({ visible }) => !visible).map(line);
+    const known2 = rungs.filter(({ changes: changes2, listed: listed2 }) => changes2 || listed2);
+    const shown3 = known2.filter(({ visible }) => visible).map(line);
+    const hidden = known2.filter(({ visible }) => !visible).map(line);
     const between2 = html(
       "li",
       "carts-ladder-line",

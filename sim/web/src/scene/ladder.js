@@ -87,8 +87,9 @@ export class Ladder {
 
 /** @param {Rung[]} rungs @param {number} reads of a graph's height */
 function lines(rungs, reads) {
-  const shown = rungs.filter(({ visible }) => visible).map(line);
-  const hidden = rungs.filter(({ visible }) => !visible).map(line);
+  const known = rungs.filter(({ changes, listed }) => changes || listed); // else nothing to tell here
+  const shown = known.filter(({ visible }) => visible).map(line);
+  const hidden = known.filter(({ visible }) => !visible).map(line);
   const between = html(
     "li",
     "carts-ladder-line",
