@@ -8992,6 +8992,12 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.described = new Described(root, baked);
       this.player.stepped = (before) => this.#stepped(before);
       this.drawing.zoom.addEventListener("change", () => this.#zoom());
+      for (const summary of root.querySelectorAll(".carts-model > summary, .carts-how > summary")) {
+        summary.addEventListener(
+          "click",
+          () => summary.parentElement?.setAttribute("data-reader", "")
+        );
+      }
       need(root, ".carts-frame").addEventListener("carts-redraw", () => {
         for (const graph2 of this.drawing.graphs) graph2.show(this.run, this.player.time);
       });

@@ -40,6 +40,12 @@ export class SceneView {
     this.described = new Described(root, baked);
     this.player.stepped = (before) => this.#stepped(before);
     this.drawing.zoom.addEventListener("change", () => this.#zoom());
+    for (const summary of root.querySelectorAll(".carts-model > summary, .carts-how > summary")) {
+      // The theme opens every box for paper: only what a reader has opened is printed.
+      summary.addEventListener("click", () =>
+        summary.parentElement?.setAttribute("data-reader", ""),
+      );
+    }
     need(root, ".carts-frame").addEventListener("carts-redraw", () => {
       for (const graph of this.drawing.graphs) graph.show(this.run, this.player.time);
     });
