@@ -36,7 +36,7 @@ def hosted_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def _built_once(factory: pytest.TempPathFactory, name: str, *, hosted: bool) -> Path:
     """The site, built by the first worker of a run that needs it. Tests do not write into it."""
-    from sim.cli.build import build_site
+    from sim.cli.site.build import build_site
 
     own = factory.getbasetemp()
     shared = own.parent if os.environ.get("PYTEST_XDIST_WORKER") else own

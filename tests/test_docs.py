@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from sim.cli import COMMANDS
-from sim.cli.fit import command as fit_command
+from sim.cli.measured.fit import command as fit_command
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
-from sim.measured.contact import LAWS as LAWS_FITTED
+from sim.measured.model.contact import LAWS as LAWS_FITTED
 from sim.pages.measured.block import KEYS as MEASURED_KEYS
 from sim.pages.text.yaml_source import load
 from sim.scene import fields, read_fence

@@ -17,10 +17,10 @@ from dataclasses import replace
 from typing import Any
 
 from sim.measured.analysis import Analysis, Wanted, analysed
-from sim.measured.contact import Law
 from sim.measured.events.story import Hints, Story
-from sim.measured.fit import Effect, warm_up
-from sim.measured.motion import Parameters
+from sim.measured.model.contact import Law
+from sim.measured.model.fit import Effect, warm_up
+from sim.measured.model.motion import Parameters
 from sim.measured.overlay import Overlay, by_hand, first_try, frequency, overlay
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker

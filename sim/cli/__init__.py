@@ -12,19 +12,19 @@ import click
 
 # name: (module, one line for the overview); the module holds a click command called `command`.
 COMMANDS = {
-    "build": ("sim.cli.build", "Build the site and print the file to double-click."),
-    "class": ("sim.cli.class_results", "Say what a class answered and learned."),
+    "build": ("sim.cli.site.build", "Build the site and print the file to double-click."),
+    "class": ("sim.cli.classroom.results", "Say what a class answered and learned."),
     "new": ("sim.cli.new", "Make a site, a lesson or a bank to begin with."),
     "check": ("sim.cli.check", "Look for mistakes in lessons and scene files."),
-    "fit": ("sim.cli.fit", "Fit the model to the motion of two real carts."),
+    "fit": ("sim.cli.measured.fit", "Fit the model to the motion of two real carts."),
     "export": ("sim.cli.export", "Write a bank of questions for a learning platform."),
     "key": ("sim.cli.key", "Write the right answers of lessons, for the teacher."),
     "completion": ("sim.cli.completion", "Let the Tab key finish words."),
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),
     "doctor": ("sim.cli.doctor", "Say what is here, what is missing, how to get it."),
-    "pack": ("sim.cli.pack", "Pack the site into one zip, also as SCORM."),
+    "pack": ("sim.cli.site.pack", "Pack the site into one zip, also as SCORM."),
     "plan": ("sim.cli.plan", "Say how a scene would be solved, and why."),
-    "serve": ("sim.cli.serve", "Show the site while you write it."),
+    "serve": ("sim.cli.site.serve", "Show the site while you write it."),
     "single": ("sim.cli.single", "Write one scene as one HTML file."),
     "run": ("sim.cli.run", "Run a scene."),
 }

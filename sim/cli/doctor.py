@@ -16,7 +16,7 @@ from typing import Literal
 import click
 
 from sim import __version__
-from sim.cli import site_folder
+from sim.cli.site import site_folder
 
 OLDEST = (3, 11, 5)
 """Of Python; beside pyproject.toml's requires-python."""

@@ -32,7 +32,7 @@ def command(path: Path, wanted: str | None, out: Path | None) -> None:
     carts single worksheets/newtons-third-law.md --scene third-heavy-into-light
     carts single my-scene.yml --out collision.html
     """
-    from sim.pages.single_file import single_file
+    from sim.pages.single.of_scene import single_file
 
     root = Path.cwd()
     try:

@@ -13,14 +13,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from sim.measured.contact import Law
-from sim.measured.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.events.outcome import PERHAPS
 from sim.measured.events.quantities import mass_ratio
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
-from sim.measured.fit import EFFECTS, Asked, Effect, Fit, fit
-from sim.measured.known import Untold
+from sim.measured.model.contact import Law
+from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
+from sim.measured.model.fit import EFFECTS, Asked, Effect, Fit, fit
+from sim.measured.model.known import Untold
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between

@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from sim.measured.fit import Fit
-from sim.measured.motion import Motion
+from sim.measured.model.fit import Fit
+from sim.measured.model.motion import Motion
 
 GRAVITY = 9.81
 SHORTEST, USUAL = 0.10, 0.20

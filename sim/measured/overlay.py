@@ -11,8 +11,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from sim.measured.contact import Law
-from sim.measured.motion import Motion, Parameters
+from sim.measured.model.contact import Law
+from sim.measured.model.motion import Motion, Parameters
 from sim.measured.tracks import Measured
 
 GRID = 160

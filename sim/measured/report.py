@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim.measured.as_scene import fence, remarks, scene_lines, scene_text
-from sim.measured.believable import believable
-from sim.measured.effects import Compared, called_for
-from sim.measured.fit import Fit
-from sim.measured.known import Known, told
 from sim.measured.made import tracker_text
-from sim.measured.motion import Motion
+from sim.measured.model.believable import believable
+from sim.measured.model.effects import Compared, called_for
+from sim.measured.model.fit import Fit
+from sim.measured.model.known import Known, told
+from sim.measured.model.motion import Motion
 from sim.measured.third_law import Pair
 from sim.measured.tracks import Measured
 from sim.measured.words import LAWS, of_balance, of_effects, of_fit, of_known, of_pair

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from sim.measured.believable import believable
-from sim.measured.effects import Compared
 from sim.measured.events.momentum import Momentum, momentum_of
 from sim.measured.events.quantities import told_of
 from sim.measured.events.story import Story
 from sim.measured.events.words import of_momentum, of_story
-from sim.measured.fit import Fit
-from sim.measured.known import Untold
+from sim.measured.model.believable import believable
+from sim.measured.model.effects import Compared
+from sim.measured.model.fit import Fit
+from sim.measured.model.known import Untold
 from sim.measured.refusal import FitError
 from sim.measured.report import FORMAT, motion_report, row_of
 from sim.measured.tracks import Measured

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from sim.measured.effects import ALIKE, CHANCE, Compared, called_for
-from sim.measured.fit import Fit
-from sim.measured.known import Known
+from sim.measured.model.effects import ALIKE, CHANCE, Compared, called_for
+from sim.measured.model.fit import Fit
+from sim.measured.model.known import Known
 from sim.measured.third_law import Pair
 
 LAWS = {

@@ -12,7 +12,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, sync_playwright
 
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from tests.web.conftest import launch
 
 ROOT = Path(__file__).parents[2]

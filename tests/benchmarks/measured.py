@@ -16,7 +16,7 @@ from typing import Any
 
 from playwright.sync_api import expect, sync_playwright
 
-from sim.measured.fit import Fit, fit
+from sim.measured.model.fit import Fit, fit
 from tests.measured.makers import TOLD, as_text, film, random_truth, truth
 from tests.measured.test_fit import bound
 from tests.web.conftest import CONTEXT, launch

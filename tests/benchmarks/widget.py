@@ -13,7 +13,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from tests.benchmarks.page import _percentile, _row
 from tests.web.conftest import launch
 

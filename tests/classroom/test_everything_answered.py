@@ -9,7 +9,7 @@ from sim.classroom.files.reading import Reading, Source
 from sim.classroom.files.records import as_record, from_record
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
-from sim.cli.class_text import report_as_text
+from sim.cli.classroom.text import report_as_text
 from sim.lesson.bank import read_bank
 from tests.classroom.makers import answers, bank, keys, random_class, sources
 

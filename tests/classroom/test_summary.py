@@ -21,8 +21,8 @@ from sim.classroom.summary.numbers import SummaryError, exact, written
 from sim.classroom.summary.reading import read_summary
 from sim.classroom.summary.written import summary_file
 from sim.classroom.tables.report import table_report
-from sim.cli.class_summary import lessons_of_answers
-from sim.cli.class_text import report_as_text
+from sim.cli.classroom.summary import lessons_of_answers
+from sim.cli.classroom.text import report_as_text
 from tests.classroom.makers import bank, keys, random_class, sources
 from tests.classroom.tables import csv, judged, reported
 

@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from sim.cli import doctor, main, site_folder
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from sim.pages import runtime, site_files
 
 

@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from tests.hosting.conftest import CACHE
 
 NAMES_ITSELF = re.compile(r'<meta name="generator" content="[^"]*">')

@@ -16,7 +16,7 @@ from click.testing import CliRunner
 from playwright.sync_api import Locator, Page, Playwright, expect
 
 from sim.cli import main
-from sim.cli.serve import Previewer
+from sim.cli.site.serve import Previewer
 from sim.pages import runtime
 from sim.pages.open_me import NAME, open_me
 from tests.hosting.conftest import ROOT

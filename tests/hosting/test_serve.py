@@ -15,7 +15,7 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.cli.serve import Previewer
+from sim.cli.site.serve import Previewer
 from sim.pages import runtime, site_files
 
 Edit = Callable[[str, str, str], None]

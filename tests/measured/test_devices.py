@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from sim.cli.zipped import texts_of
+from sim.cli.measured.zipped import texts_of
 from sim.measured.analysis import Analysis, Wanted, analysed
 from sim.measured.events.story import Hints, story_of
 from sim.measured.refusal import ReadingError

@@ -12,11 +12,11 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
-from sim.measured.effects import called_for, compare
-from sim.measured.fit import Asked, Fit, fit
-from sim.measured.known import told
 from sim.measured.made import filmed
-from sim.measured.motion import Motion, Parameters
+from sim.measured.model.effects import called_for, compare
+from sim.measured.model.fit import Asked, Fit, fit
+from sim.measured.model.known import told
+from sim.measured.model.motion import Motion, Parameters
 from sim.measured.refusal import FitError
 from sim.measured.report import motion_report
 from sim.measured.tracks import Measured, between

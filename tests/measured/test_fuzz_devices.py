@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 
-from sim.cli.zipped import texts_of
+from sim.cli.measured.zipped import texts_of
 from sim.measured.analysis import analysed
 from sim.measured.cells import decoded
 from sim.measured.refusal import ReadingError

@@ -11,8 +11,8 @@ import pytest
 
 from sim.bridge.protocol import answer
 from sim.measured import lesson_set
-from sim.measured.fit import fit
-from sim.measured.motion import Motion
+from sim.measured.model.fit import fit
+from sim.measured.model.motion import Motion
 from sim.measured.overlay import by_hand, first_try, frequency, overlay
 from tests.measured.makers import as_text, film, truth
 from tests.measured.test_third_law import sensors
@@ -110,7 +110,7 @@ def test_the_lessons_readings_are_those_that_the_truth_makes() -> None:
 
 
 def test_the_lesson_says_what_its_readings_say() -> None:
-    from sim.measured.fit import Asked
+    from sim.measured.model.fit import Asked
     from sim.measured.tracks import read_measured
 
     text = (WORKSHEETS / "real-carts.md").read_text(encoding="utf-8")

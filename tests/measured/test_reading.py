@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from sim.measured.cells import decoded
-from sim.measured.fit import fit
+from sim.measured.model.fit import fit
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import Units

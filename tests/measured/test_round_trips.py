@@ -8,8 +8,8 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
-from sim.measured.fit import Asked, fit
-from sim.measured.motion import Motion
+from sim.measured.model.fit import Asked, fit
+from sim.measured.model.motion import Motion
 from sim.measured.report import model_as_tracker, motion_report
 from sim.measured.tracks import read_measured
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block

@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from sim.pages import makers, site_files
 from tests.pages.small_site import CONFIG, MakeSite, lesson, make_site
 

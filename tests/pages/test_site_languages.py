@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from tests.pages.small_site import CONFIG, MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from tests.web.conftest import browser, browser_name, driver, open_page, site_server
 
 __all__ = ["browser", "browser_name", "driver", "open_page", "site_server"]

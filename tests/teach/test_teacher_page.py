@@ -141,8 +141,10 @@ def test_every_lesson_is_saved_as_it_is_on_disk_with_the_teachers_own_file(
         page.goto((lessons / "worksheets" / f"{path.stem}.html").as_uri() + "?teacher")
         page.wait_for_selector(".carts-teach:is([data-state=ready], [data-state=asks])")
         asks = page.get_attribute(".carts-teach", "data-state") == "asks"
-        assert asks == ("mode: exam" in path.read_text(encoding="utf-8"))
-        page.set_input_files(".carts-teach-own input", path)
+        text = path.read_text(encoding="utf-8")
+        assert asks == ("mode: exam" in text)
+        if asks or withhold(text) != text:
+            page.set_input_files(".carts-teach-own input", path)
         page.wait_for_selector(".carts-teach:not(:has(.carts-teach-own))")
         settled(page)
         assert saved(page) == path.read_bytes()

@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.cli.build import build_site
+from sim.cli.site.build import build_site
 from tests.teach.conftest import SETTINGS
 from tests.web.boot_site import ROOT
 from tests.web.conftest import OpenPage

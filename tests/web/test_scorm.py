@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import pytest
 from playwright.sync_api import Page, expect
 
-from sim.cli.pack import pack_site
+from sim.cli.site.pack import pack_site
 from tests.web.boot_site import ROOT
 from tests.web.conftest import OpenPage
 

@@ -18,7 +18,7 @@ from sim.measured.events.contacts import Contact
 from sim.measured.events.in_step import Step
 from sim.measured.events.outcome import AT_REST, HALF, Outcome, spread
 from sim.measured.events.sides import Speeds
-from sim.measured.known import Known, Untold
+from sim.measured.model.known import Known, Untold
 
 LOSS = 0.018
 """Share of the push that friction in the contact takes at most. From nine weighed collisions on an

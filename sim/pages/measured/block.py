@@ -18,7 +18,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from sim.measured.cells import decoded
-from sim.measured.contact import LAWS, Law
+from sim.measured.model.contact import LAWS, Law
 from sim.measured.refusal import ReadingError
 from sim.measured.tracks import Measured, read_measured
 from sim.measured.units import OFFERED, Units

@@ -6308,7 +6308,11 @@ ${lines4.join("\n")}
     const ladder = new Ladder(element, client2, () => {
       return { kind: "relevance", scene, set: { ...acts.settings() } };
     });
-    return { controls: sliders, find, how, ladder };
+    const follow = (run) => {
+      ladder.follow(run);
+      return how.follow(run);
+    };
+    return { controls: sliders, find, how, follow };
   }
   function askFirst(element, baked, view, { locked, forgotten }) {
     const ask = element.querySelector(".carts-predict");
@@ -9250,8 +9254,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         if (!this.#predict) this.#lesson = baked.run;
         if (this.#lesson) inside.find?.show(baked.run);
         void inside.find?.restore();
-        void inside.how.follow(baked.run);
-        inside.ladder.follow(baked.run);
+        void inside.follow(baked.run);
         if (this.#watch.over) view.show(baked.run);
         view.enable(!this.#predict);
         inside.controls.enable(!this.#predict);
@@ -9324,8 +9327,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
-        const shown3 = this.#inside?.how.follow(run);
-        this.#inside?.ladder.follow(run);
+        const shown3 = this.#inside?.follow(run);
         this.#inside?.controls.show(this.#values.good, run.header);
         this.#inside?.find?.show(run);
         offerUndo(this, this.#told && this.#values.canUndo);

@@ -96,8 +96,7 @@ export function sceneElement(client) {
       if (!this.#predict) this.#lesson = baked.run;
       if (this.#lesson) inside.find?.show(baked.run);
       void inside.find?.restore();
-      void inside.how.follow(baked.run);
-      inside.ladder.follow(baked.run);
+      void inside.follow(baked.run);
       if (this.#watch.over) view.show(baked.run);
       view.enable(!this.#predict);
       inside.controls.enable(!this.#predict);
@@ -181,8 +180,7 @@ export function sceneElement(client) {
 
     /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
     #draw(run) {
-      const shown = this.#inside?.how.follow(run);
-      this.#inside?.ladder.follow(run);
+      const shown = this.#inside?.follow(run);
       this.#inside?.controls.show(this.#values.good, run.header);
       this.#inside?.find?.show(run);
       words.offerUndo(this, this.#told && this.#values.canUndo);

@@ -66,7 +66,11 @@ export function wireInside(element, baked, view, client, acts) {
   const ladder = new Ladder(element, client, () => {
     return { kind: "relevance", scene, set: { ...acts.settings() } };
   });
-  return { controls: sliders, find, how, ladder };
+  const follow = (/** @type {import("../../../view/types.js").Run} */ run) => {
+    ladder.follow(run);
+    return how.follow(run);
+  };
+  return { controls: sliders, find, how, follow };
 }
 
 /**

@@ -15,7 +15,7 @@ from sim.classroom.tables.marks import mark
 from sim.classroom.tables.read import read_table
 from sim.classroom.tables.report import Judged, judge
 from sim.classroom.tables.taken import MarkTable, Taken
-from sim.cli.class_files import group_of
+from sim.cli.classroom.files import group_of
 
 
 def tables_of(

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from sim.measured.fit import Fit
+from sim.measured.model.fit import Fit
 
 WIDEST = 0.5
 """Standard deviation of ln w0, or of any logarithm, above which no number is printed."""

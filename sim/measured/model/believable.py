@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim.measured.known import Known, Untold
+from sim.measured.model.known import Known, Untold
 
 OPEN = "the readings leave it open"
 ABOVE = "it comes out above 1: the carts would gain energy"

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sim.cli import site_folder
 from sim.cli.check import report
 from sim.cli.progress import pages_on_terminal
+from sim.cli.site import site_folder
 from sim.pages.check import USUAL_PLACES, check_paths
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from sim.measured.fit import Asked, Effect, Fit, fit
-from sim.measured.motion import Parameters
+from sim.measured.model.fit import Asked, Effect, Fit, fit
+from sim.measured.model.motion import Parameters
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 

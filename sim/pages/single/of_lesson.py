@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from urllib.parse import unquote
 
-from sim.pages.all_inside import INSIDE, policy
+from sim.pages.single.all_inside import INSIDE, policy
 from sim.pages.site_files import ASSETS
 
 _LOOK = """\

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import click
 
-from sim.cli import site_folder
-from sim.cli.build import build_site
+from sim.cli.site import site_folder
+from sim.cli.site.build import build_site
 from sim.pages.classroom.scorm import scorm_files
 from sim.pages.open_me import NAME as OPEN_ME
 from sim.pages.open_me import open_me
@@ -63,7 +63,7 @@ def command(
     if single and kind:
         raise click.UsageError(f"--single and --{kind} do not go together.")
     if single:
-        from sim.cli.pack_single import pack_lessons
+        from sim.cli.site.pack_single import pack_lessons
 
         pack_lessons(ctx, here, out or here.root / "build" / "lessons.single.zip")
         return

@@ -7,7 +7,7 @@ honest. Every reading counts alike; the noise is estimated from the residuals, s
     covariance = s² (JᵀJ)⁻¹ ,   s² = sum of squares / (readings − unknowns) ,   Student's t.
 
 A singular value of J near zero means that the readings do not tell one unknown: its variance
-becomes infinite, and sim.measured.known refuses to print it. numpy and scipy are imported inside.
+becomes infinite, and `known` refuses to print it. numpy and scipy are imported inside.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from sim.measured.bounds import bounds_of
-from sim.measured.contact import Law
-from sim.measured.covariance import covariance_of
-from sim.measured.curves import places
-from sim.measured.guess import CALM, EACH_SIDE, guesses
-from sim.measured.motion import Motion, Parameters
+from sim.measured.model.bounds import bounds_of
+from sim.measured.model.contact import Law
+from sim.measured.model.covariance import covariance_of
+from sim.measured.model.curves import places
+from sim.measured.model.guess import CALM, EACH_SIDE, guesses
+from sim.measured.model.motion import Motion, Parameters
 from sim.measured.refusal import FitError
 from sim.measured.tracks import Measured
 

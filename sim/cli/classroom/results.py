@@ -17,10 +17,10 @@ from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.report.report import WHOLE, Asked, class_report
 from sim.classroom.show.standalone import standalone
 from sim.classroom.tables.report import table_report
-from sim.cli.class_files import group_of, sources
-from sim.cli.class_summary import lessons_of_answers, merged_report, write_summary, write_whole
-from sim.cli.class_tables import tables_of
-from sim.cli.class_text import report_as_text
+from sim.cli.classroom.files import group_of, sources
+from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_summary, write_whole
+from sim.cli.classroom.tables import tables_of
+from sim.cli.classroom.text import report_as_text
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)

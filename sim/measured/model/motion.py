@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from sim.laws.damped_oscillation import Swing
-from sim.measured.contact import Law, Stretch, with_friction, without_friction
+from sim.measured.model.contact import Law, Stretch, with_friction, without_friction
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sim.cli.build import build_site
-from sim.cli.site_folder import SiteFolder
+from sim.cli.site.build import build_site
+from sim.cli.site.site_folder import SiteFolder
 
 if TYPE_CHECKING:
     from sim.pages.site_build import SiteBuild
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     """Build the site and write its lessons, one file each, into the zip `out`."""
-    from sim.cli.pack import size_of, write_zip
-    from sim.pages.all_inside import runtime_scripts
-    from sim.pages.single_lesson import single_lesson
+    from sim.cli.site.pack import size_of, write_zip
+    from sim.pages.single.all_inside import runtime_scripts
+    from sim.pages.single.of_lesson import single_lesson
     from sim.pages.site_build import SiteError
 
     builds: list[SiteBuild] = []

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sim.cli import site_folder
-from sim.cli.build import messages_to_stderr
 from sim.cli.progress import pages_on_terminal
+from sim.cli.site import site_folder
+from sim.cli.site.build import messages_to_stderr
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
 
-    from sim.cli.page_server import PageServer
+    from sim.cli.site.page_server import PageServer
 
 PORTS = range(8000, 8010)
 """Tried in this order where no port is asked for."""
@@ -81,7 +81,7 @@ class Previewer:
 
     def server(self, port: int) -> PageServer:
         """The server of the pages, bound to its port."""
-        from sim.cli.page_server import PageServer
+        from sim.cli.site.page_server import PageServer
 
         made = PageServer(self.make, lambda: self.trouble, self.site, port)
         self.url = made.url

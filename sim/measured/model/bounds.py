@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sim.measured.guess import E_HIGH, E_LOW, RATIO_HIGH
+from sim.measured.model.guess import E_HIGH, E_LOW, RATIO_HIGH
 
 if TYPE_CHECKING:
     import numpy as np

@@ -12,8 +12,8 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from sim.measured.contact import Law
-from sim.measured.motion import Parameters
+from sim.measured.model.contact import Law
+from sim.measured.model.motion import Parameters
 from sim.measured.refusal import FitError
 
 if TYPE_CHECKING:

@@ -9,14 +9,14 @@ from typing import Any, NoReturn, cast
 
 import click
 
-from sim.cli.of_names import named, of_names, quantity, weighed
+from sim.cli.measured.of_names import named, of_names, quantity, weighed
+from sim.cli.measured.zipped import texts_of
 from sim.cli.tables import table
-from sim.cli.zipped import texts_of
 from sim.measured.analysis import Wanted, analysed
 from sim.measured.cells import MOST_BYTES
 from sim.measured.events.story import Hints
 from sim.measured.events.words import strip
-from sim.measured.fit import Effect, Fit
+from sim.measured.model.fit import Effect, Fit
 from sim.measured.refusal import FitError, ReadingError
 from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from sim.measured.motion import Motion
+from sim.measured.model.motion import Motion
 
 if TYPE_CHECKING:
     import numpy as np

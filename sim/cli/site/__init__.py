@@ -1,0 +1,1 @@
+"""Commands that make a site, show it and pack it."""

@@ -1,0 +1,1 @@
+"""One HTML file that holds all that it needs: a scene, or a lesson."""
