@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Locator, Page
 
 from sim.pages.site_build import lessons_in
 from tests.conftest import ROOT
@@ -15,7 +15,7 @@ from tests.web.widget_site import LIVE
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 HEAD, BAR = 48, 39  # px of the theme's head and of “My answers”, which stay on screen
-LAPTOP, PHONE = (1366, 768), (360, 740)
+LAPTOP, PHONE, PROJECTOR = (1366, 768), (360, 740), (1280, 720)
 
 LESSONS = [
     path.stem for path in lessons_in(ROOT / "worksheets")
@@ -76,3 +76,33 @@ def test_on_a_phone_picture_and_play_are_seen_together(
 ) -> None:
     page, (_, height) = opened(site, open_page, lesson, PHONE), PHONE
     assert too_low(page, height, {".carts-stage": 1, ".carts-play": 1}) == []
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_a_class_sees_the_question_the_picture_and_a_graph_together(
+    site: Path, open_page: OpenPage, lesson: str
+) -> None:
+    """On a projector: the question before Reveal, Play and a graph after it too."""
+    page = opened(site, open_page, lesson, PROJECTOR)
+    low = []
+    for scene in page.locator("carts-scene").all():
+        scene.and_(page.locator("[data-state=live]")).wait_for(timeout=LIVE)
+        asks = scene.locator(".carts-predict").count() > 0
+        scene.locator(".carts-project").click()
+        low += low_on_projector(scene, ".carts-stage", *((".carts-ask",) if asks else ()))
+        scene.evaluate("(scene) => scene.reveal().then(() => scene.complete())")
+        parts = (".carts-stage", ".carts-play", ".carts-plot", *((".carts-ask",) if asks else ()))
+        low += low_on_projector(scene, *parts)
+        scene.locator(".carts-project").click()
+    assert low == []
+
+
+def low_on_projector(scene: Locator, *parts: str) -> list[str]:
+    """What cannot be seen without scrolling."""
+    found = []
+    for part in parts:
+        box = scene.locator(part).filter(visible=True).first.bounding_box()
+        if box is None or box["y"] + box["height"] > PROJECTOR[1]:
+            found.append(f"{scene.get_attribute('id')} {part}: {box}")
+    return found
