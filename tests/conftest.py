@@ -64,7 +64,7 @@ def pytest_configure(config: pytest.Config) -> None:
     assert hasattr(providers, "is_local_module_file")
     providers.is_local_module_file = lambda _path: False
     common = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
-    settings.register_profile("ci", derandomize=True, max_examples=150, **common)
+    settings.register_profile("ci", derandomize=True, max_examples=100, **common)
     settings.register_profile("fuzz", max_examples=2_500, print_blob=True, **common)
     settings.load_profile("fuzz" if config.getoption("--fuzz") else "ci")
 

@@ -12,7 +12,8 @@ import click
 import pytest
 from click.testing import CliRunner, Result
 
-from sim.cli import doctor, main, site_folder
+from sim.cli import doctor, main
+from sim.cli.site import site_folder
 from sim.cli.site.build import build_site
 from sim.pages import runtime, site_files
 
