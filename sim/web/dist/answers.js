@@ -1948,6 +1948,11 @@
     return letter ? `${letter}: ${text}` : text;
   }
 
+  // ../view/bodies.js
+  function forceOn(on, by) {
+    return tr("force on {on} by {by}", { on, by });
+  }
+
   // src/question/forms/diagram.js
   var APART = 7;
   var NEXT = (
@@ -2104,7 +2109,6 @@
   }
 
   // src/question/forms/interactions.js
-  var force = (on, by) => tr("force on {on} by {by}", { on, by });
   function words2({ between: [a, b], by }) {
     return by === "contact" ? tr("{a} and {b} touch", { a, b }) : tr("{a} and {b}, without touching", { a, b });
   }
@@ -2182,7 +2186,7 @@
       const said = html("span", "carts-q-text");
       said.append(
         html("strong", "", words2(link)),
-        html("span", "carts-q-pair-forces", `${force(a, b)} · ${force(b, a)}`)
+        html("span", "carts-q-pair-forces", `${forceOn(a, b)} · ${forceOn(b, a)}`)
       );
       const sign = { right: `✓ ${tr("right")}`, wrong: `✗ ${tr("not yet")}` }[verdict] ?? "";
       line.dataset.verdict = verdict;
@@ -2194,7 +2198,7 @@
       const acting = sorted().filter(({ between }) => between.includes(object));
       place2?.replaceChildren(
         ...acting.map(({ between: [a, b], by }) => {
-          const line = html("li", "", force(object, object === a ? b : a));
+          const line = html("li", "", forceOn(object, object === a ? b : a));
           line.classList.add(`carts-q-by-${by}`);
           return line;
         })
@@ -2529,10 +2533,10 @@
     place2.dataset.verdict = verdict;
     sign.textContent = verdict && (verdict === "right" ? "✓ " : "✗ ") + words3[verdict];
   }
-  function plot(root, { rows: rows2, plot: plot2, given: given2 }, value) {
+  function plot(root, { rows: rows2, plot: plot2, given }, value) {
     const known2 = (
       /** @type {Record<string, unknown>} */
-      { ...given2, ...value }
+      { ...given, ...value }
     );
     const [x, y] = plot2 ?? [1, 2];
     const points = rows2.map((_, r) => [known2[`${r + 1}-${x}`], known2[`${r + 1}-${y}`]]).filter((pair) => pair.every((number2) => typeof number2 === "number"));
@@ -2826,6 +2830,21 @@
     };
   }
 
+  // src/shared/tab.js
+  function recall(key) {
+    try {
+      return JSON.parse(sessionStorage.getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value) {
+    try {
+      sessionStorage.setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
   // src/teach/door.js
   var OPEN = "carts-teach";
   function teacherDoor() {
@@ -2847,7 +2866,7 @@
     };
     const letIn = () => {
       const sum = link.dataset.word;
-      return !sum || given() === sum || ask(link, sum);
+      return !sum || recall(KEY) === sum || ask(link, sum);
     };
     const wanted = () => location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
     link.addEventListener("click", () => void open2());
@@ -2875,13 +2894,6 @@
     });
   }
   var KEY = "carts-teacher-word";
-  function given() {
-    try {
-      return sessionStorage.getItem(KEY);
-    } catch {
-      return null;
-    }
-  }
   function ask(link, sum) {
     const place2 = (
       /** @type {HTMLElement} */
@@ -2906,10 +2918,7 @@
           wrong2.textContent = tr("That is not the word.");
           return;
         }
-        try {
-          sessionStorage.setItem(KEY, sum);
-        } catch {
-        }
+        retain(KEY, sum);
         form.remove();
         resolve(true);
       });

@@ -9116,6 +9116,21 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
   };
 
+  // src/shared/tab.js
+  function recall(key) {
+    try {
+      return JSON.parse(sessionStorage.getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value) {
+    try {
+      sessionStorage.setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
   // src/scene/watch.js
   var WATCHED = "carts-watched";
   var Watch = class {
@@ -9161,17 +9176,10 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   };
   var KEY = "carts-watched";
   function remembered() {
-    try {
-      return JSON.parse(sessionStorage.getItem(KEY) ?? "[]");
-    } catch {
-      return [];
-    }
+    return recall(KEY) ?? [];
   }
   function remember(name2) {
-    try {
-      sessionStorage.setItem(KEY, JSON.stringify([.../* @__PURE__ */ new Set([...remembered(), name2])]));
-    } catch {
-    }
+    retain(KEY, [.../* @__PURE__ */ new Set([...remembered(), name2])]);
   }
 
   // src/scene/element.js

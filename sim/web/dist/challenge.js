@@ -58,6 +58,21 @@
     );
   }
 
+  // src/shared/tab.js
+  function recall(key) {
+    try {
+      return JSON.parse(sessionStorage.getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value2) {
+    try {
+      sessionStorage.setItem(key, JSON.stringify(value2));
+    } catch {
+    }
+  }
+
   // ../view/trajectory.js
   function rowAt(times, t) {
     let low = 0;
@@ -285,7 +300,7 @@
       if (!this.#tries.found && isMet(goal, run, masses(scene), near)) {
         this.#tries.found = { run: tried.length, values: this.#told(set) };
       }
-      keep(this.#name, this.#tries);
+      retain(this.#name, this.#tries);
       this.#show();
     }
     /** What was set, in words. @param {Record<string, unknown>} set */
@@ -315,18 +330,8 @@
     }
   };
   function kept(name) {
-    try {
-      const { tried, found } = JSON.parse(sessionStorage.getItem(name) ?? "{}");
-      return { tried: Array.isArray(tried) ? tried : [], found: found ?? null };
-    } catch {
-      return { tried: [], found: null };
-    }
-  }
-  function keep(name, tries) {
-    try {
-      sessionStorage.setItem(name, JSON.stringify(tries));
-    } catch {
-    }
+    const { tried, found } = recall(name) ?? {};
+    return { tried: Array.isArray(tried) ? tried : [], found: found ?? null };
   }
 
   // src/challenge-main.js

@@ -7,6 +7,7 @@ import { listed } from "../../../view/bodies.js";
 import { tr } from "../../../view/language.js";
 import { short } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
+import { recall, retain } from "../shared/tab.js";
 import { masses, setBy } from "./forms/run.js";
 import { isMet } from "./marking/goal.js";
 
@@ -60,7 +61,7 @@ export class ChallengeElement extends HTMLElement {
     if (!this.#tries.found && isMet(goal, run, masses(scene), near)) {
       this.#tries.found = { run: tried.length, values: this.#told(set) };
     }
-    keep(this.#name, this.#tries);
+    retain(this.#name, this.#tries);
     this.#show();
   }
 
@@ -97,19 +98,6 @@ export class ChallengeElement extends HTMLElement {
 
 /** What this tab has tried before. @param {string} name @returns {Tries} */
 function kept(name) {
-  try {
-    const { tried, found } = JSON.parse(sessionStorage.getItem(name) ?? "{}");
-    return { tried: Array.isArray(tried) ? tried : [], found: found ?? null };
-  } catch {
-    return { tried: [], found: null }; // a browser that keeps nothing: it counts anew
-  }
-}
-
-/** @param {string} name @param {Tries} tries */
-function keep(name, tries) {
-  try {
-    sessionStorage.setItem(name, JSON.stringify(tries));
-  } catch {
-    // as above
-  }
+  const { tried, found } = recall(name) ?? {};
+  return { tried: Array.isArray(tried) ? tried : [], found: found ?? null };
 }

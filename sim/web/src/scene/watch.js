@@ -3,6 +3,8 @@
  * was seen. Where a lesson has it free (`watch: free`), everything is there from the start.
  */
 
+import { recall, retain } from "../shared/tab.js";
+
 export const WATCHED = "carts-watched"; // an event of the scene, once, when its run was seen
 
 export class Watch {
@@ -54,18 +56,10 @@ const KEY = "carts-watched";
 
 /** What this tab has watched before; a scene with a prediction keeps it with the answer. @returns {string[]} */
 function remembered() {
-  try {
-    return JSON.parse(sessionStorage.getItem(KEY) ?? "[]");
-  } catch {
-    return []; // a browser that keeps nothing: it is watched again
-  }
+  return recall(KEY) ?? [];
 }
 
 /** @param {string} name */
 function remember(name) {
-  try {
-    sessionStorage.setItem(KEY, JSON.stringify([...new Set([...remembered(), name])]));
-  } catch {
-    // as above
-  }
+  retain(KEY, [...new Set([...remembered(), name])]);
 }

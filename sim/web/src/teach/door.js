@@ -6,6 +6,7 @@
 import { tr } from "../../../view/language.js";
 import { wordSum } from "../question/opening.js";
 import { html } from "../shared/dom.js";
+import { recall, retain } from "../shared/tab.js";
 
 export const OPEN = "carts-teach";
 
@@ -31,7 +32,7 @@ export function teacherDoor() {
   /** Whether the teacher's word was given; asks for it where one is needed. */
   const letIn = () => {
     const sum = link.dataset.word;
-    return !sum || given() === sum || ask(link, sum);
+    return !sum || recall(KEY) === sum || ask(link, sum);
   };
   const wanted = () =>
     location.hash === "#teacher" || new URLSearchParams(location.search).has("teacher");
@@ -66,16 +67,7 @@ function arrives(element) {
   });
 }
 
-const KEY = "carts-teacher-word";
-
-/** The checksum of the word that was given in this tab. */
-function given() {
-  try {
-    return sessionStorage.getItem(KEY);
-  } catch {
-    return null; // a browser that keeps nothing asks on every page
-  }
-}
+const KEY = "carts-teacher-word"; // its checksum, once it was given in this tab
 
 /** Resolves when the word was given. @param {HTMLElement} link @param {string} sum @returns {Promise<boolean>} */
 function ask(link, sum) {
@@ -99,11 +91,7 @@ function ask(link, sum) {
         wrong.textContent = tr("That is not the word.");
         return;
       }
-      try {
-        sessionStorage.setItem(KEY, sum);
-      } catch {
-        // as above
-      }
+      retain(KEY, sum);
       form.remove();
       resolve(true);
     });

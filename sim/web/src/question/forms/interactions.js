@@ -1,5 +1,6 @@
 /** An interaction diagram: links between objects, drawn or added from lists, and the two forces of each in words. */
 
+import { forceOn } from "../../../../view/bodies.js";
 import { tr } from "../../../../view/language.js";
 import { html, need, put, say } from "../../shared/dom.js";
 import { linkName } from "../marking/link-name.js";
@@ -7,9 +8,6 @@ import { Diagram } from "./diagram.js";
 
 /** @typedef {{between: [string, string], by: string}} Link objects in the author's order */
 /** @typedef {{objects: string[], focus: string[], key?: {links: Link[]}}} Facts */
-
-const force = (/** @type {string} */ on, /** @type {string} */ by) =>
-  tr("force on {on} by {by}", { on, by });
 
 /** @param {Link} link */
 function words({ between: [a, b], by }) {
@@ -84,7 +82,7 @@ export function interactionsForm(root, changed, { objects, focus, key }) {
     const said = html("span", "carts-q-text");
     said.append(
       html("strong", "", words(link)),
-      html("span", "carts-q-pair-forces", `${force(a, b)} · ${force(b, a)}`),
+      html("span", "carts-q-pair-forces", `${forceOn(a, b)} · ${forceOn(b, a)}`),
     );
     const sign = { right: `✓ ${tr("right")}`, wrong: `✗ ${tr("not yet")}` }[verdict] ?? "";
     line.dataset.verdict = verdict;
@@ -98,7 +96,7 @@ export function interactionsForm(root, changed, { objects, focus, key }) {
     const acting = sorted().filter(({ between }) => between.includes(object));
     place?.replaceChildren(
       ...acting.map(({ between: [a, b], by }) => {
-        const line = html("li", "", force(object, object === a ? b : a));
+        const line = html("li", "", forceOn(object, object === a ? b : a));
         line.classList.add(`carts-q-by-${by}`);
         return line;
       }),
