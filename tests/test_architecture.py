@@ -26,11 +26,15 @@ MAY_IMPORT = {
     "effects": {"effects", "scene"},
     "laws": {"laws", "scene"},
     "dynamics": {"dynamics", "effects", "laws", "scene"},
+    "worlds": {"worlds", "dynamics", "effects", "laws", "scene"},
     "certify": {"certify", "scene"},  # nothing of the run that it proves
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
     "measured": {"measured", "dynamics", "effects", "laws", "scene"},
-    "bridge": {"bridge", "classroom", "measured", "lesson", "dynamics", "effects", "laws", "scene"},
+    "bridge": {
+        *("bridge", "classroom", "measured", "lesson", "worlds"),
+        *("dynamics", "effects", "laws", "scene"),
+    },
     "pages": {
         "pages",
         "bridge",
@@ -49,13 +53,14 @@ MAY_IMPORT = {
         "classroom",
         "certify",
         "measured",
+        "worlds",
         "lesson",
         "dynamics",
         "effects",
         "scene",
     },
 }
-STANDARD_LIBRARY_ONLY = ("scene", "effects", "lesson", "bridge")
+STANDARD_LIBRARY_ONLY = ("scene", "effects", "lesson", "worlds", "bridge")
 ONLY_IN = {"js": "bridge/pyodide_entry.py", "pyodide": "bridge/pyodide_entry.py"}
 
 

@@ -45,9 +45,10 @@ OTHERS = {
     "relevance": "sim.bridge.relevance_answer",
     "class": "sim.bridge.class_answer",
     "measured": "sim.bridge.measured_answer",
+    "worlds": "sim.bridge.worlds_answer",
     "teach": "sim.pages.teach.answer",
 }
-"""Module of each other kind of request; it holds a function KIND_answer. The last three are in
+"""Module of each other kind of request; it holds a function KIND_answer. The last four are in
 packages of their own, which only the pages load that ask for them."""
 
 Answer = tuple[dict[str, Any], "array[float]"]

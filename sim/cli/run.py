@@ -57,6 +57,11 @@ METHODS = ("exact", "euler", "semi-implicit", "verlet", "rk4", "rk4-events", *AD
     is_flag=True,
     help="Prove bounds of every event time and of the end, and the order of events.",
 )
+@click.option(
+    "--world",
+    metavar="NAME",
+    help="Run it in an impossible world that the scene names under “worlds”.",
+)
 @click.option("--no-events", is_flag=True, help="Count events per kind instead of listing them.")
 def command(
     scene: str,
@@ -68,6 +73,7 @@ def command(
     max_events: int,
     no_events: bool,
     certified: bool,
+    world: str | None,
 ) -> None:
     """Run a scene and say what happened.
 
@@ -78,6 +84,7 @@ def command(
     carts run my-scene.yml --method rk4 --step 0.01
     carts run my-scene.yml --json
     carts run my-scene.yml --certify
+    carts run my-scene.yml --world bigger-pushes-more
     """
     if as_json and as_csv:
         raise click.UsageError("--json and --csv exclude each other.")
@@ -87,6 +94,11 @@ def command(
         raise click.UsageError("--rtol goes with --method rk45 or adaptive.")
     if certified and (as_csv or method != "exact"):
         raise click.UsageError("--certify goes with the exact run, as text or with --json.")
+    if world is not None:
+        if certified or method != "exact":
+            raise click.UsageError("--world goes with no method and no certificate.")
+        _world(scene, world, as_json=as_json, as_csv=as_csv)
+        return
     description = scene_file.read(scene)
     if method != "exact":
         from sim.dynamics.stepping.recorded import stepped_report
@@ -112,7 +124,8 @@ def command(
     )
     certificate = _certificate(description) if certified else None
     if as_json:
-        told = report(finished) | ({"certificate": certificate} if certificate else {})
+        told = {**report(finished), "impossible": []}
+        told |= {"certificate": certificate} if certificate else {}
         click.echo(json.dumps(told, allow_nan=False, ensure_ascii=False))
     elif as_csv:
         click.echo(columns_as_csv(trajectory(finished)), nl=False)
@@ -120,6 +133,39 @@ def command(
         click.echo(run_as_text(finished))
     if certificate is not None and not as_json:
         click.echo(f"\n{certificate_as_text(certificate)}")
+
+
+def _world(name: str, wanted: str, *, as_json: bool, as_csv: bool) -> None:
+    """The scene in a world that it names. Whatever is printed says that it is impossible."""
+    from sim.dynamics.result.outcome import UnsolvedError
+    from sim.worlds.breaks import broken
+    from sim.worlds.document import document
+    from sim.worlds.follow import follow
+
+    fence = scene_file.read_shown(name)
+    world = next((one for one in fence.worlds if one.kind.name == wanted), None)
+    if world is None:
+        named = ", ".join(one.kind.name for one in fence.worlds) or "none"
+        raise click.UsageError(
+            f"The scene does not name the world “{wanted}” (it names {named}). "
+            f"Write in it: worlds: [{wanted}]"
+        )
+    try:
+        done = follow(fence.scene, world)
+        found = broken(done)
+    except UnsolvedError as error:
+        place = scene_file.shown_name(name), 1, 1
+        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+    if as_json:
+        click.echo(json.dumps(document(done, found), allow_nan=False, ensure_ascii=False))
+        return
+    label = f"Impossible: a world in which {world.kind.says}."
+    if as_csv:
+        click.echo(f"# {label}")
+        click.echo(columns_as_csv(done.samples), nl=False)
+        return
+    click.echo(f"{label}\n\n{run_as_text(done.run)}\n")
+    click.echo("\n".join(found.sentences))
 
 
 def _certificate(description: Scene) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import read_scene_text
 from sim.pages.text.yaml_source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
+from sim.scene.presentation import Fence
 
 MOST_BYTES = 4 * MAX_CHARACTERS
 """Never read more: a path may lead to a film, or to a device without an end."""
@@ -24,10 +25,15 @@ def read(name: str) -> Scene:
     Keys that say how a lesson shows the scene (id, show, controls …) may stand there as well, and
     are looked at as `carts check` does.
     """
+    return read_shown(name).scene
+
+
+def read_shown(name: str) -> Fence:
+    """The scene with those keys; problems as above."""
     shown = shown_name(name)
     try:
         plain, places = read_scene_text(_text(name, shown), shown)
-        return read_fence(plain, named=False).scene
+        return read_fence(plain, named=False)
     except AuthorError as error:
         fail(error.findings)
     except SceneError as error:

@@ -10,7 +10,7 @@ from sim.dynamics.report.warnings import warnings
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import Trajectory
 
-UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N"}
+UNITS = {"t": "s", "x": "m", "v": "m/s", "a": "m/s²", "F": "N", "on": "N"}
 NAMES = {"kinetic": "in motion", "bumpers": "in bumpers", "incline": "height on the incline"}
 MOST_LINES = 200
 """Events listed for people; the rest is counted. `--json` lists them all."""

@@ -149,6 +149,7 @@ MAKERS: dict[str, Callable[[Block, Page], str]] = {
 def _widget(block: SceneBlock, page: Page) -> str:
     """The live scene as HTML, with its default run; raises `AuthorError` if it cannot run."""
     from sim.pages.widget import render  # Jinja2 and its templates: only where a scene is drawn
+    from sim.pages.widget.worlds import WORLDS
 
     run = bake(block.fence.plain)
     if isinstance(run, list):
@@ -157,7 +158,8 @@ def _widget(block: SceneBlock, page: Page) -> str:
     page.items.scenes.append(block.fence)
     if block.fence.predict:
         page.items.asking = block.fence.id
-    page.packages |= run.packages | set(block.fence.packages)
+    own = {WORLDS} if block.fence.worlds else set()
+    page.packages |= run.packages | set(block.fence.packages) | own
     made = render(block.fence, run.header, run.numbers)
     # Readings of a run are no words to search for, and must not give an answer away. The theme
     # leaves out an element with this mark; it must be one that does not occur inside itself.

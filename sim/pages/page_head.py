@@ -64,6 +64,7 @@ class Needs:
     measured: bool = False  # readings of real carts
     language: str = ENGLISH  # of the interface words
     challenge: bool = False  # a goal for the runs of a scene
+    worlds: bool = False  # impossible ones, beside a scene
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -157,6 +158,7 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
     names += ["carts.js"] if needs.scenes else []
     names += ["challenge.js"] if needs.challenge else []
+    names += ["worlds.js"] if needs.worlds else []
     names += ["measured.js"] if needs.measured else []
     names += ["class-keys.js", "class.js"] if needs.classroom else []
     yield from (f'<script src="{assets}{name}"></script>' for name in names)

@@ -106,10 +106,10 @@ class SiteBuild:
         outline = page.items.outline(lesson) if page.items.answers else None
         classroom = "<carts-class" in html
         measured = "<carts-measured" in html
-        challenge = "<carts-challenge" in html
+        challenge, worlds = "<carts-challenge" in html, "<carts-worlds" in html
         self.needs[name] = Needs(
             page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
-            page.language, challenge,
+            page.language, challenge, worlds,
         )  # fmt: skip
         kinds = "scene|map|cost|hard|measured|question|quiz|challenge"
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
@@ -204,6 +204,9 @@ class SiteBuild:
             if any(needs.challenge for needs in self.needs.values()):
                 script = site_files.challenge_script()
                 (site / site_files.ASSETS / "challenge.js").write_bytes(script)
+            if any(needs.worlds for needs in self.needs.values()):
+                script = site_files.worlds_script()
+                (site / site_files.ASSETS / "worlds.js").write_bytes(script)
             if any(needs.measured for needs in self.needs.values()):
                 script = site_files.measured_script()
                 (site / site_files.ASSETS / "measured.js").write_bytes(script)

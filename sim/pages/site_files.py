@@ -52,6 +52,11 @@ def measured_script() -> bytes:
     return _read(_WEB / "dist" / "measured.js", "make bundle")
 
 
+def worlds_script() -> bytes:
+    """The committed bundle of pages whose scenes name worlds: assets/carts/worlds.js."""
+    return _read(_WEB / "dist" / "worlds.js", "make bundle")
+
+
 def challenge_script() -> bytes:
     """The committed bundle of pages with a challenge: assets/carts/challenge.js."""
     return _read(_WEB / "dist" / "challenge.js", "make bundle")

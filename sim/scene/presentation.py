@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 from sim.scene.controls import Control, read_controls
@@ -21,12 +22,13 @@ from sim.scene.tables import mapping, unknown_keys
 
 FENCE_KEYS = (
     *("id", "show", "with", "controls", "presets", "predict"),
-    *("forces", "slow", "watch", "view", "boxes", "packages"),
+    *("forces", "slow", "watch", "view", "boxes", "packages", "worlds"),
 )
 SHOWS = ("x", "v", "a", "F", "R", "p", "energy")
 FORCE_GRAPHS = ("F", "R", "a")
 VIEWS = ("free-body", "lens", "bars")
 PACKAGES = ("numpy", "scipy")
+WORLDS = "sim.worlds.describe"
 ID = re.compile(r"[a-z][a-z0-9-]{0,63}", re.ASCII)
 
 
@@ -50,6 +52,7 @@ class Fence:
     boxes: str  # mass | alike: what the size of a cart's box says
     view_speed: float  # m/s, of the camera; 0: at rest on the track
     packages: tuple[str, ...]
+    worlds: tuple[Any, ...] = ()  # impossible ones, see `sim.worlds`
 
     @property
     def watched_first(self) -> bool:
@@ -92,6 +95,9 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     predict = None
     if "predict" in table and scene is not None:
         predict = read_predict(table["predict"], scene, problems)
+    worlds: tuple[Any, ...] = ()
+    if "worlds" in table and scene is not None:  # else nothing of them is even imported
+        worlds = import_module(WORLDS).read_worlds(table["worlds"], scene, problems)
     if problems or scene is None:
         raise SceneError(problems)
     return Fence(
@@ -111,6 +117,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
         boxes=boxes,
         view_speed=speed,
         packages=packages,
+        worlds=worlds,
     )
 
 

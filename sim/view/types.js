@@ -19,7 +19,7 @@
  *   notSimulated: string[], effects: Effect[], warnings: Warning[], problems?: Problem[]}} Header
  *
  * The numbers; two rows at one time are a jump (before, after):
- * @typedef {{t: Column, x: Columns, v: Columns, a: Columns, F: Columns, dF: Columns, E: Columns, events: RunEvent[]}} Trajectory
+ * @typedef {{t: Column, x: Columns, v: Columns, a: Columns, F: Columns, dF: Columns, E: Columns, on?: Columns, events: RunEvent[]}} Trajectory
  * @typedef {{header: Header, trajectory: Trajectory}} Run
  *
  * The lesson's wishes:

@@ -14,6 +14,7 @@ const ENTRIES = {
   "dist/class.js": "src/class-main.js",
   "dist/teacher.js": "src/teacher-main.js",
   "dist/measured.js": "src/measured-main.js",
+  "dist/worlds.js": "src/worlds-main.js",
   "dist/draw.js": "src/draw-main.js",
 };
 

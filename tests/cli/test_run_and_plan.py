@@ -46,6 +46,7 @@ def test_the_document_of_a_run_has_the_keys_of_the_interface():
         "momentum",
         "work",
         "evaluations",
+        "impossible",
     }
     assert document["outcome"]["kind"] == "reached-end"
     assert set(document["events"][0]) == {

@@ -22,6 +22,7 @@ from sim.dynamics.result.record import Record
 from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
 from sim.dynamics.stepping.pairs import Detail, Pair, Row
+from sim.dynamics.stepping.stepper import Stepper
 from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
 from sim.laws.lookup import contact_law
@@ -58,21 +59,25 @@ class SteppedRun:
 
 def stepped(scene: Scene, way: Way, *, keep_events: bool = True) -> SteppedRun:
     """Run a scene step by step; `way` holds for the whole run."""
-    return _Recorder(scene, way, keep_events).finish()
+    step = way.step or (scene.until if way.method in ADAPTIVE else STEP)
+    run = stepper(scene, way)
+    recorder = Recorder(scene, way, run, step, keep_events=keep_events)
+    drive(run, scene.until, step)
+    return recorder.finish()
 
 
-class _Recorder:
-    """Listens to a stepper."""
+class Recorder:
+    """Listens to a stepper that stands at its start; `step` [s] is its usual one."""
 
-    def __init__(self, scene: Scene, way: Way, keep_events: bool) -> None:
-        self.scene, self.way = scene, way
-        self.step = way.step or (scene.until if way.method in ADAPTIVE else STEP)
-        self.run = stepper(scene, way)
+    def __init__(
+        self, scene: Scene, way: Way, run: Stepper, step: float, *, keep_events: bool = True
+    ) -> None:
+        self.scene, self.way, self.step, self.run = scene, way, step, run
         self.run.watch(self.seen)
         self.record = Record(scene, keep_events, keep_motion=True)
         self.story = Story(self.run.field, self.record)
         self.ledger = Ledger(scene)
-        self.outside = _outside(scene)
+        self.outside = self.from_outside()
         self.columns = _empty(scene, [p.gap for p in self.run.field.pairs], self.outside)
         self.every = max(1, math.ceil(scene.until / self.step / MOST_ROWS))
         self.count = 0
@@ -82,6 +87,10 @@ class _Recorder:
         a, detail = self._now(0.0)
         self.ledger.stored_initial = self._stored(detail.push)
         self._row(0.0, a, detail)
+
+    def from_outside(self) -> list[tuple[str, int]]:
+        """Kind and cart of everything that acts on single carts."""
+        return _outside(self.scene)
 
     def seen(self, t: float, h: float, before: Row, forces: list[tuple[float, Detail]]) -> None:
         """A step, or part of one, ended at t."""
@@ -178,9 +187,8 @@ class _Recorder:
                 self.ledger.store(link.kind, link.energy(-d), first=first)
 
     def finish(self) -> SteppedRun:
-        """Drive it to the end, and settle the accounts."""
+        """The stepper came to the end of the scene: settle the accounts."""
         scene, run, ledger = self.scene, self.run, self.ledger
-        drive(run, scene.until, self.step)
         self.story.finish(scene.until, run.v)
         ledger.v_final = list(run.v)
         ledger.stored_final = self._stored(self._now(scene.until)[1].push)

@@ -25,7 +25,7 @@ class Stepper:
     """Fixed steps without any look at events."""
 
     def __init__(self, scene: Scene, method: type[StepMethod], lanes: int = 0) -> None:
-        self.field = Field(scene, lanes)
+        self.field = self.make_field(scene, lanes)
         self.method = method
         zero = self.field.number()
         self.s: Row = [zero for _ in scene.carts]
@@ -35,6 +35,10 @@ class Stepper:
         self.impacts.settle(-1.0, self.s, self.v)
         self.seen: Seen | None = None
         self.steps = 0
+
+    def make_field(self, scene: Scene, lanes: int) -> Field:
+        """The forces that it steps through."""
+        return Field(scene, lanes)
 
     def watch(self, seen: Seen) -> None:
         """From now on tell of every step."""

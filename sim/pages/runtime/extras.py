@@ -5,10 +5,24 @@ from __future__ import annotations
 from collections.abc import Collection
 from pathlib import Path
 
-from .ours import CLASSROOM, MEASURED, TEACHER, Ours, read_classroom, read_measured
+from .ours import (
+    CLASSROOM,
+    MEASURED,
+    TEACHER,
+    WORLDS,
+    Ours,
+    read_classroom,
+    read_measured,
+    read_worlds,
+)
 from .teacher import read_teacher
 
-EXTRAS = {CLASSROOM: read_classroom, TEACHER: read_teacher, MEASURED: read_measured}
+EXTRAS = {
+    CLASSROOM: read_classroom,
+    TEACHER: read_teacher,
+    MEASURED: read_measured,
+    WORLDS: read_worlds,
+}
 
 
 def read_extras(names: Collection[str], package: Path, version: str) -> list[Ours]:

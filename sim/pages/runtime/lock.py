@@ -24,6 +24,7 @@ IMPORTS = {
     "newtons-carts-class": ["sim.classroom"],
     "newtons-carts-teacher": ["sim.pages"],
     "newtons-carts-measured": ["sim.measured"],
+    "newtons-carts-worlds": ["sim.worlds"],
     "numpy": ["numpy"],
     "scipy": ["scipy"],
 }

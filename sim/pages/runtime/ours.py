@@ -23,6 +23,8 @@ CLASSROOM_ENTRY = "bridge/class_answer.py"
 """With these a page also reads the files of a class: a package of its own, loaded only there."""
 MEASURED_ENTRY = "bridge/measured_answer.py"
 """With this and the layer `measured` a page reads and fits what real carts did."""
+WORLDS_ENTRY = "bridge/worlds_answer.py"
+"""With this and the layer `worlds` a page runs what is impossible, where a scene names it."""
 NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js"}
 """In the folder of an effect beside what runs: a page carries no proofs, docs and scenes."""
 ENTRY = "sim.bridge.pyodide_entry"
@@ -30,6 +32,7 @@ NAME = "newtons-carts"
 CLASSROOM = "newtons-carts-class"
 TEACHER = "newtons-carts-teacher"
 MEASURED = "newtons-carts-measured"
+WORLDS = "newtons-carts-worlds"
 APART = (
     *("sim.dynamics.batch", "sim.laws.many", "sim.bridge.map_answer", "sim.scene.schema"),
     *(f"sim.laws.{law}.many" for law in ("bumper", "paper", "push_only", "push_only_uncorrected")),
@@ -78,7 +81,8 @@ class Ours:
 
 def read_ours(package: Path, version: str) -> Ours:
     """Return the layers for the page of the package in folder `package`."""
-    others = (package / CLASSROOM_ENTRY, package / MEASURED_ENTRY)
+    entries = (CLASSROOM_ENTRY, MEASURED_ENTRY, WORLDS_ENTRY)
+    others = [package / entry for entry in entries]
     found = [p for p in _layers(package, LAYERS) if p not in others]
     return _ours(package, version, NAME, [package / "__init__.py", *found])
 
@@ -93,6 +97,12 @@ def read_measured(package: Path, version: str) -> Ours:
     """Return what a page with readings of real carts has beside `read_ours`."""
     found = [package / MEASURED_ENTRY, *_layers(package, ("measured",))]
     return _ours(package, version, MEASURED, found)
+
+
+def read_worlds(package: Path, version: str) -> Ours:
+    """Return what a page has beside `read_ours` whose scenes name impossible worlds."""
+    found = [package / WORLDS_ENTRY, *_layers(package, ("worlds",))]
+    return _ours(package, version, WORLDS, found)
 
 
 def _layers(package: Path, layers: Iterable[str]) -> list[Path]:

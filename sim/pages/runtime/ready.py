@@ -21,10 +21,12 @@ from .ours import (
     CLASSROOM,
     MEASURED,
     TEACHER,
+    WORLDS,
     Ours,
     read_classroom,
     read_measured,
     read_ours,
+    read_worlds,
     text_bytes,
 )
 from .sources import core_files, package_wheels
@@ -37,7 +39,8 @@ SETS: tuple[frozenset[str], ...] = (
     frozenset({"numpy", TEACHER}),
     frozenset({"numpy", "scipy", TEACHER}),
     frozenset({"numpy", "scipy", MEASURED, TEACHER}),
-    frozenset({"numpy", "scipy", CLASSROOM, MEASURED, TEACHER}),
+    frozenset({WORLDS, TEACHER}),
+    frozenset({"numpy", "scipy", CLASSROOM, MEASURED, WORLDS, TEACHER}),
 )
 """From small to large. A site takes the first that has all it needs."""
 
@@ -110,6 +113,6 @@ def _entry(path: Path) -> dict[str, Any]:
 
 def _sources(ours: Ours, package: Path) -> str:
     """What the sets were made from; of teacher mode its own files, not the packages below it."""
-    own = (read(package, ours.version) for read in (read_classroom, read_measured))
+    own = (read(package, ours.version) for read in (read_classroom, read_measured, read_worlds))
     teacher = sorted(sha256(text_bytes(path)) for path in own_files(package))
     return key_of(ours.key, *(extra.key for extra in own), *teacher)

@@ -8,6 +8,7 @@ from typing import Any
 
 from sim.pages.widget.run import Run
 
+ROUNDING = 1e-12  # of the force itself; less than that is nought
 UNKNOWN = 0.1  # of the weight: the force of an effect that nothing is known of here
 ROOM_TO_GUESS = 1.7  # before a prediction the scale must not tell the size of a force
 
@@ -21,6 +22,8 @@ def greatest_force(header: Mapping[str, Any], controls: Sequence[Any], run: Run 
         peak = 0.0 if run is None else _peak(effect, run)
         if run is None:
             greatest = max(greatest, ROOM_TO_GUESS * max(estimates))
+        elif peak <= ROUNDING * max(estimates):  # it is there, and others hold it
+            greatest = max(greatest, *estimates)
         elif peak and estimates[0]:
             greatest = max(greatest, peak * max(estimates) / estimates[0])
         else:

@@ -10,6 +10,7 @@ from typing import Any
 from sim.pages.bake import packages_of
 from sim.pages.templates import script_json
 from sim.pages.widget.baked import baked_values
+from sim.pages.widget.worlds import WORLDS, render_worlds
 
 
 def render(
@@ -31,13 +32,15 @@ def render(
         data = escape(str(script_json(differs)))
         found = _inside(all_values, drawn=drawn, found=True)
         shown = f'<template class="carts-shown" data-baked="{data}">{found}</template>\n'
-    packages = " ".join(sorted({*fence.packages, *packages_of(header)}))
+    worlds = render_worlds(fence)
+    own = {WORLDS} if worlds else set()
+    packages = " ".join(sorted({*fence.packages, *packages_of(header), *own}))
     asks = " carts-asks" if fence.predict else ""
     return (
         f'<carts-scene id="{escape(fence.id)}" class="carts{asks}" data-state="still" '
         f'data-packages="{packages}">\n{inside}\n'
         f'<script type="application/json" class="carts-baked">{script_json(values)}</script>\n'
-        f"{shown}</carts-scene>"
+        f"{shown}</carts-scene>{worlds}"
     )
 
 

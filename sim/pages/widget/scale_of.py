@@ -18,6 +18,7 @@ from sim.pages.widget.run import Run
 
 REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
 ROOM_TO_GUESS = 1.7  # a prediction's longest arrow, over the estimate: the scale tells nothing
+ROUNDING = 1e-12  # of what forces could do; less than that is nought
 TALLEST = 4.0  # reference heights; a heavier cart gets a break mark “not to scale”
 
 
@@ -48,8 +49,11 @@ def read_scales(
     force = max(force, greatest_force(header, controls, run))
     speed = max(abs(b["velocity"] - camera) for variant in variants for b in variant["bodies"])
     speed = max(speed, abs(camera))
-    if run is not None:
-        speed = speed or max(abs(v) for column in run.v.values() for v in column)
+    if run is not None and speed == 0.0:
+        speed = max(abs(v) for column in run.v.values() for v in column)
+        lightest = min(b["mass"] for b in header["bodies"])
+        if speed <= ROUNDING * force * header["until"] / lightest:
+            speed = 0.0  # forces that cancel leave rounding, and rounding is no motion
     velocity = full_scale(speed) if speed > 0 else 1.0
     force = full_scale(force) if force > 0 else 0.0
     per = speed_unit(velocity)[0]

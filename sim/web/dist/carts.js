@@ -4906,6 +4906,9 @@
     }
   };
 
+  // src/shared/ask-scene.js
+  var ASKED = "carts-asked";
+
   // src/scene/how/words.js
   var LOCKED = tr(
     "Make your prediction and lock it first. Then you can see how the run is computed."
@@ -6300,6 +6303,15 @@ ${lines4.join("\n")}
         ({ header, numbers }) => detail.answer(header.ok ? columnsOf(header, numbers) : null),
         () => detail.answer(null)
       );
+    });
+    const worlds = {};
+    element.addEventListener(ASKED, (event) => {
+      const { detail } = (
+        /** @type {CustomEvent} */
+        event
+      );
+      const set = { ...acts.settings() };
+      detail.answer(client2.ask(worlds, () => ({ scene, set, ...detail.message })));
     });
     const find = element.querySelector(".carts-find") ? new FindForces(element, baked.fence.id, acts.found) : null;
     const how = new How(element, view, client2, (more) => {
@@ -8173,18 +8185,19 @@ ${lines4.join("\n")}
       const { layout, view } = this;
       const told3 = [];
       for (const push of this.#pushes) {
-        const { t: times2, F: F2, dF } = run.trajectory;
-        const [column, slopes] = [F2[push.pair], dF[push.pair]];
-        const force2 = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
-        const signed = Math.abs(force2) < NOISE * view.force ? 0 : force2;
-        const size = Math.abs(signed);
-        const length = arrowLength(signed, view.force, layout.force);
+        const forces2 = push.bodies.map((name2) => {
+          const force2 = forceOn2(run, push.pair, name2, t3);
+          return Math.abs(force2) < NOISE * view.force ? 0 : force2;
+        });
+        const sizes = forces2.map(Math.abs);
+        const size = Math.max(...sizes);
         const y2 = layout.track - PUSH;
         const [left, right] = push.bodies;
         const ends = [face(left, "right"), face(right, "left")];
-        const draw = isCut(size, view.force) ? cutArrow : blockArrow;
         push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
+          const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
+          const length = arrowLength(Number(forces2[side]), view.force, layout.force);
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y2, way * length));
         });
         const touching = this.#windows.some(
@@ -8192,7 +8205,7 @@ ${lines4.join("\n")}
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
-          told3.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told3.push({ push, sizes, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
       this.#names(told3);
@@ -8209,7 +8222,8 @@ ${lines4.join("\n")}
       if (told3.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push, size, x: x2 } of told3) {
+      for (const { push, sizes, x: x2 } of told3) {
+        const size = Math.max(...sizes);
         const [text, other] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
         if (!text || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
@@ -8231,12 +8245,12 @@ ${lines4.join("\n")}
       return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
     /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
-    #named({ push, size, x: x2 }, through) {
+    #named({ push, sizes, x: x2 }, through) {
       const [first, second] = push.groups.map((group2) => need(group2, '[data-part="text"]'));
       const labels2 = push.bodies.map((on, side) => {
         const by = push.bodies[1 - side] ?? "";
         const name2 = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
-        return `${name2}${through}: ${this.#value(size)}`;
+        return `${name2}${through}: ${this.#value(Number(sizes[side]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -8274,6 +8288,13 @@ ${lines4.join("\n")}
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
+  function forceOn2({ trajectory }, pair, name2, t3) {
+    const { t: times2, F: F2, dF, on } = trajectory;
+    const own = on?.[`${pair} ${name2}`];
+    if (own) return valueAt(times2, own, null, t3);
+    const [column, slopes] = [F2[pair], dF[pair]];
+    return column && slopes ? valueAt(times2, column, slopes, t3) : 0;
+  }
   function write3(text, label, x2, y2, anchor) {
     put(text, "x", px(x2));
     put(text, "y", px(y2));

@@ -14351,18 +14351,19 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const { layout, view } = this;
       const told3 = [];
       for (const push2 of this.#pushes) {
-        const { t: times2, F, dF } = run.trajectory;
-        const [column, slopes] = [F[push2.pair], dF[push2.pair]];
-        const force = column && slopes ? valueAt2(times2, column, slopes, t) : 0;
-        const signed = Math.abs(force) < NOISE * view.force ? 0 : force;
-        const size = Math.abs(signed);
-        const length = arrowLength(signed, view.force, layout.force);
+        const forces2 = push2.bodies.map((name) => {
+          const force = forceOn2(run, push2.pair, name, t);
+          return Math.abs(force) < NOISE * view.force ? 0 : force;
+        });
+        const sizes = forces2.map(Math.abs);
+        const size = Math.max(...sizes);
         const y = layout.track - PUSH;
         const [left, right] = push2.bodies;
         const ends = [face(left, "right"), face(right, "left")];
-        const draw = isCut(size, view.force) ? cutArrow : blockArrow;
         push2.groups.forEach((group, side2) => {
           const way = side2 === 0 ? -1 : 1;
+          const draw = isCut(Number(sizes[side2]), view.force) ? cutArrow : blockArrow;
+          const length = arrowLength(Number(forces2[side2]), view.force, layout.force);
           put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side2]), y, way * length));
         });
         const touching = this.#windows.some(
@@ -14370,7 +14371,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
-          told3.push({ push: push2, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told3.push({ push: push2, sizes, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
         }
       }
       this.#names(told3);
@@ -14387,7 +14388,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       if (told3.length === 1 && only && this.#inFull(only)) return;
       const taken = [];
       const [low, high] = this.#between();
-      for (const { push: push2, size, x } of told3) {
+      for (const { push: push2, sizes, x } of told3) {
+        const size = Math.max(...sizes);
         const [text3, other] = push2.groups.map((group) => need(group, '[data-part="text"]'));
         if (!text3 || !other) continue;
         const label = tr("{size} on each", { size: this.#value(size) });
@@ -14409,12 +14411,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
       return this.#named(told3, told3.link && ` (${told3.link})`) || this.#named(told3, "");
     }
     /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
-    #named({ push: push2, size, x }, through) {
+    #named({ push: push2, sizes, x }, through) {
       const [first, second] = push2.groups.map((group) => need(group, '[data-part="text"]'));
       const labels2 = push2.bodies.map((on, side2) => {
         const by = push2.bodies[1 - side2] ?? "";
         const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
-        return `${name}${through}: ${this.#value(size)}`;
+        return `${name}${through}: ${this.#value(Number(sizes[side2]))}`;
       });
       const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
       if (!first || !second || !left || !right) return false;
@@ -14452,6 +14454,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
+  function forceOn2({ trajectory }, pair, name, t) {
+    const { t: times2, F, dF, on } = trajectory;
+    const own = on?.[`${pair} ${name}`];
+    if (own) return valueAt2(times2, own, null, t);
+    const [column, slopes] = [F[pair], dF[pair]];
+    return column && slopes ? valueAt2(times2, column, slopes, t) : 0;
+  }
   function write(text3, label, x, y, anchor) {
     put(text3, "x", px(x));
     put(text3, "y", px(y));

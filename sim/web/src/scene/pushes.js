@@ -15,7 +15,7 @@ import { need, put, say } from "../shared/dom.js";
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("../../../view/types.js").Face} Face */
 /** @typedef {{pair: string, bodies: [string, string], row: number, groups: [Element, Element]}} Push */
-/** @typedef {{push: Push, size: number, x: number, link: string}} Told a force that acts: size in N, x where it is, what acts without touching */
+/** @typedef {{push: Push, sizes: number[], x: number, link: string}} Told a force that acts: sizes in N on the left and the right body, x where it is, what acts without touching */
 
 const PER_CHARACTER = 7.8; // units, of the bold names on the beam in a wide font
 const ROW = 19; // units between two rows of names
@@ -66,18 +66,19 @@ export class Pushes {
     /** @type {Told[]} */
     const told = [];
     for (const push of this.#pushes) {
-      const { t: times, F, dF } = run.trajectory;
-      const [column, slopes] = [F[push.pair], dF[push.pair]]; // none where the two never touch
-      const force = column && slopes ? valueAt(times, column, slopes, t) : 0;
-      const signed = Math.abs(force) < NOISE * view.force ? 0 : force; // springs pull: below 0
-      const size = Math.abs(signed);
-      const length = arrowLength(signed, view.force, layout.force);
+      const forces = push.bodies.map((name) => {
+        const force = forceOn(run, push.pair, name, t);
+        return Math.abs(force) < NOISE * view.force ? 0 : force; // springs pull: below 0
+      });
+      const sizes = forces.map(Math.abs);
+      const size = Math.max(...sizes);
       const y = layout.track - PUSH;
       const [left, right] = push.bodies;
       const ends = [face(left, "right"), face(right, "left")];
-      const draw = isCut(size, view.force) ? cutArrow : blockArrow;
       push.groups.forEach((group, side) => {
         const way = side === 0 ? -1 : 1;
+        const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
+        const length = arrowLength(Number(forces[side]), view.force, layout.force);
         put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
       });
       const touching = this.#windows.some(
@@ -85,7 +86,7 @@ export class Pushes {
       );
       const link = touching ? "" : linkOf(run.header, push.pair);
       if (touching || (link && size > 0)) {
-        told.push({ push, size, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+        told.push({ push, sizes, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
       }
     }
     this.#names(told);
@@ -104,7 +105,8 @@ export class Pushes {
     /** @type {[number, number, number][]} y, from, to */
     const taken = [];
     const [low, high] = this.#between();
-    for (const { push, size, x } of told) {
+    for (const { push, sizes, x } of told) {
+      const size = Math.max(...sizes);
       const [text, other] = push.groups.map((group) => need(group, '[data-part="text"]'));
       if (!text || !other) continue;
       const label = tr("{size} on each", { size: this.#value(size) });
@@ -128,12 +130,12 @@ export class Pushes {
   }
 
   /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
-  #named({ push, size, x }, through) {
+  #named({ push, sizes, x }, through) {
     const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
     const labels = push.bodies.map((on, side) => {
       const by = push.bodies[1 - side] ?? "";
       const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
-      return `${name}${through}: ${this.#value(size)}`;
+      return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
     });
     const [left, right] = labels.map((label) => label.length * PER_CHARACTER);
     if (!first || !second || !left || !right) return false;
@@ -172,6 +174,18 @@ export class Pushes {
     const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
     return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
   }
+}
+
+/**
+ * N, apart; one number for both bodies, but in a world that does not exist.
+ * @param {Run} run @param {string} pair @param {string} name of the body it acts on @param {number} t in s
+ */
+function forceOn({ trajectory }, pair, name, t) {
+  const { t: times, F, dF, on } = trajectory;
+  const own = on?.[`${pair} ${name}`];
+  if (own) return valueAt(times, own, null, t);
+  const [column, slopes] = [F[pair], dF[pair]]; // none where the two never touch
+  return column && slopes ? valueAt(times, column, slopes, t) : 0;
 }
 
 /** @param {Element} text @param {string} label @param {number} x @param {number} y @param {string} anchor */

@@ -1,0 +1,2157 @@
+"use strict";
+(() => {
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // ../view/trajectory.js
+  function fromWire(header, numbers) {
+    const { rows, columns, events } = header;
+    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
+    columns.forEach(([quantity, ...key], k) => {
+      const column = numbers.subarray(k * rows, (k + 1) * rows);
+      const name = String(quantity);
+      if (!key.length) parts[name] = column;
+      else {
+        parts[name] ??= {};
+        parts[name][key.join(" ")] = column;
+      }
+    });
+    return parts;
+  }
+  function fromBaked(numbers, events) {
+    const parts = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts;
+  }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
+  function rowAt(times2, t) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt(times2, values, slopes, t) {
+    const k = rowAt(times2, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t);
+  }
+  function hermite(times2, values, slopes, k, t) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, i) => c[i])
+    );
+    const h = at(times2, k + 1) - at(times2, k);
+    const s = (t - at(times2, k)) / h;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const r = 1 - s;
+    const found2 = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found2) ? found2 : at(values, k);
+  }
+
+  // src/shared/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+    return made;
+  }
+  function html(tag, className = "", text = "") {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text) made.textContent = text;
+    return made;
+  }
+  function put(element, name, value) {
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  }
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+  function need(root, selector) {
+    const found2 = root.querySelector(selector);
+    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found2
+    );
+  }
+
+  // src/scene/baked.js
+  function readBaked(element) {
+    return bakedOf(JSON.parse(need(element, "script.carts-baked").textContent ?? ""));
+  }
+  function bakedOf({ fence, view, numbers, ...header }) {
+    const known2 = (
+      /** @type {import("../../../view/types.js").Header} */
+      header
+    );
+    return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
+  }
+
+  // src/scene/watch.js
+  var WATCHED = "carts-watched";
+
+  // src/shared/ask-scene.js
+  var ASKED = "carts-asked";
+  function askScene(scene, message) {
+    return new Promise((answer) => {
+      scene.dispatchEvent(new CustomEvent(ASKED, { detail: { message, answer } }));
+    });
+  }
+
+  // src/shared/waiting.js
+  function refusal(problems) {
+    const [first] = problems;
+    if (!first) return new Error(tr("This value does not work."));
+    const message = told(first.message);
+    return new Error(first.hint ? `${message}: ${told(first.hint)}` : message);
+  }
+
+  // ../view/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var NOISE = 1e-9;
+  var MAX_DECIMALS = 12;
+  var SLOW = 0.01;
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+  function decimalsFor(scale, figures = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  }
+  function short(value, figures = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      return `${mantissa} × 10${superscript(power)}`;
+    }
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function superscript(power) {
+    const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power < 0 ? `⁻${digits}` : digits;
+  }
+  function speedUnit(scale) {
+    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
+  }
+  function trim(text) {
+    return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // src/worlds/ends.js
+  function ends(real, other, decimals) {
+    const table = html("table", "carts-worlds-ends");
+    const head = html("tr");
+    head.append(
+      html("td"),
+      ...[tr("Our world"), tr("Impossible")].map((text) => {
+        const cell = html("th", "", text);
+        cell.setAttribute("scope", "col");
+        return cell;
+      })
+    );
+    table.append(head);
+    const rows = [
+      ...real.header.bodies.map(({ name }) => ({
+        label: tr("velocity of {name} at the end", { name }),
+        of: (run) => `${fixed(last(run, name), decimals.v ?? 2)} m/s`
+      })),
+      ...pushed(real).map(({ pair, on, by }) => ({
+        label: tr("greatest push on {on} by {by}", { on, by }),
+        of: (run) => `${fixed(greatestOn(run, pair, on), decimals.F ?? 1)} N`
+      })),
+      {
+        label: tr("momentum of all carts, start → end"),
+        of: (run) => {
+          const [start, end] = [momentum(run, 0), momentum(run, -1)];
+          return `${fixed(start, 2)} → ${fixed(end, 2)} N s`;
+        }
+      }
+    ];
+    for (const { label, of } of rows) {
+      const row = html("tr");
+      const title = html("th", "", label);
+      title.setAttribute("scope", "row");
+      row.append(title, html("td", "", of(real)), html("td", "", of(other)));
+      table.append(row);
+    }
+    return table;
+  }
+  function pushed({ header }) {
+    const names = new Set(header.bodies.map(({ name }) => name));
+    return header.contacts.filter(({ bodies, stiffness }) => stiffness && bodies.every((name) => names.has(name))).flatMap(({ pair, bodies: [a, b] }) => [
+      { pair, on: a, by: b },
+      { pair, on: b, by: a }
+    ]);
+  }
+  function greatestOn({ header, trajectory }, pair, on) {
+    const own = trajectory.on?.[`${pair} ${on}`];
+    if (own) return Math.max(0, ...Array.from(own));
+    const peaks = header.events.filter(
+      ({ kind, bodies }) => kind === "peak" && bodies.join("-") === pair
+    );
+    const sampled = Array.from(trajectory.F[pair] ?? []);
+    return Math.max(0, ...sampled, ...peaks.map(({ force }) => force ?? 0));
+  }
+  function last({ trajectory }, name) {
+    return Number(trajectory.v[name]?.[trajectory.t.length - 1]);
+  }
+  function momentum({ header, trajectory }, row) {
+    const k = row === 0 ? 0 : trajectory.t.length - 1;
+    return header.bodies.reduce(
+      (sum, { name, mass }) => sum + mass * Number(trajectory.v[name]?.[k]),
+      0
+    );
+  }
+
+  // ../view/bodies.js
+  function isWall(name) {
+    return name === "left" || name === "right";
+  }
+  function brief(name) {
+    if (name === "left") return tr("left wall");
+    return name === "right" ? tr("right wall") : name;
+  }
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = names.slice(0, -1).join(", ");
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
+  // ../effects/drag/view.js
+  var view_default = {
+    name: tr("air resistance"),
+    row: 4,
+    side: () => "above",
+    agent: () => tr("the air"),
+    around: tr("air"),
+    warms: () => tr("air"),
+    phrase({ numbers: { linear, quadratic } }, { everyone, on, seen }) {
+      const sizes = [
+        linear ? tr("{size} N per {unit}", { size: short(linear), unit: "m/s" }) : "",
+        quadratic ? tr("{size} N per {unit}", { size: short(quadratic), unit: "(m/s)²" }) : ""
+      ].filter(Boolean);
+      return [
+        everyone ? tr("drag by the air") : tr("drag on {carts} by the air", { carts: on }),
+        seen(listed(sizes) || "0 N")
+      ];
+    }
+  };
+
+  // ../effects/friction/view.js
+  var TOOTH = 4;
+  var view_default2 = {
+    name: tr("friction"),
+    row: 3,
+    side: () => "below",
+    agent: () => tr("the track"),
+    around: tr("track"),
+    earth: true,
+    warms: () => tr("track"),
+    phrase({ numbers: { coefficient = 0, static: held = coefficient } }, { everyone, on, seen }) {
+      const size = `μ = ${short(coefficient)}`;
+      const rest = tr("(at rest up to {coefficient})", { coefficient: short(held) });
+      return [
+        everyone ? tr("friction by the track") : tr("friction on {carts} by the track", { carts: on }),
+        seen(held > coefficient ? `${size} ${rest}` : size)
+      ];
+    },
+    pieces: rough
+  };
+  function rough({ carts }, { key, header: { bodies, track }, layout, face, centre }) {
+    const piece = { cls: "carts-rough", behind: true };
+    if (carts.length < bodies.length) {
+      return carts.map((name) => {
+        const length = (bodies.find((body) => body.name === name)?.length ?? 0) * layout.scale;
+        const d2 = teeth(centre(name) - length / 2, length, layout.track);
+        return { ...piece, key: `${key} ${name}`, d: d2 };
+      });
+    }
+    const start = track.left === "wall" ? face("left", "right") : -layout.width;
+    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const tooth = 2 * TOOTH;
+    const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
+    const d = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    return [{ ...piece, key, d }];
+  }
+  function teeth(x, length, y) {
+    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+  }
+
+  // ../effects/incline/view.js
+  var STEEPEST = 22;
+  var LENGTH = { wide: 120, narrow: 90 };
+  var view_default3 = {
+    name: tr("a slope"),
+    row: 1,
+    agent: () => tr("the Earth"),
+    earth: true,
+    stored: tr("as height, above the lowest point"),
+    slope: ({ numbers }) => numbers.angle ?? 0,
+    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
+    phrase: ({ numbers }, { everyone, on }) => [
+      everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
+      slopeText(numbers.angle ?? 0)
+    ],
+    pieces({ numbers: { angle = 0 } }, { key, layout }) {
+      const slope = Math.abs(Math.tan(angle));
+      const longest = LENGTH[layout.kind] ?? 0;
+      const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
+      const [x, y, rise] = [12, layout.tilt, length * slope];
+      const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
+      const d = `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`;
+      const words = {
+        text: tiltText(angle),
+        x: px(x + length + 10),
+        y: px(y),
+        anchor: (
+          /** @type {const} */
+          "start"
+        )
+      };
+      return [
+        { key, cls: "carts-wedge", behind: true, d },
+        { key: `${key} words`, cls: "carts-tilt", behind: true, ...words }
+      ];
+    }
+  };
+  function tiltText(angle) {
+    if (!angle) return tr("the track is level: 0°");
+    const words = tr("track tilted {slope}", { slope: slopeText(angle) });
+    return angle > 0 ? `${words} →` : `← ${words}`;
+  }
+  function slopeText(angle) {
+    const size = short(Math.abs(angle) * 180 / Math.PI);
+    if (size === "0") return tr("0°: the track is level");
+    return angle > 0 ? tr("{angle}° down to the right", { angle: size }) : tr("{angle}° down to the left", { angle: size });
+  }
+
+  // ../effects/magnets/view.js
+  var POLE = 12;
+  var POLES = [
+    ["N", "carts-north"],
+    ["S", "carts-south"]
+    // only where there is room
+  ];
+  var view_default4 = {
+    name: tr("magnets"),
+    link: tr("magnets"),
+    stored: tr("between the magnets"),
+    phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
+    pieces({ between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      return [
+        ...poles(`${key} ${a}`, face(a, "right"), -1, layout),
+        ...poles(`${key} ${b}`, face(b, "left"), 1, layout)
+      ];
+    }
+  };
+  function poles(key, x, way, { kind, track }) {
+    const top = track - 40;
+    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+      const start = x + way * k * POLE;
+      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      return [
+        { key: `${key} ${pole}`, cls, d },
+        { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
+      ];
+    });
+  }
+
+  // ../view/shapes.js
+  var REFERENCE_HEIGHT = 38;
+  var TALLEST = 4;
+  var LANE = 20;
+  var ABOVE = 34;
+  var DOT = 2.5;
+  var RING = 1;
+  var SHORTEST = 0.5;
+  var LONGEST = 1.15;
+  var FASTEST = 2.2;
+  var EDGE = 5;
+  var TORN = 6;
+  var LINE = 12;
+  var NAMED = 34;
+  var SPRING = [2, 10];
+  var PUSH = 15.5;
+  var FACE = 22;
+  var WHEEL = 5.5;
+  var LIFT = -3;
+  var TURNS = 9;
+  var LEAD = 5;
+  var COIL = 7;
+  function box(body, view, layout, lift) {
+    const width = bodyWidth(body);
+    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body.mass / width / view.perHeight);
+    const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
+    const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
+    const named = height >= NAMED;
+    const mass = `${short(body.mass)} kg`;
+    return {
+      x: -width * layout.scale / 2,
+      width: width * layout.scale,
+      height,
+      cut,
+      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+      label: named ? mass : `${body.name}: ${mass}`,
+      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+    };
+  }
+  function wheels({ width }) {
+    const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
+    return `M-${x} ${LIFT}h0M${x} ${LIFT}h0`;
+  }
+  function bodyWidth(body) {
+    return Math.max(body.length - 2 * body.bumper_length, 0.2 * body.length);
+  }
+  function lane(i, tallest, layout) {
+    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
+    return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
+  }
+  function spring(start, end) {
+    const low = (
+      /** @type {number} */
+      SPRING[0]
+    );
+    const high = (
+      /** @type {number} */
+      SPRING[1]
+    );
+    const step = (end - start) / 4;
+    let d = `M${px(start)} ${px(-(low + high) / 2)}`;
+    for (let k = 0; k < 4; k += 1) {
+      d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
+    }
+    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+  }
+  function coil(start, end, y, turns = TURNS, high = COIL) {
+    const span = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span / 4);
+    const step = (span - 2 * lead) / turns;
+    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+    for (let k = 0; k < turns; k += 1) {
+      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+    }
+    return `${d}L${px(start + span - lead)} ${px(y)}L${px(start + span)} ${px(y)}`;
+  }
+  function blockArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y);
+    const tip = x + length;
+    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
+    return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
+  }
+  function cutArrow(x, y, length) {
+    const half = length / 2 - Math.sign(length) * TORN / 2;
+    const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
+    return piece + blockArrow(x + length - half, y, half);
+  }
+  function lineArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
+    const tip = x + length;
+    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
+    return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
+  }
+  function dot(x, y, radius = DOT) {
+    const [r, d] = [px(radius), px(2 * radius)];
+    return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+  }
+  function arrowLength(value, full, length, longest = LONGEST) {
+    const exact = full ? value / full * length : 0;
+    return Math.max(-longest * length, Math.min(longest * length, exact));
+  }
+  function isCut(value, full, longest = LONGEST) {
+    return full > 0 && Math.abs(value) > longest * full;
+  }
+  function velocityText(x, length, width) {
+    const room = 62;
+    if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
+    return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+  }
+  function keptInside(x, length, width) {
+    if (x > EDGE && x < width - EDGE) {
+      if (x + length > width - EDGE) return width - EDGE - x;
+      if (x + length < EDGE) return EDGE - x;
+    }
+    return length;
+  }
+  function labelTop(box2) {
+    return box2.labelY - LINE;
+  }
+
+  // ../effects/push/view.js
+  var view_default5 = {
+    name: tr("pushes from outside"),
+    row: 2,
+    side: (force) => force < 0 ? "right" : "left",
+    around: (_, agent2) => agent2,
+    acts: ({ numbers: { from = 0, until = Infinity } }, t) => t >= from && t < until,
+    phrase: (effect, { agent: agent2, seen }) => [
+      tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
+      seen(forceText(effect.numbers.force ?? 0)),
+      times(effect)
+    ],
+    pieces({ carts: [name = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+      const y = layout.track;
+      const way = force >= 0 ? 1 : -1;
+      const body = header.bodies.find((one) => one.name === name);
+      const x = centre(name) - way * ((body ? bodyWidth(body) * layout.scale : 0) / 2 + 3);
+      const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+      return [{ key, cls: "carts-hand", behind: true, d }];
+    },
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
+      const who = { cart: String(carts[0]), agent: agent2 };
+      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const marks = from <= until ? [{ t: from, sentence: begins }] : [];
+      if (end !== void 0 && from < end && end <= until) {
+        marks.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      }
+      return marks;
+    }
+  };
+  function forceText(force) {
+    const size = short(Math.abs(force));
+    return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
+  }
+  function times({ numbers: { from = 0, until } }) {
+    if (until !== void 0) {
+      return tr("from {from} s to {until} s", { from: short(from), until: short(until) });
+    }
+    return from ? tr("from {from} s", { from: short(from) }) : "";
+  }
+
+  // ../effects/release/view.js
+  var HALF = 9;
+  var TURNS2 = 7;
+  var HIGH = 4;
+  var view_default6 = {
+    name: tr("a release between the carts"),
+    leftOut: tr("exploders"),
+    link: null,
+    // it acts at one instant: an impulse, no force to be drawn
+    acts: ({ numbers: { at = 0 } }, t) => t < at,
+    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
+      tr("an exploder between {bodies}", { bodies: both }),
+      seen(`${short(energy)} J`),
+      tr("at {time} s", { time: short(at) })
+    ],
+    pieces({ between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      const x = (face(a, "right") + face(b, "left")) / 2;
+      const low = layout.track - 28;
+      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+      return [
+        { key, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
+        { key: `${key} latch`, cls: "carts-latch", d: latch }
+      ];
+    }
+  };
+
+  // ../effects/spring/view.js
+  var view_default7 = {
+    name: tr("springs between the carts"),
+    link: tr("spring"),
+    stored: tr("in the spring"),
+    warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen }) {
+      const natural = tr("natural length {length} m", { length: short(length) });
+      return [
+        tr("a spring between {bodies}", { bodies: both }),
+        damping ? tr("damped") : "",
+        seen(`${short(stiffness)} N/m, ${natural}`)
+      ];
+    },
+    pieces({ numbers, between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      const [start, end] = [face(a, "right"), face(b, "left")];
+      const length = (numbers.length ?? 0) * layout.scale;
+      const middle = (start + end) / 2;
+      const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+      const y = layout.track - PUSH - COIL - 5;
+      const measure = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
+      return [
+        { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key: `${key} natural`, cls: "carts-natural", d: measure }
+      ];
+    }
+  };
+
+  // ../effects/views.js
+  var VIEWS = {
+    drag: view_default,
+    friction: view_default2,
+    incline: view_default3,
+    magnets: view_default4,
+    push: view_default5,
+    release: view_default6,
+    spring: view_default7
+  };
+
+  // ../view/effects.js
+  var LAST = 100;
+  function viewOf(kind) {
+    return { name: kind, row: LAST, ...VIEWS[kind] };
+  }
+  function nameOf({ kind, called }) {
+    const name = VIEWS[kind]?.name ?? (called && told(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+    return name;
+  }
+  function agent(effect) {
+    const named = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named ? told(named) : nameOf(effect));
+  }
+  function actsAt(effect, t) {
+    return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
+  }
+  function kindsOnOne({ effects }) {
+    const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
+    return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
+  }
+  function isLink({ kind, between }) {
+    return between !== null && viewOf(kind).link !== null;
+  }
+  function linkedPairs({ effects }) {
+    return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
+  }
+  function linkOf({ effects }, pair) {
+    const link = effects.find(
+      (effect) => effect.active && isLink(effect) && effect.between?.join("-") === pair
+    );
+    return link ? viewOf(link.kind).link ?? viewOf(link.kind).name : "";
+  }
+
+  // ../view/markers.js
+  function styleOf(index) {
+    return `b${index % 8}`;
+  }
+
+  // ../view/markup.js
+  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+  var Markup = class {
+    /** @param {string} text */
+    constructor(text) {
+      this.text = text;
+    }
+    toString() {
+      return this.text;
+    }
+  };
+  function html2(strings, ...values) {
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
+  }
+  function asText(value) {
+    if (Array.isArray(value)) return value.map(asText).join("");
+    if (value instanceof Markup) return value.text;
+    if (value === false || value === null || value === void 0) return "";
+    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
+  }
+
+  // ../view/scales.js
+  var STEP_SLACK = 1e-9;
+  function axisDecimals(axis) {
+    return Math.max(0, -exponent(axis.step));
+  }
+  function ticks(axis) {
+    const first = Math.ceil(axis.low / axis.step - STEP_SLACK);
+    const last2 = Math.floor(axis.high / axis.step + STEP_SLACK);
+    const found2 = [];
+    for (let k = first; k <= last2; k += 1) found2.push(k * axis.step);
+    return found2;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+
+  // ../view/skins.js
+  var NARROW = 24;
+  var SKINS = {
+    cart: { wheels: true, corner: 4, lines: () => "" },
+    van: { wheels: true, corner: 7, lines: van },
+    truck: { wheels: true, corner: 3, lines: truck },
+    trailer: { wheels: true, corner: 1, lines: trailer },
+    box: { wheels: false, corner: 1, lines: crate },
+    puck: { wheels: false, corner: 12, lines: puck }
+  };
+  function van(box2, front) {
+    return lines(box2, front, [
+      [
+        [0.06, 0.9],
+        [0.34, 0.9],
+        [0.46, 0.68],
+        [0.06, 0.68],
+        [0.06, 0.9]
+      ],
+      [
+        [-0.42, 0.9],
+        [-0.08, 0.9],
+        [-0.08, 0.68],
+        [-0.42, 0.68],
+        [-0.42, 0.9]
+      ],
+      [
+        [0.4, 0.26],
+        [0.5, 0.26]
+      ]
+    ]);
+  }
+  function truck(box2, front) {
+    return lines(box2, front, [
+      [
+        [0.22, 0],
+        [0.22, 1]
+      ],
+      [
+        [0.28, 0.9],
+        [0.42, 0.9],
+        [0.46, 0.66],
+        [0.28, 0.66],
+        [0.28, 0.9]
+      ],
+      [
+        [-0.5, 0.16],
+        [0.22, 0.16]
+      ]
+    ]);
+  }
+  function trailer(box2, front) {
+    return lines(box2, front, [
+      [
+        [-0.5, 0.2],
+        [0.5, 0.2]
+      ],
+      ...[-0.4, -0.27, 0.27, 0.4].map(
+        (x) => (
+          /** @type {Point[]} */
+          [
+            [x, 0.2],
+            [x, 1]
+          ]
+        )
+      )
+    ]);
+  }
+  function crate(box2, front) {
+    return lines(box2, front, [
+      [
+        [-0.4, 0.1],
+        [0.4, 0.1],
+        [0.4, 0.9],
+        [-0.4, 0.9],
+        [-0.4, 0.1]
+      ],
+      [
+        [-0.4, 0.3],
+        [-0.22, 0.1]
+      ],
+      [
+        [0.4, 0.3],
+        [0.22, 0.1]
+      ],
+      [
+        [-0.4, 0.7],
+        [-0.22, 0.9]
+      ],
+      [
+        [0.4, 0.7],
+        [0.22, 0.9]
+      ]
+    ]);
+  }
+  function puck(box2, front) {
+    return lines(box2, front, [
+      [
+        [-0.48, 0.15],
+        [0.48, 0.15]
+      ],
+      [
+        [-0.48, 0.85],
+        [0.48, 0.85]
+      ]
+    ]);
+  }
+  function lines({ width, height }, front, strokes) {
+    if (width < NARROW) return "";
+    const at = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
+    return strokes.map((points) => `M${points.map(at).join("L")}`).join("");
+  }
+
+  // ../view/skeleton/stage.js
+  var LABEL_ROOM = { wide: 46, narrow: 40 };
+  var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
+  var MOST_NUMBERS = 150;
+  var LEAST_WALL = 64;
+  var BEYOND = 60;
+  var WALL = 2e3;
+  function stage(baked, layout) {
+    const { fence, run } = baked;
+    const { kind, width, height } = layout;
+    const forces = fence.forces === "shown";
+    const hatch = `${fence.id}-${kind}-hatch`;
+    const size = html2`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
+    return html2`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
+<defs>
+<pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
+</defs>
+${ground(baked, layout, hatch)}
+<g data-part="effects-behind"></g>
+${run.header.bodies.map(velocity)}
+${run.header.bodies.map((body, i) => cart(body.name, i, fence.skins[body.name] ?? "cart"))}
+<g data-part="effects-front"></g>
+${forces && pushes(baked)}
+<g data-part="guess"></g>
+${legend(baked, layout)}
+</svg>`;
+  }
+  function velocity({ name }, i) {
+    return html2`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
+`;
+  }
+  function cart(name, i, skin) {
+    const { corner, wheels: wheels2 } = (
+      /** @type {import("../skins.js").Skin} */
+      SKINS[skin]
+    );
+    const face = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+`;
+  }
+  function pushes({ run: { header } }) {
+    const linked = linkedPairs(header);
+    const style = (name) => {
+      const i = header.bodies.findIndex((body) => body.name === name);
+      return i < 0 ? "wall" : styleOf(i);
+    };
+    return header.contacts.filter(({ stiffness, pair }) => stiffness || linked.has(pair)).flatMap(
+      ({ pair, bodies }) => bodies.map(
+        (on) => html2`<g class="carts-push carts-${style(on)}" data-pair=${pair} data-on=${on}><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
+`
+      )
+    );
+  }
+  function ground({ fence, view, run: { header } }, layout, hatch) {
+    const travel = fence.camera * header.until;
+    const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
+    const { left, right, length } = header.track;
+    const at = (x) => layout.origin + x * layout.scale;
+    const first = left === "wall" ? 0 : low;
+    const last2 = right === "wall" ? Number(length) : high;
+    const start = left === "wall" ? at(0) : at(low) - BEYOND;
+    const end = right === "wall" ? at(last2) : at(high) + BEYOND;
+    const under = layout.track + layout.beam;
+    let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
+    while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
+    const numbers = { low: first, high: last2, step };
+    const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
+    const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
+    const tall = Math.max(view.tallest, LEAST_WALL);
+    const wall = (edge, from) => {
+      const box2 = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
+      return html2`<rect class="carts-wall" ${box2}/>
+<rect ${box2} fill="url(#${hatch})"/>
+<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+`;
+    };
+    return html2`<g data-part="ground">
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last2), at(last2))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
+<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
+<path class="carts-fine" d=${fine.join("")}/>
+${ticks(numbers).map(
+      (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+`
+    )}</g>`;
+  }
+  function legend({ fence, view }, layout) {
+    const y = layout.height - 10;
+    const wide = layout.kind === "wide";
+    const [per, unit] = speedUnit(view.velocity);
+    const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
+    const force = fence.forces === "shown" && view.force > 0;
+    const x = force ? 12 + layout.force + 50 : 12;
+    const next = x + layout.velocity + 6;
+    const axis = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+    return html2`<g class="carts-legend">
+${force && html2`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
+${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis}</text>
+</g>`;
+  }
+
+  // ../view/windows.js
+  function touches(events, until) {
+    const open2 = /* @__PURE__ */ new Map();
+    const peaks = /* @__PURE__ */ new Map();
+    const found2 = [];
+    for (const event of events) {
+      const pair = event.bodies.join("-");
+      const touch = open2.get(pair);
+      if (event.kind === "contact" && !event.impulse) {
+        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "peak") {
+        peaks.set(pair, event.t);
+      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
+        open2.delete(pair);
+        found2.push({ ...touch, end: event.t });
+      }
+    }
+    for (const touch of open2.values()) {
+      const peak = peaks.get(touch.pair) ?? until;
+      found2.push({ ...touch, end: peak > touch.start ? peak : until });
+    }
+    return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+
+  // src/scene/slow.js
+  var WATCH = 3;
+  var BEFORE = 0.15;
+  var AFTER = 0.25;
+  var SLOWEST = 1e-12;
+  var RATES = [0.5, 0.2, 0.1];
+  function rateFor(duration) {
+    const wanted = duration / WATCH;
+    for (let power = 1; power > SLOWEST; power /= 10) {
+      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
+    }
+    return wanted;
+  }
+  function slowParts(touches2) {
+    const parts = [];
+    for (const { start, end } of touches2) {
+      const duration = end - start;
+      const rate = rateFor(duration);
+      if (rate >= 1) continue;
+      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
+      const last2 = parts.at(-1);
+      if (last2 && part.from <= last2.to) {
+        last2.to = Math.max(last2.to, part.to);
+        last2.rate = Math.min(last2.rate, rate);
+      } else parts.push(part);
+    }
+    return parts;
+  }
+  function slowAt(parts, t) {
+    return parts.find((part) => t >= part.from && t < part.to);
+  }
+  function advance(t, seconds, speed, parts, until) {
+    let now = t;
+    let left = seconds;
+    while (left > 0 && now < until) {
+      const inside = slowAt(parts, now);
+      const rate = inside ? Math.min(speed, inside.rate) : speed;
+      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge, until);
+      if (now + left * rate < next) return now + left * rate;
+      left -= (next - now) / rate;
+      now = next;
+    }
+    return Math.min(now, until);
+  }
+
+  // src/scene/player.js
+  var SAME = 1e-12;
+  var STEP = 0.04;
+  var STILL = 1;
+  var LONGEST_FRAME = 0.1;
+  var Player = class {
+    time = 0;
+    own = 0;
+    // s that the reader has watched since the start
+    playing = false;
+    speed = 1;
+    slow = true;
+    until = 1;
+    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
+    seen = Infinity;
+    ended = () => {
+    };
+    // what to do at the end of the run
+    /** What to do after steps. @type {(before: number) => void} */
+    stepped = () => {
+    };
+    /** @type {import("./slow.js").SlowPart[]} */
+    parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
+    /** @type {number[]} */
+    stops = [];
+    /** Whether playing shows a still each second, and each event, in place of motion. */
+    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    #waited = 0;
+    // s since the last still
+    #frame = 0;
+    #last = 0;
+    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+    constructor(changed) {
+      this.changed = changed;
+    }
+    get #parts() {
+      return this.slow ? this.parts : [];
+    }
+    /** @returns {number} cart seconds per second now */
+    get rate() {
+      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+    }
+    /** @returns {boolean} whether slow motion is on at this instant */
+    get isSlow() {
+      return this.rate < this.speed;
+    }
+    toggle() {
+      if (this.playing) this.pause();
+      else this.play();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.until) this.#move(0);
+      if (this.time === 0) this.own = 0;
+      this.playing = true;
+      this.#last = 0;
+      this.#waited = 0;
+      this.changed(this.time, false);
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      cancelAnimationFrame(this.#frame);
+      this.changed(this.time, false);
+    }
+    /** @param {number} t in s */
+    seek(t) {
+      this.#move(Math.min(t, this.seen));
+      if (t <= 0) this.own = 0;
+      this.#tell(this.time, false);
+    }
+    /** Goes there, watched or not. @param {number} t in s */
+    show(t) {
+      this.seen = Math.max(this.seen, t);
+      this.seek(t);
+    }
+    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+    step(way, count = 1) {
+      this.pause();
+      const start = this.time;
+      for (let k = 0; k < count; k += 1) {
+        const before = this.time;
+        const target = before + way * STEP * this.rate;
+        const event = way > 0 ? this.stops.find((t) => t > before + SAME) : this.stops.findLast((t) => t < before - SAME);
+        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
+        this.#move(passed ? event : target);
+        this.#tell(before, way > 0);
+      }
+      this.stepped(start);
+    }
+    /** @param {number} now */
+    #tick(now) {
+      if (!this.playing) return;
+      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      this.#last = now;
+      const before = this.time;
+      this.own += seconds;
+      this.#waited += seconds;
+      if (this.stills && this.#waited < STILL) {
+        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+        return;
+      }
+      const shown = this.stills ? this.#waited : seconds;
+      this.#waited = 0;
+      let next = advance(before, shown, this.speed, this.#parts, this.until);
+      if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
+      const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
+      this.#tell(before, true);
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+    }
+    /** @param {number} t */
+    #move(t) {
+      this.time = Math.min(this.until, Math.max(0, t));
+      this.seen = Math.max(this.seen, this.time);
+    }
+    /** @param {number} before @param {boolean} playing */
+    #tell(before, playing) {
+      this.changed(before, playing);
+      if (this.time >= this.until) this.ended();
+    }
+  };
+
+  // ../view/effects-forces.js
+  var FEW = 3;
+  function forcesAt({ header, trajectory }, t, always = false) {
+    const found2 = [];
+    for (const kind of kindsOnOne(header)) {
+      const acting = header.effects.filter(
+        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
+      );
+      for (const { name } of header.bodies) {
+        const own = acting.filter((effect) => effect.carts.includes(name));
+        const column = trajectory.E[`${kind} ${name}`];
+        if (!own.length || !column?.length) continue;
+        const peak = greatest(column);
+        const on = own.some((effect) => actsAt(effect, t));
+        const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
+        const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
+        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
+        found2.push({ kind, on: name, by: listed([...new Set(own.map(agent))]), value, size });
+      }
+    }
+    return found2;
+  }
+  function labels({ kind, on, by, size }) {
+    const told2 = { on, by, size };
+    const brief2 = { ...told2, by: by.replaceAll("the ", "") };
+    return [
+      viewOf(kind).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
+      tr("on {on} by {by}: {size} N", brief2),
+      tr("by {by}: {size} N", brief2)
+      // whose force it is tells the line from the cart
+    ];
+  }
+  var known = /* @__PURE__ */ new WeakMap();
+  function greatest(column) {
+    const before = known.get(column);
+    if (before !== void 0) return before;
+    let most = 0;
+    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
+    known.set(column, most);
+    return most;
+  }
+
+  // ../view/effects-props.js
+  function props(header, layout, t, face, centre) {
+    return header.effects.filter((effect) => actsAt(effect, t)).flatMap((effect) => {
+      const key = `${effect.kind} ${effect.index}`;
+      return viewOf(effect.kind).pieces?.(effect, { key, header, layout, face, centre }) ?? [];
+    });
+  }
+
+  // src/scene/effects.js
+  var PER_CHARACTER = 7.2;
+  var SLIVER = 1.5;
+  var GAP = 8;
+  var Effects = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {Map<string, SVGElement>} */
+    #drawn = /* @__PURE__ */ new Map();
+    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
+    constructor(root, layout, full, forces) {
+      this.layout = layout;
+      this.full = full;
+      this.forces = forces;
+      this.behind = need(root, '[data-part="effects-behind"]');
+      this.front = need(root, '[data-part="effects-front"]');
+      for (const group of [this.behind, this.front]) {
+        for (const element of group.querySelectorAll("[data-key]")) {
+          this.#drawn.set(
+            element.getAttribute("data-key") ?? "",
+            /** @type {SVGElement} */
+            element
+          );
+        }
+      }
+    }
+    /** @param {Run} run */
+    show(run) {
+      this.#run = run;
+    }
+    /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
+    at(t, face, centre) {
+      const run = this.#run;
+      if (!run?.header.effects.length) return;
+      const pieces = props(run.header, this.layout, t, face, centre);
+      if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
+      const seen = new Set(pieces.map(({ key }) => key));
+      for (const [key, element] of this.#drawn) {
+        if (!seen.has(key)) {
+          element.remove();
+          this.#drawn.delete(key);
+        }
+      }
+      for (const piece of pieces) this.#draw(piece);
+    }
+    /** @param {Piece} piece */
+    #draw({ key, cls, behind, d, text, x, y, anchor }) {
+      let element = this.#drawn.get(key);
+      if (!element) {
+        element = svg(d === void 0 ? "text" : "path", { "data-key": key, class: cls });
+        const group = behind ? this.behind : this.front;
+        if (cls.startsWith("carts-leader")) group.prepend(element);
+        else group.append(element);
+        this.#drawn.set(key, element);
+      }
+      if (d !== void 0) return put(element, "d", d);
+      put(element, "x", x ?? "0");
+      put(element, "y", y ?? "0");
+      put(element, "text-anchor", anchor ?? "start");
+      say(element, text ?? "");
+    }
+  };
+  function arrows(run, layout, full, t, centre) {
+    const styles = new Map(run.header.bodies.map(({ name }, i) => [name, `carts-${styleOf(i)}`]));
+    const named = run.header.bodies.length <= FEW;
+    const pieces = [];
+    const lowest = /* @__PURE__ */ new Map();
+    for (const force of forcesAt(run, t)) {
+      const key = `${force.kind} ${force.on}`;
+      const x = centre(force.on);
+      const y = layout.slots[key] ?? layout.track;
+      const exact = arrowLength(force.value, full, layout.force);
+      const length = Math.abs(exact) < SLIVER ? 0 : exact;
+      const cut = isCut(force.value, full);
+      const style = styles.get(force.on);
+      lowest.set(force.on, Math.max(y, lowest.get(force.on) ?? y));
+      const d = (cut ? cutArrow : blockArrow)(x, y, length);
+      pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
+      const row = `row ${force.kind}`;
+      if (named) {
+        const told2 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
+        const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
+        const cls = `carts-acts-name ${style}`;
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
+      } else if (!pieces.some((piece) => piece.key === row)) {
+        const text = tr("by {by}", { by: force.by });
+        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
+      }
+    }
+    const leaders = [...lowest].map(([name, y]) => ({
+      key: `leader ${name}`,
+      cls: `carts-leader carts-acts ${styles.get(name)}`,
+      d: `M${px(centre(name))} ${px(layout.track)}V${px(y)}`
+    }));
+    return [...leaders, ...pieces];
+  }
+  function fits(x, length, text, picture) {
+    const needed = text.length * PER_CHARACTER + GAP + 4;
+    return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture - needed;
+  }
+  function beside(x, length, width, picture) {
+    const left = Math.min(x, x + length) - GAP;
+    const right = Math.max(x, x + length) + GAP;
+    const toLeft = left - width >= 4;
+    const toRight = right + width <= picture - 4;
+    if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
+    if (toRight) return [right, "start"];
+    return left > picture - right ? [4, "start"] : [picture - 4, "end"];
+  }
+
+  // src/scene/pushes.js
+  var PER_CHARACTER2 = 7.8;
+  var ROW = 19;
+  var GAP2 = 8;
+  var EDGE2 = 6;
+  var Pushes = class {
+    /** @type {Push[]} */
+    #pushes = [];
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("../../../view/windows.js").Touch[]} */
+    #windows = [];
+    /** @param {SVGElement} root @param {import("../../../view/types.js").Layout} layout @param {import("../../../view/types.js").View} view */
+    constructor(root, layout, view) {
+      this.root = root;
+      this.layout = layout;
+      this.view = view;
+    }
+    /** @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+      this.#pushes = [];
+      run.header.contacts.forEach((contact, k) => {
+        const groups = contact.bodies.map(
+          (name) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name}"]`)
+        );
+        if (groups[0] && groups[1]) {
+          const row = this.layout.rows[k] ?? 0;
+          this.#pushes.push({
+            pair: contact.pair,
+            bodies: contact.bodies,
+            row,
+            groups: [groups[0], groups[1]]
+          });
+        }
+      });
+    }
+    /** @param {number} t in s @param {Face} face */
+    at(t, face) {
+      const run = this.#run;
+      if (!run) return;
+      const { layout, view } = this;
+      const told2 = [];
+      for (const push of this.#pushes) {
+        const forces = push.bodies.map((name) => {
+          const force = forceOn(run, push.pair, name, t);
+          return Math.abs(force) < NOISE * view.force ? 0 : force;
+        });
+        const sizes = forces.map(Math.abs);
+        const size = Math.max(...sizes);
+        const y = layout.track - PUSH;
+        const [left, right] = push.bodies;
+        const ends2 = [face(left, "right"), face(right, "left")];
+        push.groups.forEach((group, side) => {
+          const way = side === 0 ? -1 : 1;
+          const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
+          const length = arrowLength(Number(forces[side]), view.force, layout.force);
+          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends2[side]), y, way * length));
+        });
+        const touching = this.#windows.some(
+          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+        );
+        const link = touching ? "" : linkOf(run.header, push.pair);
+        if (touching || link && size > 0) {
+          told2.push({ push, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
+        }
+      }
+      this.#names(told2);
+    }
+    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
+    #names(told2) {
+      const [only] = told2;
+      for (const { pair, groups } of this.#pushes) {
+        const on = told2.some(({ push }) => push.pair === pair);
+        for (const group of groups) {
+          put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
+        }
+      }
+      if (told2.length === 1 && only && this.#inFull(only)) return;
+      const taken = [];
+      const [low, high] = this.#between();
+      for (const { push, sizes, x } of told2) {
+        const size = Math.max(...sizes);
+        const [text, other] = push.groups.map((group) => need(group, '[data-part="text"]'));
+        if (!text || !other) continue;
+        const label = tr("{size} on each", { size: this.#value(size) });
+        const half = label.length * PER_CHARACTER2 / 2;
+        const at = Math.min(Math.max(x, low + half), high - half);
+        const free = [...new Set(this.layout.rows)].find(
+          (y) => taken.every(([row, from, to]) => row !== y || at + half < from || at - half > to)
+        );
+        put(other, "visibility", "hidden");
+        if (free === void 0) put(text, "visibility", "hidden");
+        else {
+          taken.push([free, at - half, at + half]);
+          write(text, label, at, free, "middle");
+        }
+      }
+    }
+    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
+    #inFull(told2) {
+      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    }
+    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
+    #named({ push, sizes, x }, through) {
+      const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
+      const labels2 = push.bodies.map((on, side) => {
+        const by = push.bodies[1 - side] ?? "";
+        const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+        return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
+      });
+      const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
+      if (!first || !second || !left || !right) return false;
+      const [low, high] = this.#between();
+      if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
+        const end = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+        write(first, labels2[0] ?? "", end, push.row, "end");
+        write(second, labels2[1] ?? "", begin, push.row, "start");
+        return true;
+      }
+      const longest = Math.max(left, right);
+      const taken = new Set(Object.values(this.layout.slots)).size;
+      if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
+      const top = Math.min(...this.layout.rows);
+      const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
+      const start = Math.min(Math.max(x - way * longest, low), high - longest);
+      write(first, labels2[0] ?? "", start, top, "start");
+      write(second, labels2[1] ?? "", start, top + ROW, "start");
+      return true;
+    }
+    /** Where names may stand: between the walls. @returns {[number, number]} */
+    #between() {
+      const { origin, scale, width } = this.layout;
+      const track = this.#run?.header.track;
+      const end = origin + (track?.length ?? 0) * scale;
+      return [
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP2) : width - EDGE2
+      ];
+    }
+    /** @param {number} size in N */
+    #value(size) {
+      const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
+      return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
+    }
+  };
+  function forceOn({ trajectory }, pair, name, t) {
+    const { t: times2, F, dF, on } = trajectory;
+    const own = on?.[`${pair} ${name}`];
+    if (own) return valueAt(times2, own, null, t);
+    const [column, slopes] = [F[pair], dF[pair]];
+    return column && slopes ? valueAt(times2, column, slopes, t) : 0;
+  }
+  function write(text, label, x, y, anchor) {
+    put(text, "x", px(x));
+    put(text, "y", px(y));
+    put(text, "text-anchor", anchor);
+    say(text, label);
+  }
+
+  // src/scene/stage.js
+  var Stage = class {
+    /** @type {Run} */
+    #run;
+    /** @type {Cart[]} */
+    #carts = [];
+    /** @type {Pushes} */
+    #pushes;
+    /** @type {Effects} */
+    #effects;
+    /** @param {SVGElement} root @param {Baked} baked */
+    constructor(root, baked) {
+      const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
+      if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
+      this.root = root;
+      this.torn = false;
+      this.layout = layout;
+      this.view = baked.view;
+      this.camera = baked.fence.camera;
+      this.skins = baked.fence.skins;
+      this.starts = baked.run.header.bodies.map(({ velocity: velocity2 }) => velocity2);
+      this.#run = baked.run;
+      this.#pushes = new Pushes(root, layout, baked.view);
+      this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
+    }
+    /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      const { layout, view } = this;
+      const boxes = run.header.bodies.map(
+        (body, i) => box(body, view, layout, layout.stagger * (i % layout.ranks))
+      );
+      this.torn = boxes.some((box2) => box2.cut);
+      const tallest = Math.max(...boxes.map((box2) => box2.height));
+      this.#carts = run.header.bodies.map((body, i) => {
+        const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
+        const box2 = (
+          /** @type {shapes.Box} */
+          boxes[i]
+        );
+        drawBox(group, body.name, box2);
+        const skin = group.querySelector('[data-part="skin"]');
+        const front = Number(this.starts[i]) < 0 ? -1 : 1;
+        if (skin) put(skin, "d", SKINS[this.skins[body.name] ?? ""]?.lines(box2, front) ?? "");
+        return {
+          half: body.length * layout.scale / 2,
+          edge: -box2.x,
+          bumper: Math.max(0, body.length * layout.scale / 2 + box2.x),
+          top: layout.track + labelTop(box2),
+          lane: lane(i, tallest, layout),
+          group,
+          velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`)
+        };
+      });
+      this.#pushes.show(run, windows);
+      this.#effects.show(run);
+    }
+    /** Draws the instant t. @param {number} t in s */
+    at(t) {
+      const { header, trajectory } = this.#run;
+      const shift = this.camera * t;
+      put(
+        need(this.root, '[data-part="ground"]'),
+        "transform",
+        `translate(${px(-shift * this.layout.scale)} 0)`
+      );
+      const centres = header.bodies.map((body) => {
+        const x = valueAt(
+          trajectory.t,
+          trajectory.x[body.name] ?? [],
+          trajectory.v[body.name] ?? [],
+          t
+        );
+        return this.layout.origin + (x - shift) * this.layout.scale;
+      });
+      const { left, right } = this.#squeezes(centres, shift);
+      this.#carts.forEach((cart2, i) => {
+        const centre = Number(centres[i]);
+        const faces = (
+          /** @type {const} */
+          [
+            -cart2.half + Number(left[i]),
+            cart2.half - Number(right[i])
+          ]
+        );
+        put(cart2.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+        put(need(cart2.group, '[data-part="spring-left"]'), "d", spring(-cart2.edge, faces[0]));
+        put(need(cart2.group, '[data-part="spring-right"]'), "d", spring(cart2.edge, faces[1]));
+        put(need(cart2.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
+        put(
+          need(cart2.group, '[data-part="face-right"]'),
+          "transform",
+          `translate(${px(faces[1])} 0)`
+        );
+        this.#velocity(cart2, header.bodies[i]?.name ?? "", centre, t);
+      });
+      const face = (name, side) => {
+        const i = header.bodies.findIndex((body) => body.name === name);
+        if (i < 0) {
+          const wall = name === "left" ? 0 : header.track.length ?? 0;
+          return this.layout.origin + (wall - shift) * this.layout.scale;
+        }
+        const half = this.#carts[i]?.half ?? 0;
+        const centre = Number(centres[i]);
+        return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
+      };
+      this.#pushes.at(t, face);
+      this.#effects.at(
+        t,
+        face,
+        (name) => Number(centres[header.bodies.findIndex((body) => body.name === name)])
+      );
+    }
+    /**
+     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+     * @param {import("../predict/arrows.js").Guess[]} guesses
+     */
+    guess(guesses) {
+      const { header } = this.#run;
+      const group = need(this.root, '[data-part="guess"]');
+      const arrows2 = guesses.map(({ pair, on, side, size }) => {
+        const i = header.bodies.findIndex((body2) => body2.name === on);
+        const body = header.bodies[i];
+        const half = (body?.length ?? 0) / 2;
+        const wall = on === "left" ? 0 : header.track.length ?? 0;
+        const x = body ? body.position + (side === "left" ? half : -half) : wall;
+        const way = side === "left" ? -1 : 1;
+        const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
+        const from = this.layout.origin + x * this.layout.scale;
+        const draw = isCut(size, this.view.force || 10) ? cutArrow : blockArrow;
+        return svg("path", {
+          class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
+          d: draw(from, this.layout.track - PUSH, length),
+          "data-pair": pair,
+          "data-on": on
+        });
+      });
+      group.replaceChildren(...arrows2);
+    }
+    /**
+     * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
+     * Two carts share the overlap; a bumper gives way by its own length at most.
+     * @param {number[]} centres @param {number} shift of the camera in m
+     */
+    #squeezes(centres, shift) {
+      const { bodies, track } = this.#run.header;
+      const left = bodies.map(() => 0);
+      const right = bodies.map(() => 0);
+      const at = (
+        /** @param {number} x */
+        (x) => this.layout.origin + (x - shift) * this.layout.scale
+      );
+      for (let gap = 0; gap <= bodies.length; gap += 1) {
+        const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
+        if (!a && track.left !== "wall" || !b && track.right !== "wall") continue;
+        const end = a ? Number(centres[gap - 1]) + a.half : at(0);
+        const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
+        const overlap = Math.max(0, end - start);
+        const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
+        const rest = Math.min(b?.bumper ?? 0, overlap - share);
+        if (b) left[gap] = rest;
+        if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+      }
+      return { left, right };
+    }
+    /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
+    #velocity(cart2, name, x, t) {
+      const { trajectory } = this.#run;
+      const { layout, view } = this;
+      const v = valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
+      const seen = Math.abs(v) < NOISE * view.velocity ? 0 : v;
+      const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
+      const length = keptInside(x, exact, layout.width);
+      const [at, anchor] = velocityText(x, length, layout.width);
+      put(need(cart2.velocity, '[data-part="arrow"]'), "d", lineArrow(x, cart2.lane, length));
+      put(
+        need(cart2.velocity, '[data-part="leader"]'),
+        "d",
+        `M${px(x)} ${px(cart2.lane)}V${px(cart2.top)}`
+      );
+      const shortened = length !== exact || isCut(seen, view.velocity, FASTEST);
+      const cut = shortened ? tr(", arrow cut") : "";
+      const [per, unit] = speedUnit(view.velocity);
+      const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
+      const text = need(cart2.velocity, '[data-part="text"]');
+      const outside = x < 0 || x > layout.width;
+      put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at));
+      put(text, "y", px(cart2.lane + 4));
+      put(text, "text-anchor", outside ? x < 0 ? "start" : "end" : anchor);
+      say(text, outside ? tr("{name} is outside: {speed}", { name, speed }) : speed);
+    }
+  };
+  function drawBox(group, name, box2) {
+    const rect = need(group, '[data-part="box"]');
+    put(rect, "x", px(box2.x));
+    put(rect, "y", px(-box2.height));
+    put(rect, "width", px(box2.width));
+    put(rect, "height", px(box2.height));
+    const wheels2 = group.querySelector('[data-part="wheels"]');
+    if (wheels2) put(wheels2, "d", wheels(box2));
+    const cut = need(group, '[data-part="break"]');
+    put(cut, "visibility", box2.cut ? "visible" : "hidden");
+    const title = need(group, '[data-part="name"]');
+    put(title, "y", px(box2.nameY ?? 0));
+    put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
+    say(title, name);
+    const mass = need(group, '[data-part="mass"]');
+    put(mass, "y", px(box2.labelY));
+    say(mass, box2.label);
+  }
+
+  // src/worlds/pictures.js
+  var SIGN = 60;
+  var Pictures = class {
+    /** @param {Baked} baked @param {Run} real @param {Run} other @param {string} says which world it is */
+    constructor(baked, real, other, says) {
+      this.root = html("div", "carts-worlds-pictures");
+      this.decimals = baked.view.decimals.t ?? 2;
+      this.player = new Player(() => this.#at());
+      const both = [real, other].map(({ header }) => touches(header.events, header.until));
+      this.player.until = Math.max(real.header.until, other.header.until);
+      this.player.parts = slowParts(both.flat().sort((a, b) => a.start - b.start));
+      this.stages = [];
+      this.#picture(baked, real, tr("Our world"), false, both[0] ?? []);
+      this.#picture(baked, other, says, true, both[1] ?? []);
+      this.root.append(this.#bar());
+      this.#at();
+    }
+    /** Nothing moves any more. */
+    leave() {
+      this.player.pause();
+    }
+    /**
+     * @param {Baked} baked @param {Run} run @param {string} caption @param {boolean} impossible
+     * @param {import("../../../view/windows.js").Touch[]} windows
+     */
+    #picture(baked, run, caption, impossible, windows) {
+      const figure = html("figure", impossible ? "carts-impossible" : "");
+      const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-world` } };
+      const template = document.createElement("template");
+      template.innerHTML = baked.view.layouts.map((layout) => stage(own, layout)).join("");
+      const label = html("figcaption", "", caption);
+      if (impossible) label.prepend(html("b", "", tr("Impossible:")), " ");
+      figure.append(label, template.content);
+      for (const root of figure.querySelectorAll("svg")) {
+        const made = new Stage(root, baked);
+        made.show(run, windows);
+        this.stages.push(made);
+        if (!impossible) continue;
+        const { width, track } = made.layout;
+        const place2 = { x: width / 2, y: track - SIGN, "text-anchor": "middle" };
+        const text = svg("text", { class: "carts-impossible-sign", ...place2 });
+        text.textContent = tr("impossible");
+        root.prepend(text);
+      }
+      this.root.append(figure);
+    }
+    #bar() {
+      const bar = html("div", "carts-worlds-bar");
+      this.play = html("button", "carts-button", "");
+      this.play.setAttribute("type", "button");
+      this.play.addEventListener("click", () => this.player.toggle());
+      this.scrub = document.createElement("input");
+      Object.assign(this.scrub, { type: "range", min: "0", max: String(this.player.until) });
+      this.scrub.step = String(this.player.until / 1e3);
+      this.scrub.setAttribute("aria-label", tr("Time in both pictures"));
+      this.scrub.addEventListener("input", () => {
+        this.player.pause();
+        this.player.seek(Number(this.scrub?.value));
+      });
+      this.clock = html("output", "carts-worlds-clock", "");
+      bar.append(this.play, this.scrub, this.clock);
+      return bar;
+    }
+    #at() {
+      const t = this.player.time;
+      for (const one of this.stages) one.at(t);
+      if (!this.scrub || !this.clock || !this.play) return;
+      this.scrub.value = String(t);
+      const words = tr("{time} s", { time: fixed(t, 2) });
+      this.scrub.setAttribute("aria-valuetext", words);
+      say(this.clock, words);
+      say(this.play, this.player.playing ? tr("Pause") : tr("Play"));
+    }
+  };
+
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
+    }
+    return found ?? null;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function stamped(entry) {
+    const page = outline();
+    const item = itemOf(entry);
+    if (!page || !item) return entry;
+    return {
+      form: item.form,
+      lesson: page.lesson,
+      lessonHash: page.hash,
+      hash: item.hash,
+      ...entry
+    };
+  }
+
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/shared/newest-first.js
+  function newestFirst(put2) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone2) {
+      const now = put2(key, value, alone2);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone2 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone2);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone2;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone2, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
+    };
+  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
+  var STORE = "answers";
+  var PATIENCE = 2e4;
+  var SETTLE_AFTER = 400;
+  function open(name) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+    });
+  }
+  async function reopening(name) {
+    let base = await open(name);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  async function indexed(name) {
+    const begin = await reopening(name);
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
+    return {
+      kind: "kept",
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: newestFirst(
+        (key, value, alone2) => write2(begin, (answers) => {
+          if (alone2) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
+      remove: (key) => write2(begin, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
+    };
+  }
+  var settling;
+  async function write2(begin, act) {
+    await transaction(begin, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
+    return new Promise((resolve, reject) => {
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
+  }
+
+  // src/shared/shelter.js
+  function shelter() {
+    const page = (
+      /** @type {any} */
+      globalThis
+    );
+    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page[name] ??= /* @__PURE__ */ new Map();
+    return page[name];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        try {
+          await store.put(key, value, alone2);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
+  function memory() {
+    const kept = shelter();
+    return {
+      kind: "memory",
+      how: "memory",
+      get: async (key) => kept.get(key),
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
+    const path = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path
+    };
+  }
+
+  // src/worlds/yours.js
+  var ALIKE = 0.06;
+  async function isYours({ fence }, world) {
+    if (fence.predict?.kind !== "arrows") return false;
+    const { site, page } = place();
+    const store = await openStore(site);
+    const entry = await store.get(`${page}#${fence.id}`).catch(() => null);
+    const arrows2 = Array.isArray(entry?.value) ? entry.value : [];
+    return fence.predict.pairs.some(([left, right]) => {
+      const pair = `${left}-${right}`;
+      const said = [left, right].map((on) => {
+        const arrow = arrows2.find((one) => one.pair === pair && one.on === on);
+        return Number(arrow?.share ?? arrow?.size ?? Number.NaN);
+      });
+      const order = compared(Number(said[0]), Number(said[1]));
+      const there = compared(greatestOn(world, pair, left), greatestOn(world, pair, right));
+      return order !== 0 && order === there;
+    });
+  }
+  function compared(a, b) {
+    if (!(Math.abs(a - b) > ALIKE * Math.max(a, b))) return 0;
+    return a > b ? 1 : -1;
+  }
+
+  // src/worlds/element.js
+  var WorldsElement = class extends HTMLElement {
+    #leaving = new AbortController();
+    /** @type {Pictures | null} */
+    #pictures = null;
+    #turn = 0;
+    connectedCallback() {
+      this.#leaving = new AbortController();
+      const { signal } = this.#leaving;
+      document.addEventListener(WATCHED, ({ target }) => target === this.scene && this.#open(), {
+        signal
+      });
+      const waits = this.scene.querySelector(".carts-predict, .carts-end") !== null;
+      if (!waits || "watched" in this.scene.dataset) this.#open();
+      new MutationObserver(() => {
+        if (this.scene.classList.contains("carts-asks")) this.#close();
+      }).observe(this.scene, { attributeFilter: ["class"] });
+    }
+    disconnectedCallback() {
+      this.#leaving.abort();
+      this.#pictures?.leave();
+    }
+    /** @returns {HTMLElement} */
+    get scene() {
+      return need(document, `carts-scene[id="${this.dataset.for}"]`);
+    }
+    /** @returns {World[]} as the lesson names them */
+    get worlds() {
+      return JSON.parse(need(this, "script").textContent ?? "{}").worlds;
+    }
+    #open() {
+      if (!this.hasAttribute("hidden")) return;
+      const names = html("div", "carts-worlds-names");
+      for (const world of this.worlds) {
+        const button = html("button", "carts-button", tr("… {what}?", { what: world.says }));
+        button.setAttribute("type", "button");
+        button.setAttribute("aria-pressed", "false");
+        button.addEventListener("click", () => void this.#show(world, button));
+        names.append(button);
+      }
+      const note = html("p", "carts-worlds-note");
+      note.setAttribute("role", "status");
+      this.append(
+        html("p", "carts-heading", tr("What if …")),
+        html("p", "", tr("Worlds that do not exist. Watch what would happen there, beside ours.")),
+        names,
+        note,
+        html("div", "carts-worlds-show")
+      );
+      this.toggleAttribute("hidden", false);
+    }
+    /** Nothing is known once more. */
+    #close() {
+      this.toggleAttribute("hidden", true);
+      this.#turn += 1;
+      this.#pictures?.leave();
+      for (const part of [...this.children]) if (part.localName !== "script") part.remove();
+    }
+    /** @param {World} world @param {Element} button */
+    async #show(world, button) {
+      this.#turn += 1;
+      const turn = this.#turn;
+      const note = need(this, ".carts-worlds-note");
+      const place2 = need(this, ".carts-worlds-show");
+      say(note, tr("Computing …"));
+      for (const one of this.querySelectorAll(".carts-worlds-names button")) {
+        one.setAttribute("aria-pressed", String(one === button));
+      }
+      try {
+        const worlds = this.worlds.map(({ name, numbers }) => ({ [name]: numbers }));
+        const real = await this.#ask({ kind: "run" });
+        const other = await this.#ask({ kind: "worlds", worlds, world: world.name });
+        if (turn !== this.#turn) return;
+        this.#pictures?.leave();
+        const baked = readBaked(this.scene);
+        this.#pictures = new Pictures(baked, real, other, world.says);
+        place2.replaceChildren(
+          this.#pictures.root,
+          ...await isYours(baked, other) ? [yours()] : [],
+          ends(real, other, baked.view.decimals),
+          broken(other)
+        );
+        say(note, "");
+        this.#pictures.player.play();
+      } catch (error) {
+        if (turn === this.#turn) say(
+          note,
+          /** @type {Error} */
+          error.message
+        );
+      }
+    }
+    /** @param {Record<string, unknown>} message @returns {Promise<Run>} */
+    async #ask(message) {
+      const { header, numbers } = await askScene(this.scene, message);
+      if (!header.ok) throw refusal(header.problems ?? []);
+      return { header, trajectory: fromWire(header, numbers) };
+    }
+  };
+  function yours() {
+    return html("p", "carts-worlds-yours", tr("This is the world of your arrows."));
+  }
+  function broken({ header }) {
+    const { broken: sentences } = (
+      /** @type {any} */
+      header
+    );
+    const box2 = html("div", "carts-worlds-broken");
+    box2.append(html("p", "carts-heading", tr("What breaks there")));
+    const list = html("ul");
+    list.append(
+      ...sentences.map(
+        (sentence) => html("li", "", told(sentence))
+      )
+    );
+    box2.append(list, html("p", "", tr("Which of the two have you seen with real carts?")));
+    return box2;
+  }
+
+  // src/worlds-main.js
+  customElements.define("carts-worlds", WorldsElement);
+})();

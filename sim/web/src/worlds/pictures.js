@@ -1,0 +1,96 @@
+/**
+ * Two pictures with one clock: the run as it is, and the same start in a world that does not exist.
+ * The second says so in the picture itself, so that no copy of it goes without.
+ */
+
+import { tr } from "../../../view/language.js";
+import { fixed } from "../../../view/numbers.js";
+import { stage } from "../../../view/skeleton/stage.js";
+import { touches } from "../../../view/windows.js";
+import { Player } from "../scene/player.js";
+import { slowParts } from "../scene/slow.js";
+import { Stage } from "../scene/stage.js";
+import { html, say, svg } from "../shared/dom.js";
+
+/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {import("../../../view/types.js").Baked} Baked */
+
+const SIGN = 60; // units that the sign stands above the track
+
+export class Pictures {
+  /** @param {Baked} baked @param {Run} real @param {Run} other @param {string} says which world it is */
+  constructor(baked, real, other, says) {
+    this.root = html("div", "carts-worlds-pictures");
+    this.decimals = baked.view.decimals.t ?? 2;
+    this.player = new Player(() => this.#at());
+    const both = [real, other].map(({ header }) => touches(header.events, header.until));
+    this.player.until = Math.max(real.header.until, other.header.until);
+    this.player.parts = slowParts(both.flat().sort((a, b) => a.start - b.start));
+    /** @type {Stage[]} */
+    this.stages = [];
+    this.#picture(baked, real, tr("Our world"), false, both[0] ?? []);
+    this.#picture(baked, other, says, true, both[1] ?? []);
+    this.root.append(this.#bar());
+    this.#at();
+  }
+
+  /** Nothing moves any more. */
+  leave() {
+    this.player.pause();
+  }
+
+  /**
+   * @param {Baked} baked @param {Run} run @param {string} caption @param {boolean} impossible
+   * @param {import("../../../view/windows.js").Touch[]} windows
+   */
+  #picture(baked, run, caption, impossible, windows) {
+    const figure = html("figure", impossible ? "carts-impossible" : "");
+    const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-world` } };
+    const template = document.createElement("template");
+    template.innerHTML = baked.view.layouts.map((layout) => stage(own, layout)).join("");
+    const label = html("figcaption", "", caption);
+    if (impossible) label.prepend(html("b", "", tr("Impossible:")), " ");
+    figure.append(label, template.content);
+    for (const root of figure.querySelectorAll("svg")) {
+      const made = new Stage(root, baked);
+      made.show(run, windows);
+      this.stages.push(made);
+      if (!impossible) continue;
+      const { width, track } = made.layout;
+      const place = { x: width / 2, y: track - SIGN, "text-anchor": "middle" };
+      const text = svg("text", { class: "carts-impossible-sign", ...place });
+      text.textContent = tr("impossible");
+      root.prepend(text);
+    }
+    this.root.append(figure);
+  }
+
+  #bar() {
+    const bar = html("div", "carts-worlds-bar");
+    this.play = html("button", "carts-button", "");
+    this.play.setAttribute("type", "button");
+    this.play.addEventListener("click", () => this.player.toggle());
+    this.scrub = document.createElement("input");
+    Object.assign(this.scrub, { type: "range", min: "0", max: String(this.player.until) });
+    this.scrub.step = String(this.player.until / 1000);
+    this.scrub.setAttribute("aria-label", tr("Time in both pictures"));
+    this.scrub.addEventListener("input", () => {
+      this.player.pause();
+      this.player.seek(Number(this.scrub?.value));
+    });
+    this.clock = html("output", "carts-worlds-clock", "");
+    bar.append(this.play, this.scrub, this.clock);
+    return bar;
+  }
+
+  #at() {
+    const t = this.player.time;
+    for (const one of this.stages) one.at(t);
+    if (!this.scrub || !this.clock || !this.play) return;
+    this.scrub.value = String(t);
+    const words = tr("{time} s", { time: fixed(t, 2) });
+    this.scrub.setAttribute("aria-valuetext", words);
+    say(this.clock, words);
+    say(this.play, this.player.playing ? tr("Pause") : tr("Play"));
+  }
+}

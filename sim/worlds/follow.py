@@ -1,0 +1,148 @@
+"""A scene followed through a world: located steps of RK4, as long as what happens allows.
+
+Where nothing touches a step is a part of the run, in a contact a part of its swing, 1/(ω √2): a
+push may be twice the law's. Every touch and every separation ends a step. One contact of a bumper
+alone has a closed form also here (that of carts of mass m/α), which is what the tests hold it to.
+"""
+
+from __future__ import annotations
+
+import math
+from array import array
+from dataclasses import dataclass
+
+from sim.dynamics.result.finished import Run
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.trajectory import Trajectory
+from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.pairs import Detail, Row
+from sim.dynamics.stepping.recorded import Recorder
+from sim.dynamics.stepping.stepper import LocatedStepper
+from sim.laws.lookup import contact_law
+from sim.scene.model import Scene
+from sim.worlds.describe import World
+from sim.worlds.field import WorldField
+from sim.worlds.force import Impossible, at_work
+
+PARTS = 250
+"""Steps of a run in which nothing touches, at least."""
+
+SWING = 1 / 40
+"""Of 1/ω. RK4 is off by some 1e-10 of the amplitude in each swing."""
+
+LATE = 1 / 2
+"""Of that, where a late force is read off between the ends of steps: 1e-5 of an impulse."""
+
+MOST = 200_000
+"""Steps of one run: some seconds."""
+
+STUCK = 40
+"""Events at one instant, one after the other, without a step between them."""
+
+
+@dataclass(frozen=True, slots=True)
+class WorldRun:
+    """A run of something impossible: the scene as its author wrote it, the run, its samples."""
+
+    scene: Scene
+    world: World
+    run: Run
+    samples: Trajectory
+
+
+class WorldStepper(LocatedStepper):
+    """Steps as long as the stiffest contact just now allows."""
+
+    def __init__(self, scene: Scene, name: str, world: Impossible) -> None:
+        self.world, self.name = world, name
+        super().__init__(scene)
+
+    def make_field(self, scene: Scene, lanes: int) -> WorldField:
+        """With the world's own forces."""
+        self.own = WorldField(scene, self.name, self.world)
+        return self.own
+
+    def length(self, t: float) -> float:
+        """s. The next step."""
+        whole = self.field.scene.until / PARTS
+        late = self.world.delay > 0.0
+        least = min((self._swing(gap) for gap in self._pressed()), default=whole)
+        if late and self.own.echoes(t):
+            least = min((self._swing(pair.gap) for pair in self.field.pairs), default=whole)
+        return min(whole, least * LATE if late else least)
+
+    def _pressed(self) -> list[int]:
+        modes = self.field.modes or {}
+        linked = {pair.gap for pair in self.field.pairs if pair.links}
+        return [gap for gap, mode in modes.items() if mode != "apart" or gap in linked]
+
+    def _swing(self, gap: int) -> float:
+        pair = self.field.pair_at[gap]
+        d, _ = self.field.overlap(pair, self.s, self.v)
+        law = contact_law(pair.contact)
+        steep = law.steepest if law is not None else 0.0
+        steep += sum(link.bounds(max(-d, link.nearest))[0] for link in pair.links)
+        return SWING / math.sqrt(2.0 * steep / pair.mu) if steep > 0.0 else math.inf
+
+    def _accept(self, t: float, h: float, s: Row, v: Row) -> None:
+        super()._accept(t, h, s, v)
+        if self.world.delay:
+            push, links, _ = self.field.forces(t + h, s, v)
+            self.own.remember(t + h, push, links)
+
+
+class WorldRecorder(Recorder):
+    """Keeps what came from nowhere, and the push on each side of every gap."""
+
+    def __init__(self, scene: Scene, run: WorldStepper) -> None:
+        self.own = run.own
+        self.on: dict[tuple[int, int], array[float]] = {
+            (pair.gap, side): array("d") for pair in run.field.pairs for side in (0, 1)
+        }
+        super().__init__(scene, Way("rk4-events"), run, scene.until / PARTS)
+
+    def from_outside(self) -> list[tuple[str, int]]:
+        """The world beside the scene's own effects."""
+        return [*super().from_outside(), *((self.own.name, k) for k in range(self.own.count))]
+
+    def _row(self, t: float, a: Row, detail: Detail) -> None:
+        super()._row(t, a, detail)  # the forces were evaluated for this very instant
+        for key, column in self.on.items():
+            column.append(self.own.on.get(key, 0.0))
+
+
+def follow(scene: Scene, world: World) -> WorldRun:
+    """The run of a scene in a world; raises UnsolvedError where it does not come to its end."""
+    acts = at_work(world)
+    changed = acts.scene(scene)
+    stepper = WorldStepper(changed, world.kind.name, acts)
+    recorder = WorldRecorder(changed, stepper)
+    _drive(stepper, changed.until)
+    done = recorder.finish()
+    columns = dict(done.samples.columns)
+    for (gap, side), column in recorder.on.items():
+        names = changed.names_at(gap)
+        columns["on", "-".join(names), names[side]] = column
+    return WorldRun(scene, world, done.run, Trajectory(columns))
+
+
+def _drive(run: WorldStepper, until: float) -> None:
+    t, still = 0.0, 0
+    for _ in range(MOST):
+        if t >= until:
+            return
+        stop = min([until, *(time for time in run.times if time > t)])
+        end = min(stop, t + run.length(t))
+        run.field.force_time = 0.5 * (t + end)
+        done, keys = run.part(t, end - t)
+        if keys:
+            run.located.change(keys, t + done, run.s, run.v)
+        t = end if done == end - t else t + done
+        run.field.force_time = None
+        still = still + 1 if done == 0.0 else 0
+        run.impacts.settle(t, run.s, run.v)
+        if t in run.times:
+            run.located.begin(t, run.s, run.v)
+        if still > STUCK:
+            break
+    raise UnsolvedError("this world does not come to its end", "a shorter run (until)", t, ())
