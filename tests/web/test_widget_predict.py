@@ -96,6 +96,38 @@ def test_arrows_are_drawn_kept_locked_and_compared(open_page: OpenPage, widget_s
     expect(page.locator("#arrows .carts-play")).to_be_enabled()
 
 
+def test_arrows_are_pulled_in_the_picture_until_they_are_locked(
+    open_page: OpenPage, widget_site: Path
+) -> None:
+    page = live(open_page(widget_site / "arrows.html"), "arrows")
+    stage = page.locator("#arrows .carts-stage:visible")
+    box = page.locator('#arrows .carts-guess[data-on="B"] .carts-number-box')
+    handles = stage.locator(".carts-pull circle.carts-pull-room")
+    expect(handles).to_have_count(2)
+    assert stage.locator(".carts-guessed").count() == 0  # a handle is no arrow yet
+
+    def pull(way: float) -> None:
+        place = handles.nth(1).bounding_box()
+        assert place
+        x, y = place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + way / 2, y)
+        page.mouse.move(x + way, y)
+        page.mouse.up()
+
+    pull(30)
+    first = float(box.input_value())
+    assert first > 0
+    pull(20)
+    assert float(box.input_value()) > first
+    pull(-200)
+    assert float(box.input_value()) == 0
+    guess(page, "A", 2)
+    lock(page, "arrows")
+    expect(handles).to_have_count(0)
+
+
 @pytest.mark.one_browser
 def test_a_long_arrow_is_typed_and_drawn_cut(open_page: OpenPage, widget_site: Path) -> None:
     page = live(open_page(widget_site / "arrows.html"), "arrows")

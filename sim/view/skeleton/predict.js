@@ -88,7 +88,7 @@ function arrows({ fence, view, run: { header } }, { pairs, scale }) {
 `;
   });
   const how = tr(
-    "Make each arrow as long as you think. Only which one is longer counts, not how many newtons.",
+    "Pull each arrow in the picture, or here, until it is as long as you think. Only which one is longer counts, not how many newtons.",
   );
   return html`${!numbers && html`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
 ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;

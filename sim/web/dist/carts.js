@@ -4116,6 +4116,10 @@
         box2.disabled = !on;
       }
     }
+    /** Handles in the picture. */
+    ready() {
+      this.#picture();
+    }
     problem() {
       const missing = this.#rows.filter((row) => row.size === null);
       if (!missing.length) return null;
@@ -4233,9 +4237,7 @@
     }
     #picture() {
       this.draw(
-        this.#rows.flatMap(
-          ({ pair, on, side, size }) => size === null ? [] : [{ pair, on, side, size }]
-        )
+        this.#rows.map(({ pair, on, side, size, slider }) => ({ pair, on, side, size, slider }))
       );
     }
   };
@@ -4523,6 +4525,10 @@
     enable(on) {
       for (const { slider } of this.#rows) slider.disabled = !on;
     }
+    /** Handles in the picture. */
+    ready() {
+      this.#show();
+    }
     problem() {
       const missing = this.#rows.filter(({ share }) => share === null).map(name);
       if (!missing.length) return null;
@@ -4570,9 +4576,9 @@
       }
       say(this.relation, this.said);
       this.draw(
-        this.#rows.flatMap(
-          ({ pair, on, side, share }) => share === null ? [] : [{ pair, on, side, size: share * this.full }]
-        )
+        this.#rows.map(({ pair, on, side, share, slider }) => {
+          return { pair, on, side, size: share === null ? null : share * this.full, slider };
+        })
       );
     }
   };
@@ -4792,7 +4798,7 @@
       this.button.disabled = this.isLocked || talking;
       this.talk.show(!this.isLocked && talking, false);
       if (this.#entry.before) this.#showAgain();
-      if (!this.isLocked) return;
+      if (!this.isLocked) return this.form.ready?.();
       this.again.offer();
       this.locked(false);
     }
@@ -8021,6 +8027,40 @@ ${lines4.join("\n")}
     return strokes.map((points) => `M${points.map(at3).join("L")}`).join("");
   }
 
+  // src/predict/pull.js
+  function pullable(stage, slider, full, width) {
+    const group2 = svg("g", {});
+    group2.addEventListener("pointerdown", (event) => {
+      const down = (
+        /** @type {PointerEvent} */
+        event
+      );
+      if (slider.disabled) return;
+      event.preventDefault();
+      const start = slider.valueAsNumber || 0;
+      const perPixel = width / stage.getBoundingClientRect().width * Number(slider.max) / full;
+      const leaving2 = new AbortController();
+      const { signal } = leaving2;
+      addEventListener(
+        "pointermove",
+        (move) => {
+          if (move.pointerId !== down.pointerId) return;
+          const before = slider.value;
+          slider.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
+          if (slider.value !== before || slider.dataset.pulled === void 0) {
+            slider.dataset.pulled = "";
+            slider.dispatchEvent(new Event("input", { bubbles: true }));
+          }
+        },
+        { signal }
+      );
+      for (const end of ["pointerup", "pointercancel"]) {
+        addEventListener(end, () => leaving2.abort(), { signal });
+      }
+    });
+    return group2;
+  }
+
   // ../view/effects-props.js
   function props(header, layout, t3, face, centre) {
     return header.effects.filter((effect) => actsAt(effect, t3)).flatMap((effect) => {
@@ -8303,6 +8343,7 @@ ${lines4.join("\n")}
   }
 
   // src/scene/stage.js
+  var HANDLE = 9;
   var Stage = class {
     /** @type {Run} */
     #run;
@@ -8416,30 +8457,45 @@ ${lines4.join("\n")}
       );
     }
     /**
-     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
+     * the tip to pull it by; of one that is not drawn yet, the handle.
      * @param {import("../predict/arrows.js").Guess[]} guesses
      */
     guess(guesses) {
       const { header } = this.#run;
       const group2 = need(this.root, '[data-part="guess"]');
-      const arrows2 = guesses.map(({ pair, on, side, size }) => {
+      const full = this.view.force || 10;
+      const parts2 = guesses.flatMap(({ pair, on, side, size, slider }) => {
         const i2 = header.bodies.findIndex((body3) => body3.name === on);
         const body2 = header.bodies[i2];
         const half = (body2?.length ?? 0) / 2;
         const wall = on === "left" ? 0 : header.track.length ?? 0;
         const x2 = body2 ? body2.position + (side === "left" ? half : -half) : wall;
         const way = side === "left" ? -1 : 1;
-        const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
+        const length = way * arrowLength(size ?? 0, full, this.layout.force);
         const from = this.layout.origin + x2 * this.layout.scale;
-        const draw = isCut(size, this.view.force || 10) ? cutArrow : blockArrow;
-        return svg("path", {
-          class: `carts-guessed carts-${i2 < 0 ? "wall" : styleOf(i2)}`,
-          d: draw(from, this.layout.track - PUSH, length),
+        const y2 = this.layout.track - PUSH;
+        const draw = isCut(size ?? 0, full) ? cutArrow : blockArrow;
+        const style = `carts-${i2 < 0 ? "wall" : styleOf(i2)}`;
+        const arrow2 = svg("path", {
+          class: `carts-guessed ${style}`,
+          d: draw(from, y2, length),
           "data-pair": pair,
           "data-on": on
         });
+        const tip = from + length + way * HANDLE;
+        const handle = pullable(this.root, slider, way * this.layout.force, this.layout.width);
+        handle.setAttribute("class", `carts-pull ${style}`);
+        handle.append(
+          svg("circle", { cx: px(tip), cy: px(y2), r: 16, class: "carts-pull-room" }),
+          svg("circle", { cx: px(tip), cy: px(y2), r: 8 }),
+          svg("path", {
+            d: `M${px(tip - 2.5)} ${px(y2 - 2.5)}l-2.5 2.5l2.5 2.5M${px(tip + 2.5)} ${px(y2 - 2.5)}l2.5 2.5l-2.5 2.5`
+          })
+        );
+        return size === null ? [handle] : [arrow2, handle];
       });
-      group2.replaceChildren(...arrows2);
+      group2.replaceChildren(...parts2);
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.

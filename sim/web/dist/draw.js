@@ -12234,7 +12234,7 @@ ${spec.sure && certainty(id)}
 `;
     });
     const how = tr(
-      "Make each arrow as long as you think. Only which one is longer counts, not how many newtons."
+      "Pull each arrow in the picture, or here, until it is as long as you think. Only which one is longer counts, not how many newtons."
     );
     return html`${!numbers && html`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
 ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
@@ -14187,6 +14187,40 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
   };
 
+  // src/predict/pull.js
+  function pullable(stage2, slider2, full, width) {
+    const group = svg("g", {});
+    group.addEventListener("pointerdown", (event) => {
+      const down = (
+        /** @type {PointerEvent} */
+        event
+      );
+      if (slider2.disabled) return;
+      event.preventDefault();
+      const start = slider2.valueAsNumber || 0;
+      const perPixel = width / stage2.getBoundingClientRect().width * Number(slider2.max) / full;
+      const leaving = new AbortController();
+      const { signal } = leaving;
+      addEventListener(
+        "pointermove",
+        (move) => {
+          if (move.pointerId !== down.pointerId) return;
+          const before2 = slider2.value;
+          slider2.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
+          if (slider2.value !== before2 || slider2.dataset.pulled === void 0) {
+            slider2.dataset.pulled = "";
+            slider2.dispatchEvent(new Event("input", { bubbles: true }));
+          }
+        },
+        { signal }
+      );
+      for (const end of ["pointerup", "pointercancel"]) {
+        addEventListener(end, () => leaving.abort(), { signal });
+      }
+    });
+    return group;
+  }
+
   // ../view/effects-props.js
   function props(header, layout, t, face, centre) {
     return header.effects.filter((effect) => actsAt(effect, t)).flatMap((effect) => {
@@ -14469,6 +14503,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/stage.js
+  var HANDLE = 9;
   var Stage = class {
     /** @type {Run} */
     #run;
@@ -14582,30 +14617,45 @@ ${found && html`<p class="carts-found" hidden></p>`}
       );
     }
     /**
-     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
+     * the tip to pull it by; of one that is not drawn yet, the handle.
      * @param {import("../predict/arrows.js").Guess[]} guesses
      */
     guess(guesses) {
       const { header } = this.#run;
       const group = need(this.root, '[data-part="guess"]');
-      const arrows3 = guesses.map(({ pair, on, side: side2, size }) => {
+      const full = this.view.force || 10;
+      const parts2 = guesses.flatMap(({ pair, on, side: side2, size, slider: slider2 }) => {
         const i = header.bodies.findIndex((body3) => body3.name === on);
         const body2 = header.bodies[i];
         const half = (body2?.length ?? 0) / 2;
         const wall = on === "left" ? 0 : header.track.length ?? 0;
         const x = body2 ? body2.position + (side2 === "left" ? half : -half) : wall;
         const way = side2 === "left" ? -1 : 1;
-        const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
+        const length = way * arrowLength(size ?? 0, full, this.layout.force);
         const from = this.layout.origin + x * this.layout.scale;
-        const draw = isCut(size, this.view.force || 10) ? cutArrow : blockArrow;
-        return svg("path", {
-          class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
-          d: draw(from, this.layout.track - PUSH, length),
+        const y = this.layout.track - PUSH;
+        const draw = isCut(size ?? 0, full) ? cutArrow : blockArrow;
+        const style = `carts-${i < 0 ? "wall" : styleOf(i)}`;
+        const arrow = svg("path", {
+          class: `carts-guessed ${style}`,
+          d: draw(from, y, length),
           "data-pair": pair,
           "data-on": on
         });
+        const tip = from + length + way * HANDLE;
+        const handle = pullable(this.root, slider2, way * this.layout.force, this.layout.width);
+        handle.setAttribute("class", `carts-pull ${style}`);
+        handle.append(
+          svg("circle", { cx: px(tip), cy: px(y), r: 16, class: "carts-pull-room" }),
+          svg("circle", { cx: px(tip), cy: px(y), r: 8 }),
+          svg("path", {
+            d: `M${px(tip - 2.5)} ${px(y - 2.5)}l-2.5 2.5l2.5 2.5M${px(tip + 2.5)} ${px(y - 2.5)}l2.5 2.5l-2.5 2.5`
+          })
+        );
+        return size === null ? [handle] : [arrow, handle];
       });
-      group.replaceChildren(...arrows3);
+      group.replaceChildren(...parts2);
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.

@@ -2208,7 +2208,7 @@ ${spec.sure && certainty(id)}
 `;
     });
     const how = tr(
-      "Make each arrow as long as you think. Only which one is longer counts, not how many newtons."
+      "Pull each arrow in the picture, or here, until it is as long as you think. Only which one is longer counts, not how many newtons."
     );
     return html2`${!numbers && html2`<p class="carts-quiet">${how}</p>`}<div class="carts-guesses">
 ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`;

@@ -1128,6 +1128,40 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     }
   };
 
+  // src/predict/pull.js
+  function pullable(stage2, slider, full, width) {
+    const group = svg("g", {});
+    group.addEventListener("pointerdown", (event) => {
+      const down = (
+        /** @type {PointerEvent} */
+        event
+      );
+      if (slider.disabled) return;
+      event.preventDefault();
+      const start = slider.valueAsNumber || 0;
+      const perPixel = width / stage2.getBoundingClientRect().width * Number(slider.max) / full;
+      const leaving = new AbortController();
+      const { signal } = leaving;
+      addEventListener(
+        "pointermove",
+        (move) => {
+          if (move.pointerId !== down.pointerId) return;
+          const before = slider.value;
+          slider.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
+          if (slider.value !== before || slider.dataset.pulled === void 0) {
+            slider.dataset.pulled = "";
+            slider.dispatchEvent(new Event("input", { bubbles: true }));
+          }
+        },
+        { signal }
+      );
+      for (const end of ["pointerup", "pointercancel"]) {
+        addEventListener(end, () => leaving.abort(), { signal });
+      }
+    });
+    return group;
+  }
+
   // ../view/effects-forces.js
   var FEW = 3;
   function forcesAt({ header, trajectory }, t, always = false) {
@@ -1452,6 +1486,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
 
   // src/scene/stage.js
+  var HANDLE = 9;
   var Stage = class {
     /** @type {Run} */
     #run;
@@ -1565,30 +1600,45 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       );
     }
     /**
-     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
+     * the tip to pull it by; of one that is not drawn yet, the handle.
      * @param {import("../predict/arrows.js").Guess[]} guesses
      */
     guess(guesses) {
       const { header } = this.#run;
       const group = need(this.root, '[data-part="guess"]');
-      const arrows2 = guesses.map(({ pair, on, side, size }) => {
+      const full = this.view.force || 10;
+      const parts = guesses.flatMap(({ pair, on, side, size, slider }) => {
         const i = header.bodies.findIndex((body2) => body2.name === on);
         const body = header.bodies[i];
         const half = (body?.length ?? 0) / 2;
         const wall = on === "left" ? 0 : header.track.length ?? 0;
         const x = body ? body.position + (side === "left" ? half : -half) : wall;
         const way = side === "left" ? -1 : 1;
-        const length = way * arrowLength(size, this.view.force || 10, this.layout.force);
+        const length = way * arrowLength(size ?? 0, full, this.layout.force);
         const from = this.layout.origin + x * this.layout.scale;
-        const draw = isCut(size, this.view.force || 10) ? cutArrow : blockArrow;
-        return svg("path", {
-          class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
-          d: draw(from, this.layout.track - PUSH, length),
+        const y = this.layout.track - PUSH;
+        const draw = isCut(size ?? 0, full) ? cutArrow : blockArrow;
+        const style = `carts-${i < 0 ? "wall" : styleOf(i)}`;
+        const arrow = svg("path", {
+          class: `carts-guessed ${style}`,
+          d: draw(from, y, length),
           "data-pair": pair,
           "data-on": on
         });
+        const tip = from + length + way * HANDLE;
+        const handle = pullable(this.root, slider, way * this.layout.force, this.layout.width);
+        handle.setAttribute("class", `carts-pull ${style}`);
+        handle.append(
+          svg("circle", { cx: px(tip), cy: px(y), r: 16, class: "carts-pull-room" }),
+          svg("circle", { cx: px(tip), cy: px(y), r: 8 }),
+          svg("path", {
+            d: `M${px(tip - 2.5)} ${px(y - 2.5)}l-2.5 2.5l2.5 2.5M${px(tip + 2.5)} ${px(y - 2.5)}l2.5 2.5l-2.5 2.5`
+          })
+        );
+        return size === null ? [handle] : [arrow, handle];
       });
-      group.replaceChildren(...arrows2);
+      group.replaceChildren(...parts);
     }
     /**
      * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.

@@ -7,7 +7,7 @@ import { html, need, say } from "../shared/dom.js";
 import { readTyped } from "../shared/typed.js";
 import { asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
 
-/** @typedef {{pair: string, on: string, side: "left" | "right", size: number}} Guess size in N; side of the pair */
+/** @typedef {{pair: string, on: string, side: "left" | "right", size: number | null, slider: HTMLInputElement}} Guess size in N, null: not set yet; side of the pair */
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, size: number | null,
  *   good: number | null, slider: HTMLInputElement, box: HTMLInputElement, error: HTMLElement}} Row */
 
@@ -68,6 +68,11 @@ export class ArrowsForm {
       slider.disabled = !on;
       box.disabled = !on;
     }
+  }
+
+  /** Handles in the picture. */
+  ready() {
+    this.#picture();
   }
 
   problem() {
@@ -191,9 +196,7 @@ export class ArrowsForm {
 
   #picture() {
     this.draw(
-      this.#rows.flatMap(({ pair, on, side, size }) =>
-        size === null ? [] : [{ pair, on, side, size }],
-      ),
+      this.#rows.map(({ pair, on, side, size, slider }) => ({ pair, on, side, size, slider })),
     );
   }
 }

@@ -19,9 +19,9 @@ import { ChoiceForm, WordsForm } from "./words.js";
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /**
  * One kind of prediction. `problem` says what is still missing; `compare` shows it beside the run.
- * `said` is the prediction in words.
+ * `said` is the prediction in words; `ready`: it may be drawn in the picture.
  * @typedef {{value: unknown, readonly said: string, enable: (on: boolean) => void, problem: () => string | null,
- *   compare: (run: Run) => Node[]}} Form
+ *   compare: (run: Run) => Node[], ready?: () => void}} Form
  */
 /** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string, sure?: string, watched?: string,
  *   talk?: string, before?: {value: unknown, said: string}, why?: string}} Entry
@@ -118,7 +118,7 @@ export class Predict {
     this.button.disabled = this.isLocked || talking;
     this.talk.show(!this.isLocked && talking, false);
     if (this.#entry.before) this.#showAgain();
-    if (!this.isLocked) return;
+    if (!this.isLocked) return this.form.ready?.();
     this.again.offer();
     this.locked(false);
   }

@@ -62,6 +62,11 @@ export class RelativeArrows {
     for (const { slider } of this.#rows) slider.disabled = !on;
   }
 
+  /** Handles in the picture. */
+  ready() {
+    this.#show();
+  }
+
   problem() {
     const missing = this.#rows.filter(({ share }) => share === null).map(name);
     if (!missing.length) return null;
@@ -112,9 +117,9 @@ export class RelativeArrows {
     }
     say(this.relation, this.said);
     this.draw(
-      this.#rows.flatMap(({ pair, on, side, share }) =>
-        share === null ? [] : [{ pair, on, side, size: share * this.full }],
-      ),
+      this.#rows.map(({ pair, on, side, share, slider }) => {
+        return { pair, on, side, size: share === null ? null : share * this.full, slider };
+      }),
     );
   }
 }

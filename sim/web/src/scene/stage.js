@@ -6,6 +6,7 @@ import { fixed, NOISE, px, speedUnit } from "../../../view/numbers.js";
 import * as shapes from "../../../view/shapes.js";
 import { SKINS } from "../../../view/skins.js";
 import { valueAt } from "../../../view/trajectory.js";
+import { pullable } from "../predict/pull.js";
 import { need, put, say, svg } from "../shared/dom.js";
 import { Effects } from "./effects.js";
 import { Pushes } from "./pushes.js";
@@ -13,6 +14,8 @@ import { Pushes } from "./pushes.js";
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {{half: number, edge: number, bumper: number, top: number, lane: number, group: Element, velocity: Element}} Cart */
+
+const HANDLE = 9; // units from the tip of an arrow to its handle
 
 export class Stage {
   /** @type {Run} */
@@ -124,30 +127,45 @@ export class Stage {
   }
 
   /**
-   * Hollow arrows of a prediction, at the start: tail on the body's own bumper face.
+   * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
+   * the tip to pull it by; of one that is not drawn yet, the handle.
    * @param {import("../predict/arrows.js").Guess[]} guesses
    */
   guess(guesses) {
     const { header } = this.#run;
     const group = need(this.root, '[data-part="guess"]');
-    const arrows = guesses.map(({ pair, on, side, size }) => {
+    const full = this.view.force || 10;
+    const parts = guesses.flatMap(({ pair, on, side, size, slider }) => {
       const i = header.bodies.findIndex((body) => body.name === on);
       const body = header.bodies[i];
       const half = (body?.length ?? 0) / 2;
       const wall = on === "left" ? 0 : (header.track.length ?? 0);
       const x = body ? body.position + (side === "left" ? half : -half) : wall;
       const way = side === "left" ? -1 : 1;
-      const length = way * shapes.arrowLength(size, this.view.force || 10, this.layout.force);
+      const length = way * shapes.arrowLength(size ?? 0, full, this.layout.force);
       const from = this.layout.origin + x * this.layout.scale;
-      const draw = shapes.isCut(size, this.view.force || 10) ? shapes.cutArrow : shapes.blockArrow;
-      return svg("path", {
-        class: `carts-guessed carts-${i < 0 ? "wall" : styleOf(i)}`,
-        d: draw(from, this.layout.track - shapes.PUSH, length),
+      const y = this.layout.track - shapes.PUSH;
+      const draw = shapes.isCut(size ?? 0, full) ? shapes.cutArrow : shapes.blockArrow;
+      const style = `carts-${i < 0 ? "wall" : styleOf(i)}`;
+      const arrow = svg("path", {
+        class: `carts-guessed ${style}`,
+        d: draw(from, y, length),
         "data-pair": pair,
         "data-on": on,
       });
+      const tip = from + length + way * HANDLE;
+      const handle = pullable(this.root, slider, way * this.layout.force, this.layout.width);
+      handle.setAttribute("class", `carts-pull ${style}`);
+      handle.append(
+        svg("circle", { cx: px(tip), cy: px(y), r: 16, class: "carts-pull-room" }),
+        svg("circle", { cx: px(tip), cy: px(y), r: 8 }),
+        svg("path", {
+          d: `M${px(tip - 2.5)} ${px(y - 2.5)}l-2.5 2.5l2.5 2.5M${px(tip + 2.5)} ${px(y - 2.5)}l2.5 2.5l-2.5 2.5`,
+        }),
+      );
+      return size === null ? [handle] : [arrow, handle];
     });
-    group.replaceChildren(...arrows);
+    group.replaceChildren(...parts);
   }
 
   /**
