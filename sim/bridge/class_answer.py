@@ -4,6 +4,9 @@
     {"id": 9, "kind": "class", "do": "report", "records": [[record, "7a"], …], "keys": […], …}
     {"id": 10, "kind": "class", "do": "save", "what": "html", …as for a report}
 
+A report or a save with `tables` [{"name", "base64", "form"}], and `most`, is about these tables of
+marks.
+
 Reading answers with what is in the files, as rows that the page keeps: this side forgets
 everything. A slice ends after SLICE seconds; `next` says where to go on, or is null.
 """
@@ -27,6 +30,7 @@ from sim.classroom.report.class_csv import items_csv, students_csv
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
 from sim.classroom.show.standalone import standalone
+from sim.classroom.tables.dropped import dropped_report
 
 SLICE = 0.4
 """s. How long a page waits for a slice of files."""
@@ -96,8 +100,16 @@ def _made(request: Mapping[str, Any]) -> Report:
     return class_report(files, keys, [*refused, *bad], asked)
 
 
+def _tables(request: Mapping[str, Any]) -> Report:
+    most, inference = str(request.get("most") or ""), bool(request.get("inference"))
+    return dropped_report(request["tables"], most, inference=inference)
+
+
 def _report(request: Mapping[str, Any]) -> dict[str, Any]:
     """The report as HTML, and what the page itself needs of it."""
+    if request.get("tables"):
+        report = _tables(request)
+        return {"html": report_html(report), "words": []}
     report = _made(request)
     words = [
         {"lesson": lesson["lesson"], "form": form["form"], **question}
@@ -112,7 +124,7 @@ def _report(request: Mapping[str, Any]) -> dict[str, Any]:
 
 def _save(request: Mapping[str, Any]) -> dict[str, Any]:
     """The report as a file: html, csv, items or json."""
-    report = _made(request)
+    report = _tables(request) if request.get("tables") else _made(request)
     what = request.get("what")
     if what == "html":
         return {"text": standalone(report)}

@@ -199,6 +199,23 @@ def test_reports_and_tables_are_saved(page: Page) -> None:
 
 
 @pytest.mark.one_browser
+def test_a_table_of_marks_is_dropped_told_apart_and_left_out(page: Page) -> None:
+    before = "student,total\n" + "".join(f"S{k},{5 + k % 4}\n" for k in range(12))
+    after = "student,total\n" + "".join(f"S{k},{9 + k % 5}\n" for k in range(12))
+    choose(page, [Source("one.csv", before.encode()), Source("two.csv", after.encode())])
+    tables = page.locator(".carts-class-tables")
+    expect(tables.locator("li")).to_have_count(2, timeout=60_000)
+    tables.locator("select").nth(0).select_option("pre")
+    tables.locator("select").nth(1).select_option("post")
+    tables.locator("input").fill("15")
+    report = page.locator(".carts-class-report")
+    expect(report).to_contain_text("Hake's gain", timeout=60_000)
+    tables.get_by_role("button", name="Leave out").first.click()
+    expect(tables.locator("li")).to_have_count(1)
+    expect(report).not_to_contain_text("Hake's gain")
+
+
+@pytest.mark.one_browser
 def test_everything_can_be_deleted(page: Page) -> None:
     choose(page, [*sources(random_class(BANK, 6)), KEY])
     complete(page)

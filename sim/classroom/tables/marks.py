@@ -41,6 +41,17 @@ def mark(text: str) -> tuple[Exact | None, Exact | None]:
     return whole(value), None if most is None else whole(most)
 
 
+def most_of(text: str) -> Exact:
+    """The most marks of a test, as somebody typed it; more than nought."""
+    try:
+        value, _ = mark(text.strip())
+    except TableError:
+        value = None
+    if not value:
+        raise TableError("write the most marks of the test, for example 30")
+    return value
+
+
 def is_mark(text: str) -> bool:
     """Whether there is a mark in this cell."""
     try:

@@ -12,6 +12,9 @@ from sim.classroom.statistics.spread import Exact
 WORTH_SEEN = 1
 """Marks of a question up to which nothing has to be told: it was right, wrong or in between."""
 
+TOTALS_ONLY = "is for totals; this table has marks of questions, so put a row MAX into it"
+"""What the most marks of a test cannot be told of."""
+
 ALONE = "test"
 """The form of a table that tells of one test only."""
 
@@ -73,3 +76,8 @@ class MarkTable:
     letters: bool
     groups: bool
     classes: bool
+
+    @property
+    def of_items(self) -> bool:
+        """Are there marks of questions?"""
+        return any(row.items for row in self.taken)

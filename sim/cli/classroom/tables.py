@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from pathlib import Path
 
 import click
 
 from sim.classroom.report.report import WHOLE
+from sim.classroom.statistics.spread import Exact
 from sim.classroom.tables.cells import MOST_BYTES, TableError
 from sim.classroom.tables.layout import form_of
-from sim.classroom.tables.marks import mark
+from sim.classroom.tables.marks import most_of
 from sim.classroom.tables.read import read_table
 from sim.classroom.tables.report import Judged, judge
-from sim.classroom.tables.taken import MarkTable, Taken
+from sim.classroom.tables.taken import TOTALS_ONLY, MarkTable, Taken
 from sim.cli.classroom.files import group_of
 
 
@@ -37,10 +37,8 @@ def tables_of(
         except OSError as error:
             bad.append((path.as_posix(), str(error.strerror)))
     told = _most(most)
-    if told is not None and any(row.items for table in tables for row in table.taken):
-        raise click.UsageError(
-            "--max is for totals; this table has marks of questions, so put a row MAX into it"
-        )
+    if told is not None and any(table.of_items for table in tables):
+        raise click.UsageError(f"--max {TOTALS_ONLY}")
     within = any(table.groups for table in tables)
 
     def group(row: Taken) -> str:
@@ -63,13 +61,10 @@ def _place(text: str) -> tuple[str, Path]:
     return form, path
 
 
-def _most(text: str | None) -> int | Fraction | None:
+def _most(text: str | None) -> Exact | None:
     if text is None:
         return None
     try:
-        value, _ = mark(text.strip())
-    except TableError:
-        value = None
-    if not value:
-        raise click.UsageError(f"--max {text}: write the most marks of the test, for example 30")
-    return value
+        return most_of(text)
+    except TableError as error:
+        raise click.UsageError(f"--max {text}: {error}") from None

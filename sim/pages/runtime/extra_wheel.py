@@ -31,12 +31,14 @@ def make_extra_wheel(core: Path, stdlib: Path, ours: Path, extra: Ours, cache: C
         }  # fmt: skip
         compile_archives(core, [archive], folder)
         source.unlink()
-        modules = extra.begins or [
+        modules = extra.begins or tuple(
             name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
             for name, _ in extra.files
             if name.endswith(".py")
-        ]
-        used = used_files(core, stdlib, folder, wheels=[ours, wheel], modules=modules)
+        )
+        used = used_files(
+            core, stdlib, folder, wheels=[ours, wheel], modules=[*modules, *extra.also]
+        )
         (folder / "used.txt").write_text("\n".join(used.files), encoding="utf-8")
 
     code = code_key("extra_wheel", "stdlib", "ours")

@@ -10,7 +10,7 @@ import ast
 import sys
 import zipfile
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .cache import key_of, sha256
@@ -33,6 +33,8 @@ CLASSROOM = "newtons-carts-class"
 TEACHER = "newtons-carts-teacher"
 MEASURED = "newtons-carts-measured"
 WORLDS = "newtons-carts-worlds"
+ENCODINGS = tuple(f"encodings.{name}" for name in ("utf_8_sig", "utf_16", "cp1252"))
+"""In which spreadsheets and old editors save a table."""
 APART = (
     *("sim.dynamics.batch", "sim.laws.many", "sim.bridge.map_answer", "sim.scene.schema"),
     *(f"sim.laws.{law}.many" for law in ("bumper", "paper", "push_only", "push_only_uncorrected")),
@@ -49,6 +51,7 @@ class Ours:
     version: str
     name: str = NAME
     begins: tuple[str, ...] = ()  # modules that tell what else is needed; none: all of them
+    also: tuple[str, ...] = ()  # modules that are found by name only when they are needed
 
     @property
     def key(self) -> str:
@@ -90,7 +93,7 @@ def read_ours(package: Path, version: str) -> Ours:
 def read_classroom(package: Path, version: str) -> Ours:
     """Return what the page "Class results" has beside `read_ours`."""
     found = [package / CLASSROOM_ENTRY, *_layers(package, CLASSROOM_LAYERS)]
-    return _ours(package, version, CLASSROOM, found)
+    return replace(_ours(package, version, CLASSROOM, found), also=ENCODINGS)
 
 
 def read_measured(package: Path, version: str) -> Ours:

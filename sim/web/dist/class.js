@@ -35,11 +35,19 @@
     /** @type {[string, string][]} */
     refused = [];
     codes = "";
+    /** @type {Table[]} */
+    tables = [];
+    most = "";
+    // marks of the tests in them, as typed
     two = false;
     /** @type {[string, string]} */
     names = ["experimental", "control"];
     /** @returns {boolean} whether there is nothing here */
     get empty() {
+      return this.noAnswers && !this.tables.length;
+    }
+    /** @returns {boolean} whether there is nothing here but tables */
+    get noAnswers() {
       return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
     }
     /** @returns {string[]} the names of the groups, each once */
@@ -50,7 +58,7 @@
     }
     /** @param {Found} found @param {number} group */
     take(found, group) {
-      for (const row of found.records) this.files.push({ row, group, out: false });
+      for (const row2 of found.records) this.files.push({ row: row2, group, out: false });
       for (const key of found.keys) if (!this.keys.includes(key)) this.keys.push(key);
       for (const mark of found.marks) this.give(mark);
       this.refused.push(...found.refused);
@@ -65,7 +73,7 @@
       const { groups } = this;
       return {
         kind: "class",
-        records: this.files.filter((file) => !file.out).map(({ row, group }) => [row, groups[this.two ? group : 0]]),
+        records: this.files.filter((file) => !file.out).map(({ row: row2, group }) => [row2, groups[this.two ? group : 0]]),
         keys: [...this.practice, ...this.keys],
         // of one form the later one counts
         marks: [...this.marks.values()],
@@ -74,6 +82,10 @@
         groups,
         now: (/* @__PURE__ */ new Date()).toISOString()
       };
+    }
+    /** The same of the tables of marks. @returns {Record<string, unknown>} */
+    toldOfTables() {
+      return { kind: "class", tables: this.tables, most: this.most };
     }
     /** @returns {string} the text of a file with the teacher's marks */
     marksFile() {
@@ -110,19 +122,19 @@
     return made;
   }
   function askingButton(text, question, yes, act, name) {
-    const row = html("p", `carts-answers-asking ${name}`);
+    const row2 = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
     const asked = html("span", "", `${question} `);
     const no = button(tr("No"), () => ask(false), "carts-answers-no");
     asked.append(button(yes, act, "carts-answers-yes"), " ", no);
     asked.hidden = true;
-    row.append(first, asked);
+    row2.append(first, asked);
     function ask(on) {
       first.hidden = on;
       asked.hidden = !on;
       (on ? no : first).focus();
     }
-    return row;
+    return row2;
   }
 
   // src/class/list.js
@@ -241,9 +253,13 @@
   function field(classroom, group, take, changed) {
     const root = html("div", "carts-class-drop");
     if (classroom.two) root.append(nameBox(classroom, group, changed));
-    const says = html("p", "", "Drop answer files, a zip and the key file here, or");
+    const says = html(
+      "p",
+      "",
+      "Drop answer files, a zip and the key file here, or tables of marks (CSV), or"
+    );
     root.append(says);
-    const row = html("p", "carts-class-row");
+    const row2 = html("p", "carts-class-row");
     for (
       const [text, folder] of
       /** @type {[string, boolean][]} */
@@ -258,21 +274,21 @@
       );
       Object.assign(box, { type: "file", multiple: true, hidden: true, tabIndex: -1 });
       if (folder) box.setAttribute("webkitdirectory", "");
-      else box.accept = ".json,.zip,application/json,application/zip";
+      else box.accept = ".json,.zip,.csv,.tsv,application/json,application/zip,text/csv";
       box.addEventListener("change", () => {
         const chosen = [...box.files ?? []].filter(
-          (file) => !folder || /\.(json|zip)$/i.test(file.name)
+          (file) => !folder || /\.(json|zip|csv|tsv)$/i.test(file.name)
         );
         box.value = "";
         if (chosen.length) take(chosen, group);
       });
-      row.append(
+      row2.append(
         button(text, () => box.click(), folder ? "carts-class-folder" : "carts-class-pick"),
         box,
         " "
       );
     }
-    root.append(row);
+    root.append(row2);
     listen(root, says, (files) => take(files, group));
     return root;
   }
@@ -314,6 +330,12 @@
   var MOST_ZIP = 6e7;
   var PARCEL_BYTES = 1e6;
   var PARCEL_FILES = 25;
+  var MOST_TABLE = 1e7;
+  var isTable = ({ name }) => /\.(csv|tsv|xlsx?|ods)$/i.test(name);
+  async function asTable(file) {
+    const base64 = file.size > MOST_TABLE ? null : await asBase64(file);
+    return base64 === null ? null : { name: file.name, base64, form: "" };
+  }
   async function readAll(files, ask, found) {
     let done = 0;
     for (const parcel of parcels(files)) {
@@ -436,9 +458,9 @@
         );
         card.append(head, html("p", "carts-class-text", answer.text));
       }
-      const row = html("p", "carts-class-row");
+      const row2 = html("p", "carts-class-row");
       for (let marks = 0; marks <= one.worth; marks += 1) {
-        row.append(
+        row2.append(
           button(String(marks), () => give(one, marks), "carts-class-mark"),
           " "
         );
@@ -447,7 +469,7 @@
         at = Math.max(0, Math.min(one.answers.length - 1, at + by));
         show();
       };
-      row.append(button("Back", step(-1)), " ", button("Skip", step(1)));
+      row2.append(button("Back", step(-1)), " ", button("Skip", step(1)));
       const rubric = html("ul", "carts-class-rubric");
       for (const [marks, text] of Object.entries(one.rubric)) {
         rubric.append(html("li", "", `${marks}: ${text}`));
@@ -458,7 +480,7 @@
         html("p", "", one.ask),
         rubric,
         card,
-        row,
+        row2,
         html("p", "carts-class-quiet", `${done} of ${one.answers.length} marked.`)
       );
       if (focused) card.focus({ preventScroll: true });
@@ -584,8 +606,8 @@
       },
       "carts-class-save-marks"
     );
-    const row = html("p", "carts-class-row");
-    row.append(
+    const row2 = html("p", "carts-class-row");
+    row2.append(
       button("Print", () => window.print(), "carts-class-print"),
       " ",
       button("Save report", save("html", "class-results.html", "text/html"), "carts-class-save-html"),
@@ -618,12 +640,66 @@
       clear,
       "carts-class-clear"
     );
-    root.append(row, remove);
+    root.append(row2, remove);
     const draw = () => {
       root.hidden = element.classroom.empty;
       marks.hidden = !element.classroom.marks.size;
     };
     return { root, draw };
+  }
+
+  // src/class/tables.js
+  var TIMES = (
+    /** @type {[string, string][]} */
+    [
+      ["", "as the table says"],
+      ["pre", "before teaching"],
+      ["post", "after teaching"],
+      ["later", "some time later"]
+    ]
+  );
+  function tableList(classroom, changed) {
+    const root = html("div", "carts-class-tables");
+    const rows = html("ul");
+    const label = html("label", "", "Most marks of the test, if the table gives only totals ");
+    const most = (
+      /** @type {HTMLInputElement} */
+      html("input")
+    );
+    Object.assign(most, { type: "text", size: 6, inputMode: "decimal", autocomplete: "off" });
+    typedIn(most, () => {
+      classroom.most = most.value;
+      changed();
+    });
+    label.append(most);
+    root.append(html("p", "carts-class-tables-title", "Tables of marks"), rows, label);
+    const draw = () => {
+      root.hidden = classroom.tables.length === 0;
+      if (most.value !== classroom.most) most.value = classroom.most;
+      if (rows.childElementCount === classroom.tables.length && !root.hidden) return;
+      rows.replaceChildren(...classroom.tables.map((table) => row(classroom, table, changed)));
+    };
+    return { root, draw };
+  }
+  function row(classroom, table, changed) {
+    const line = html("li");
+    const when = (
+      /** @type {HTMLSelectElement} */
+      html("select")
+    );
+    when.append(...TIMES.map(([value, text]) => new Option(text, value)));
+    when.value = table.form;
+    when.setAttribute("aria-label", `which test ${table.name} tells of`);
+    when.addEventListener("change", () => {
+      table.form = when.value;
+      changed();
+    });
+    const remove = button("Leave out", () => {
+      classroom.tables = classroom.tables.filter((other) => other !== table);
+      changed();
+    });
+    line.append(html("bdi", "", table.name), " ", when, " ", remove);
+    return line;
   }
 
   // src/class/element.js
@@ -658,15 +734,19 @@
         const field2 = drops(this.classroom, (files, group) => this.take(files, group), change);
         const list = fileList(this.classroom, change);
         const codes = typedCodes(this.classroom, change);
+        const tables = tableList(this.classroom, change);
         this.#reader = reader(this.classroom, change);
         const doing = actions({
           element: this,
           report: this.#report,
-          ask: (what) => this.#ask({ ...this.classroom.told(), do: "save", what, inference: this.inference }),
+          ask: (what) => this.#ask({
+            ...this.classroom.noAnswers ? this.classroom.toldOfTables() : this.classroom.told(),
+            ...{ do: "save", what, inference: this.inference }
+          }),
           say: (text) => say(this.#status, text),
           clear: () => this.clear()
         });
-        this.#parts = [field2.draw, list.draw, codes.draw, doing.draw];
+        this.#parts = [field2.draw, list.draw, tables.draw, codes.draw, doing.draw];
         this.#status.setAttribute("role", "status");
         this.#bar.hidden = true;
         this.#bar.setAttribute("aria-label", "Files read");
@@ -676,6 +756,7 @@
           this.#status,
           this.#bar,
           list.root,
+          tables.root,
           codes.root,
           this.#reader.root,
           doing.root
@@ -695,6 +776,12 @@
       }
       /** @param {File[]} files @param {number} group */
       async #take(files, group) {
+        for (const file of files.filter(isTable)) {
+          const table = await asTable(file);
+          if (table) this.classroom.tables.push(table);
+          else this.classroom.refused.push([file.name, "this table is too large for a page"]);
+        }
+        const answers = files.filter((file) => !isTable(file));
         const lifetime = this.#lifetime;
         const begun = performance.now();
         say(this.#status, client.state === "ready" ? "Reading …" : "Starting Python …");
@@ -702,7 +789,7 @@
         let soon = 0;
         try {
           await readAll(
-            files,
+            answers,
             (message) => this.#ask(message),
             async (found, done) => {
               if (lifetime !== this.#lifetime) throw new Error("cleared");
@@ -757,15 +844,10 @@
         if (classroom.empty) return this.#report.replaceChildren();
         const lifetime = this.#lifetime;
         try {
-          const { header } = await client.ask(this, () => ({
-            ...this.classroom.told(),
-            do: "report",
-            inference: this.inference
-          }));
+          const header = await this.#reported();
           if (lifetime !== this.#lifetime) return;
           const made = document.createElement("template");
-          made.innerHTML = /** @type {any} */
-          header.html;
+          made.innerHTML = header.html;
           const open = [...this.#report.querySelectorAll("details[open] > summary")].map(
             (summary) => summary.textContent
           );
@@ -775,10 +857,7 @@
           }
           this.#drawn += 1;
           if (this.#drawn === 1) performance.mark("carts:class-means");
-          this.#reader?.draw(
-            /** @type {any} */
-            header.words
-          );
+          this.#reader?.draw(header.words);
           this.#redraw();
         } catch (error) {
           say(
@@ -787,6 +866,19 @@
             error.message
           );
         }
+      }
+      /** The report on the answers, and below it that on tables. @returns {Promise<{html: string, words: any[]}>} */
+      async #reported() {
+        const { classroom } = this;
+        const asked = { do: "report", inference: this.inference };
+        const none = { html: "", words: [] };
+        const answers = classroom.noAnswers ? none : (await client.ask(this, () => ({ ...this.classroom.told(), ...asked }))).header;
+        const tables = classroom.tables.length ? await this.#ask({ ...classroom.toldOfTables(), ...asked }) : none;
+        const { html: first, words } = (
+          /** @type {any} */
+          answers
+        );
+        return { html: first + tables.html, words };
       }
       /** Forgets everything that was dropped and typed. */
       clear() {

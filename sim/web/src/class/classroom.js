@@ -3,6 +3,7 @@
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
 /** @typedef {{row: Row, group: number, out: boolean}} Held `out`: left out by the teacher */
 /** @typedef {{lesson: string, form: string, student: string, item: string, marks: number}} GivenMark */
+/** @typedef {{name: string, base64: string, form: string}} Table marks from elsewhere; form: pre, post, later or "" */
 /** @typedef {{records: Row[], keys: string[], marks: GivenMark[], refused: [string, string][], next: number | null}} Found */
 
 export const WHOLE = "class";
@@ -22,12 +23,20 @@ export class Classroom {
   /** @type {[string, string][]} */
   refused = [];
   codes = "";
+  /** @type {Table[]} */
+  tables = [];
+  most = ""; // marks of the tests in them, as typed
   two = false;
   /** @type {[string, string]} */
   names = ["experimental", "control"];
 
   /** @returns {boolean} whether there is nothing here */
   get empty() {
+    return this.noAnswers && !this.tables.length;
+  }
+
+  /** @returns {boolean} whether there is nothing here but tables */
+  get noAnswers() {
     return !this.files.length && !this.keys.length && !this.refused.length && !this.codes;
   }
 
@@ -67,6 +76,11 @@ export class Classroom {
       groups,
       now: new Date().toISOString(),
     };
+  }
+
+  /** The same of the tables of marks. @returns {Record<string, unknown>} */
+  toldOfTables() {
+    return { kind: "class", tables: this.tables, most: this.most };
   }
 
   /** @returns {string} the text of a file with the teacher's marks */

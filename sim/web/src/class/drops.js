@@ -39,7 +39,11 @@ export function drops(classroom, take, changed) {
 function field(classroom, group, take, changed) {
   const root = html("div", "carts-class-drop");
   if (classroom.two) root.append(nameBox(classroom, group, changed));
-  const says = html("p", "", "Drop answer files, a zip and the key file here, or");
+  const says = html(
+    "p",
+    "",
+    "Drop answer files, a zip and the key file here, or tables of marks (CSV), or",
+  );
   root.append(says);
   const row = html("p", "carts-class-row");
   for (const [text, folder] of /** @type {[string, boolean][]} */ ([
@@ -49,10 +53,10 @@ function field(classroom, group, take, changed) {
     const box = /** @type {HTMLInputElement} */ (html("input", "carts-class-files"));
     Object.assign(box, { type: "file", multiple: true, hidden: true, tabIndex: -1 });
     if (folder) box.setAttribute("webkitdirectory", "");
-    else box.accept = ".json,.zip,application/json,application/zip";
+    else box.accept = ".json,.zip,.csv,.tsv,application/json,application/zip,text/csv";
     box.addEventListener("change", () => {
       const chosen = [...(box.files ?? [])].filter(
-        (file) => !folder || /\.(json|zip)$/i.test(file.name),
+        (file) => !folder || /\.(json|zip|csv|tsv)$/i.test(file.name),
       );
       box.value = "";
       if (chosen.length) take(chosen, group);

@@ -3,10 +3,11 @@
 import { html, say } from "../shared/dom.js";
 import { Classroom } from "./classroom.js";
 import { drops } from "./drops.js";
-import { readAll } from "./intake.js";
+import { asTable, isTable, readAll } from "./intake.js";
 import { fileList, typedCodes } from "./list.js";
 import { reader } from "./reader.js";
 import { actions } from "./saves.js";
+import { tableList } from "./tables.js";
 
 /** @typedef {import("./classroom.js").Found} Found */
 
@@ -41,16 +42,20 @@ export function classElement(client) {
       const field = drops(this.classroom, (files, group) => this.take(files, group), change);
       const list = fileList(this.classroom, change);
       const codes = typedCodes(this.classroom, change);
+      const tables = tableList(this.classroom, change);
       this.#reader = reader(this.classroom, change);
       const doing = actions({
         element: this,
         report: this.#report,
         ask: (what) =>
-          this.#ask({ ...this.classroom.told(), do: "save", what, inference: this.inference }),
+          this.#ask({
+            ...(this.classroom.noAnswers ? this.classroom.toldOfTables() : this.classroom.told()),
+            ...{ do: "save", what, inference: this.inference },
+          }),
         say: (text) => say(this.#status, text),
         clear: () => this.clear(),
       });
-      this.#parts = [field.draw, list.draw, codes.draw, doing.draw];
+      this.#parts = [field.draw, list.draw, tables.draw, codes.draw, doing.draw];
       this.#status.setAttribute("role", "status");
       this.#bar.hidden = true;
       this.#bar.setAttribute("aria-label", "Files read");
@@ -60,6 +65,7 @@ export function classElement(client) {
         this.#status,
         this.#bar,
         list.root,
+        tables.root,
         codes.root,
         this.#reader.root,
         doing.root,
@@ -81,6 +87,12 @@ export function classElement(client) {
 
     /** @param {File[]} files @param {number} group */
     async #take(files, group) {
+      for (const file of files.filter(isTable)) {
+        const table = await asTable(file);
+        if (table) this.classroom.tables.push(table);
+        else this.classroom.refused.push([file.name, "this table is too large for a page"]);
+      }
+      const answers = files.filter((file) => !isTable(file));
       const lifetime = this.#lifetime;
       const begun = performance.now();
       say(this.#status, client.state === "ready" ? "Reading …" : "Starting Python …");
@@ -88,7 +100,7 @@ export function classElement(client) {
       let soon = 0;
       try {
         await readAll(
-          files,
+          answers,
           (message) => this.#ask(message),
           async (found, done) => {
             if (lifetime !== this.#lifetime) throw new Error("cleared");
@@ -141,14 +153,10 @@ export function classElement(client) {
       if (classroom.empty) return this.#report.replaceChildren();
       const lifetime = this.#lifetime;
       try {
-        const { header } = await client.ask(this, () => ({
-          ...this.classroom.told(),
-          do: "report",
-          inference: this.inference,
-        }));
+        const header = await this.#reported();
         if (lifetime !== this.#lifetime) return;
         const made = document.createElement("template");
-        made.innerHTML = /** @type {any} */ (header).html; // escaped where it was made
+        made.innerHTML = header.html; // escaped where it was made
         const open = [...this.#report.querySelectorAll("details[open] > summary")].map(
           (summary) => summary.textContent,
         );
@@ -158,11 +166,26 @@ export function classElement(client) {
         }
         this.#drawn += 1;
         if (this.#drawn === 1) performance.mark("carts:class-means");
-        this.#reader?.draw(/** @type {any} */ (header).words);
+        this.#reader?.draw(header.words);
         this.#redraw();
       } catch (error) {
         say(this.#status, /** @type {Error} */ (error).message);
       }
+    }
+
+    /** The report on the answers, and below it that on tables. @returns {Promise<{html: string, words: any[]}>} */
+    async #reported() {
+      const { classroom } = this;
+      const asked = { do: "report", inference: this.inference };
+      const none = { html: "", words: [] };
+      const answers = classroom.noAnswers
+        ? none
+        : (await client.ask(this, () => ({ ...this.classroom.told(), ...asked }))).header;
+      const tables = classroom.tables.length
+        ? await this.#ask({ ...classroom.toldOfTables(), ...asked })
+        : none;
+      const { html: first, words } = /** @type {any} */ (answers);
+      return { html: first + tables.html, words };
     }
 
     /** Forgets everything that was dropped and typed. */

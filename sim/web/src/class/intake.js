@@ -9,6 +9,20 @@ const MOST_ZIP = 60_000_000; // in a page; the command line takes more
 const PARCEL_BYTES = 1_000_000;
 const PARCEL_FILES = 25;
 
+const MOST_TABLE = 10_000_000; // bytes; the command line takes more
+
+/** Whether a file is a table of marks, by its name. @param {File} file */
+export const isTable = ({ name }) => /\.(csv|tsv|xlsx?|ods)$/i.test(name);
+
+/**
+ * A table as Python is told of it; null: it cannot be read or is too large.
+ * @param {File} file @returns {Promise<import("./classroom.js").Table | null>}
+ */
+export async function asTable(file) {
+  const base64 = file.size > MOST_TABLE ? null : await asBase64(file);
+  return base64 === null ? null : { name: file.name, base64, form: "" };
+}
+
 /**
  * Reads files parcel by parcel; `found` is called after each.
  * @param {File[]} files @param {Ask} ask

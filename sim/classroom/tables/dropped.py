@@ -1,0 +1,49 @@
+"""Tables of marks that were dropped on the page “Class results”, as one lesson."""
+
+from __future__ import annotations
+
+from base64 import b64decode
+from collections.abc import Mapping, Sequence
+from pathlib import PurePosixPath
+from typing import Any
+
+from sim.classroom.report.report import WHOLE
+from sim.classroom.tables.cells import TableError
+from sim.classroom.tables.layout import form_of
+from sim.classroom.tables.marks import most_of
+from sim.classroom.tables.read import read_table
+from sim.classroom.tables.report import judge, table_report
+from sim.classroom.tables.taken import TOTALS_ONLY, MarkTable
+
+
+def dropped_report(
+    given: Sequence[Mapping[str, Any]], most: str, *, inference: bool
+) -> dict[str, Any]:
+    """The report; `given`: name, base64 and form (pre, post, later or nothing) of each table.
+
+    What is no table is named among the files that could not be read; a bad `most` among the notes.
+    """
+    tables: list[MarkTable] = []
+    bad: list[dict[str, str]] = []
+    for one in given:
+        name, form = str(one["name"]), form_of(str(one.get("form") or "")) or ""
+        try:
+            tables.append(read_table(name, b64decode(one["base64"]), form))
+        except TableError as error:
+            bad.append({"name": name, "reason": str(error)})
+    told, notes = None, []
+    if most.strip():
+        try:
+            told = most_of(most)
+        except TableError as error:
+            notes.append(f"Most marks: {error}.")
+        if told is not None and any(table.of_items for table in tables):
+            told = None
+            notes.append(f"Most marks: {TOTALS_ONLY}.")
+    within = any(table.groups for table in tables)
+    lesson = PurePosixPath(tables[0].name).stem if tables else ""
+    found = judge(lesson, tables, lambda row: row.group if within else WHOLE, most=told)
+    report = table_report(found, inference=inference)
+    report["files"]["refused"] = [*bad, *report["files"]["refused"]]
+    report["notes"] = [*notes, *report["notes"]]
+    return report

@@ -1,0 +1,56 @@
+/** Tables of marks from elsewhere that were dropped: which test each tells of, and its most marks. */
+
+import { button } from "../answers/parts.js";
+import { html } from "../shared/dom.js";
+import { typedIn } from "./list.js";
+
+const TIMES = /** @type {[string, string][]} */ ([
+  ["", "as the table says"],
+  ["pre", "before teaching"],
+  ["post", "after teaching"],
+  ["later", "some time later"],
+]);
+
+/** @param {import("./classroom.js").Classroom} classroom @param {() => void} changed */
+export function tableList(classroom, changed) {
+  const root = html("div", "carts-class-tables");
+  const rows = html("ul");
+  const label = html("label", "", "Most marks of the test, if the table gives only totals ");
+  const most = /** @type {HTMLInputElement} */ (html("input"));
+  Object.assign(most, { type: "text", size: 6, inputMode: "decimal", autocomplete: "off" });
+  typedIn(most, () => {
+    classroom.most = most.value;
+    changed();
+  });
+  label.append(most);
+  root.append(html("p", "carts-class-tables-title", "Tables of marks"), rows, label);
+  const draw = () => {
+    root.hidden = classroom.tables.length === 0;
+    if (most.value !== classroom.most) most.value = classroom.most;
+    if (rows.childElementCount === classroom.tables.length && !root.hidden) return;
+    rows.replaceChildren(...classroom.tables.map((table) => row(classroom, table, changed)));
+  };
+  return { root, draw };
+}
+
+/**
+ * @param {import("./classroom.js").Classroom} classroom
+ * @param {import("./classroom.js").Table} table @param {() => void} changed
+ */
+function row(classroom, table, changed) {
+  const line = html("li");
+  const when = /** @type {HTMLSelectElement} */ (html("select"));
+  when.append(...TIMES.map(([value, text]) => new Option(text, value)));
+  when.value = table.form;
+  when.setAttribute("aria-label", `which test ${table.name} tells of`);
+  when.addEventListener("change", () => {
+    table.form = when.value;
+    changed();
+  });
+  const remove = button("Leave out", () => {
+    classroom.tables = classroom.tables.filter((other) => other !== table);
+    changed();
+  });
+  line.append(html("bdi", "", table.name), " ", when, " ", remove);
+  return line;
+}

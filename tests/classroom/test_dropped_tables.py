@@ -1,0 +1,64 @@
+"""Tables dropped on the page are read as the command line reads them."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from pathlib import Path
+from typing import Any
+
+from click.testing import CliRunner
+
+from sim.bridge.protocol import answer
+from sim.classroom.tables.dropped import dropped_report
+from sim.cli import main
+
+TOTALS = "student;group;pre;post\n" + "".join(
+    f"S{k};{'new' if k % 2 else 'old'};{8 + k % 5};{12 + k % 7}\n" for k in range(16)
+)
+ITEMS = "student,q1,q2,q3\nA,1,0,1\nB,0,0,1\nC,1,1,1\n"
+
+
+def table(text: str, name: str = "marks.csv", form: str = "") -> dict[str, str]:
+    return {"name": name, "base64": b64encode(text.encode()).decode(), "form": form}
+
+
+def report(*tables: dict[str, str], most: str = "") -> dict[str, Any]:
+    return dropped_report(tables, most, inference=True)
+
+
+def test_the_page_reports_as_the_command_does(tmp_path: Path) -> None:
+    file = tmp_path / "marks.csv"
+    file.write_text(TOTALS, encoding="utf-8")
+    told = CliRunner().invoke(main, ["class", "--table", str(file), "--max", "30", "--json"])
+    command, page = json.loads(told.stdout), report(table(TOTALS), most="30")
+    assert page["lessons"] == command["lessons"]
+
+
+def test_two_tables_are_before_and_after_as_the_teacher_says() -> None:
+    found = report(
+        table(ITEMS, "a.csv", "pre"), table(ITEMS.replace("A,1,0", "A,1,1"), "b.csv", "post")
+    )
+    (lesson,) = found["lessons"]
+    assert [form["form"] for form in lesson["forms"]] == ["pre", "post"]
+    assert lesson["lesson"] == "a"
+
+
+def test_what_is_no_table_is_named_and_the_others_count() -> None:
+    found = report(table("", "empty.csv"), table(ITEMS))
+    assert [row["name"] for row in found["files"]["refused"]] == ["empty.csv"]
+    assert found["files"]["counted"] == 3
+    assert report(table("", "empty.csv"))["files"]["counted"] == 0
+
+
+def test_the_most_marks_are_those_of_totals() -> None:
+    assert any("a row MAX" in note for note in report(table(ITEMS), most="3")["notes"])
+    assert any("write the most" in note for note in report(table(TOTALS), most="many")["notes"])
+
+
+def test_the_wire_gives_html_and_saves_what_was_dropped() -> None:
+    asked = {"kind": "class", "tables": [table(TOTALS)], "most": "30", "inference": True}
+    header, _ = answer(asked | {"do": "report"})
+    assert "marks" in header["html"]
+    saved, _ = answer(asked | {"do": "save", "what": "csv"})
+    assert saved["text"].count("\n") > 16
