@@ -36,9 +36,8 @@ def make_extra_wheel(core: Path, stdlib: Path, ours: Path, extra: Ours, cache: C
             for name, _ in extra.files
             if name.endswith(".py")
         )
-        used = used_files(
-            core, stdlib, folder, wheels=[ours, wheel], modules=[*modules, *extra.also]
-        )
+        named = [*modules, *extra.also]
+        used = used_files(core, stdlib, folder, wheels=[ours, wheel], modules=named)
         (folder / "used.txt").write_text("\n".join(used.files), encoding="utf-8")
 
     code = code_key("extra_wheel", "stdlib", "ours")
