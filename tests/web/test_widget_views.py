@@ -112,6 +112,47 @@ def test_before_and_now_of_momentum_add_up(third: Page) -> None:
     assert now[3] == pytest.approx(0.30, abs=0.001)
 
 
+HEARD = """() => {
+  window.heard = [];
+  window.AudioContext = class {
+    sampleRate = 8000;
+    resume() {}
+    createBuffer(_, length) {
+      const own = new Float32Array(length);
+      return { getChannelData: () => own };
+    }
+    createBufferSource() {
+      const source = { connect() {}, start() {
+        window.heard.push(Math.max(...source.buffer.getChannelData(0).map(Math.abs)));
+      } };
+      return source;
+    }
+  };
+}"""
+
+
+@pytest.mark.one_browser
+def test_contacts_are_heard_as_loud_as_their_force_once_a_reader_wants_it(third: Page) -> None:
+    third.evaluate(HEARD)
+    scene = third.locator("#third")
+    on_scene(third, "el.time = 0;", name="third")
+    forward = scene.locator(".carts-forward")
+    forward.click()
+    assert third.evaluate("window.heard") == []
+    scene.locator(".carts-choose summary").click()
+    scene.locator('[data-choice="sound"]').check()
+    assert len(third.evaluate("window.heard")) == 1  # so soft is the softest
+    on_scene(third, AT_PEAK.replace(".t;", ".t - 0.0001;"), name="third")
+    forward.click()
+    loud = third.evaluate("window.heard")
+    assert len(loud) == 2
+    assert loud[1] > 5 * loud[0]
+    third.reload()
+    live(third, "third")
+    scene.locator(".carts-choose summary").click()
+    expect(scene.locator('[data-choice="sound"]')).to_be_checked()  # remembered in this tab
+
+
 @pytest.mark.one_browser
 def test_playing_stops_at_touch_greatest_force_and_parting(third: Page) -> None:
     scene = third.locator("#third")

@@ -8920,15 +8920,16 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   var AREAS = tr("boxes as large as the masses");
   var STILLS = tr("in stills, without motion");
   var STOPS = tr("stops at touch, greatest force and parting");
+  var SOUND = tr("a click at each contact, as loud as its force");
   var FORCES = ["F", "R", "a"];
   var Choose = class {
     /**
      * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
      * @param {Choice[]} views
-     * @param {boolean} stills whether playing shows stills in place of motion
+     * @param {{stills: boolean, sound: boolean}} now whether playing shows stills in place of motion, and is heard
      * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
      */
-    constructor(root, baked, views, stills, acts) {
+    constructor(root, baked, views, now, acts) {
       const place3 = need(root, ".carts-choices");
       const { show, forces: forces2, slow } = baked.fence;
       const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
@@ -8938,13 +8939,22 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }));
       const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
       const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
-      const still = { key: "stills", label: STILLS, seen: stills };
+      const still = { key: "stills", label: STILLS, seen: now.stills };
+      const sound = { key: "sound", label: SOUND, seen: now.sound };
       const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
       place3.replaceChildren(
         group(tr("Graphs"), graphs, acts.graph),
         group(tr("Views"), views, acts.view),
         group(tr("Picture"), [areas], (_2, on) => acts.areas(on)),
-        group(tr("Playing"), lasting && slow !== "never" ? [stops, still] : [still], acts.playing)
+        group(
+          tr("Playing"),
+          [
+            ...lasting && slow !== "never" ? [stops] : [],
+            still,
+            ...baked.run.header.contacts.length ? [sound] : []
+          ],
+          acts.playing
+        )
       );
     }
   };
@@ -8966,6 +8976,71 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   }
   function emptyGraph(baked, quantity) {
     return parsed(graph(baked, quantity).text);
+  }
+
+  // src/shared/tab.js
+  function recall(key) {
+    try {
+      return JSON.parse(sessionStorage.getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value) {
+    try {
+      sessionStorage.setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
+  // src/scene/sound.js
+  var KEY = "carts-sound";
+  var LASTS = 0.08;
+  var FADES = 60;
+  var SOFTEST = 0.05;
+  var Sound = class {
+    on = recall(KEY) === true;
+    /** @type {AudioContext | null} */
+    #machine = null;
+    /** @param {boolean} on by the reader */
+    set(on) {
+      this.on = on;
+      retain(KEY, on);
+      if (on) this.#click(SOFTEST);
+    }
+    /** What happened in a piece of the run. @param {RunEvent[]} events of the run @param {number} before @param {number} now both in s */
+    between(events, before, now) {
+      if (!this.on) return;
+      const loudest = Math.max(...events.map(strength));
+      for (const event of events) {
+        const part = strength(event) / loudest;
+        if (event.t > before && event.t <= now && part > 0) this.#click(Math.max(part, SOFTEST));
+      }
+    }
+    /** @param {number} loud 0 to 1 */
+    #click(loud) {
+      try {
+        this.#machine ??= new AudioContext();
+        const machine = this.#machine;
+        void machine.resume();
+        const noise = machine.createBuffer(1, machine.sampleRate * LASTS, machine.sampleRate);
+        const samples = noise.getChannelData(0);
+        samples.forEach((_2, k) => {
+          const t3 = k / machine.sampleRate;
+          samples[k] = loud * Math.exp(-FADES * t3) * (2 * Math.random() - 1);
+        });
+        const source = machine.createBufferSource();
+        source.buffer = noise;
+        source.connect(machine.destination);
+        source.start();
+      } catch {
+        this.on = false;
+      }
+    }
+  };
+  function strength({ kind, force: force2, impulse }) {
+    if (kind === "peak") return force2 ?? 0;
+    return kind === "contact" || kind === "release" ? impulse ?? 0 : 0;
   }
 
   // src/scene/transport.js
@@ -9067,6 +9142,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       };
       this.drawing = new Drawing(root, baked, this.seek);
       this.ghosts = this.drawing.stages.map((stage) => new Ghost(stage));
+      this.sound = new Sound();
       this.#offerChoices();
       this.transport = new Transport(root, this.player, baked.view.decimals);
       this.announcer = new Announcer(root);
@@ -9141,7 +9217,9 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       for (const ghost of this.ghosts) ghost.at(t3);
       this.transport.show();
       this.described.at(this.run, t3, this.player.playing);
-      if (forward && t3 !== before) this.announcer.tell(this.drawing.story.between(before, t3));
+      if (!forward || t3 === before) return;
+      this.announcer.tell(this.drawing.story.between(before, t3));
+      this.sound.between(this.run.header.events, before, t3);
     }
     /** Says what a step led to. @param {number} before in s */
     #stepped(before) {
@@ -9151,7 +9229,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
     #offerChoices() {
       const { views } = this.drawing;
-      new Choose(this.root, this.baked, views.choices, this.player.stills, {
+      const now = { stills: this.player.stills, sound: this.sound.on };
+      new Choose(this.root, this.baked, views.choices, now, {
         graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
         view: (key, seen) => views.choose(key, seen),
         areas: (on) => {
@@ -9160,7 +9239,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           this.player.seek(this.player.time);
         },
         playing: (key, on) => {
-          this.player[key === "stills" ? "stills" : "halting"] = on;
+          if (key === "sound") this.sound.set(on);
+          else this.player[key === "stills" ? "stills" : "halting"] = on;
         }
       });
     }
@@ -9192,21 +9272,6 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       for (const graph2 of graphs) graph2.zoom(window, this.player.time);
     }
   };
-
-  // src/shared/tab.js
-  function recall(key) {
-    try {
-      return JSON.parse(sessionStorage.getItem(key) ?? "null");
-    } catch {
-      return null;
-    }
-  }
-  function retain(key, value) {
-    try {
-      sessionStorage.setItem(key, JSON.stringify(value));
-    } catch {
-    }
-  }
 
   // src/scene/watch.js
   var WATCHED = "carts-watched";
@@ -9251,12 +9316,12 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       return `${location.pathname}#${this.element.id}`;
     }
   };
-  var KEY = "carts-watched";
+  var KEY2 = "carts-watched";
   function remembered() {
-    return recall(KEY) ?? [];
+    return recall(KEY2) ?? [];
   }
   function remember(name2) {
-    retain(KEY, [.../* @__PURE__ */ new Set([...remembered(), name2])]);
+    retain(KEY2, [.../* @__PURE__ */ new Set([...remembered(), name2])]);
   }
 
   // src/scene/element.js

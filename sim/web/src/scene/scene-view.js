@@ -12,6 +12,7 @@ import { GraphView } from "./graphs/graph-view.js";
 import { Ghost } from "./how/ghost.js";
 import { Player } from "./player.js";
 import { slowParts } from "./slow.js";
+import { Sound } from "./sound.js";
 import { Transport } from "./transport.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
@@ -34,6 +35,7 @@ export class SceneView {
     };
     this.drawing = new Drawing(root, baked, this.seek);
     this.ghosts = this.drawing.stages.map((stage) => new Ghost(stage));
+    this.sound = new Sound();
     this.#offerChoices();
     this.transport = new Transport(root, this.player, baked.view.decimals);
     this.announcer = new Announcer(root);
@@ -117,7 +119,9 @@ export class SceneView {
     for (const ghost of this.ghosts) ghost.at(t);
     this.transport.show();
     this.described.at(this.run, t, this.player.playing);
-    if (forward && t !== before) this.announcer.tell(this.drawing.story.between(before, t));
+    if (!forward || t === before) return;
+    this.announcer.tell(this.drawing.story.between(before, t));
+    this.sound.between(this.run.header.events, before, t);
   }
 
   /** Says what a step led to. @param {number} before in s */
@@ -129,7 +133,8 @@ export class SceneView {
 
   #offerChoices() {
     const { views } = this.drawing;
-    new Choose(this.root, this.baked, views.choices, this.player.stills, {
+    const now = { stills: this.player.stills, sound: this.sound.on };
+    new Choose(this.root, this.baked, views.choices, now, {
       graph: (quantity, seen) => this.#chooseGraph(quantity, seen),
       view: (key, seen) => views.choose(key, seen),
       areas: (on) => {
@@ -138,7 +143,8 @@ export class SceneView {
         this.player.seek(this.player.time);
       },
       playing: (key, on) => {
-        this.player[key === "stills" ? "stills" : "halting"] = on;
+        if (key === "sound") this.sound.set(on);
+        else this.player[key === "stills" ? "stills" : "halting"] = on;
       },
     });
   }

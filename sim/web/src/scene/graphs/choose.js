@@ -10,16 +10,17 @@ import { html, need, parsed } from "../../shared/dom.js";
 const AREAS = tr("boxes as large as the masses");
 const STILLS = tr("in stills, without motion");
 const STOPS = tr("stops at touch, greatest force and parting");
+const SOUND = tr("a click at each contact, as loud as its force");
 const FORCES = ["F", "R", "a"]; // not offered where the forces are hidden
 
 export class Choose {
   /**
    * @param {HTMLElement} root @param {import("../../../../view/types.js").Baked} baked
    * @param {Choice[]} views
-   * @param {boolean} stills whether playing shows stills in place of motion
+   * @param {{stills: boolean, sound: boolean}} now whether playing shows stills in place of motion, and is heard
    * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
    */
-  constructor(root, baked, views, stills, acts) {
+  constructor(root, baked, views, now, acts) {
     const place = need(root, ".carts-choices");
     const { show, forces, slow } = baked.fence;
     const graphs = Object.keys(QUANTITIES)
@@ -31,13 +32,22 @@ export class Choose {
       }));
     const lasting = baked.run.header.contacts.some(({ stiffness }) => stiffness);
     const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
-    const still = { key: "stills", label: STILLS, seen: stills };
+    const still = { key: "stills", label: STILLS, seen: now.stills };
+    const sound = { key: "sound", label: SOUND, seen: now.sound };
     const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
     place.replaceChildren(
       group(tr("Graphs"), graphs, acts.graph),
       group(tr("Views"), views, acts.view),
       group(tr("Picture"), [areas], (_, on) => acts.areas(on)),
-      group(tr("Playing"), lasting && slow !== "never" ? [stops, still] : [still], acts.playing),
+      group(
+        tr("Playing"),
+        [
+          ...(lasting && slow !== "never" ? [stops] : []),
+          still,
+          ...(baked.run.header.contacts.length ? [sound] : []),
+        ],
+        acts.playing,
+      ),
     );
   }
 }
