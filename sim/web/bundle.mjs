@@ -14,6 +14,7 @@ const ENTRIES = {
   "dist/class.js": "src/class-main.js",
   "dist/teacher.js": "src/teacher-main.js",
   "dist/measured.js": "src/measured-main.js",
+  "dist/film.js": "src/film-main.js",
   "dist/draw.js": "src/draw-main.js",
 };
 

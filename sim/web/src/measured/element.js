@@ -2,6 +2,7 @@
 
 import { need } from "../shared/dom.js";
 import { wireButtons } from "./buttons.js";
+import { Films } from "./films.js";
 import { Hands } from "./hands.js";
 import { empty, keeper } from "./keep.js";
 import { Picture } from "./picture.js";
@@ -16,8 +17,8 @@ import { Source } from "./source.js";
 
 const PACKAGES = ["numpy", "scipy"]; // for the fit; reading and the model by hand do without
 
-/** The element class for a client. @param {import("../runtime/client.js").Client} client */
-export function measuredElement(client) {
+/** The element class for a client. @param {import("../runtime/client.js").Client} client @param {string} base address of this script */
+export function measuredElement(client, base) {
   return class CartsMeasured extends HTMLElement {
     /** @type {Facts | null} */
     #facts = null;
@@ -43,14 +44,22 @@ export function measuredElement(client) {
       this.picture = new Picture(this);
       this.hands = new Hands(this, () => this.#moved());
       this.settings = new Settings(this, (again) => this.#changed(again));
+      const tell = (/** @type {string} */ text) =>
+        this.#refuse(text ? [{ line: null, reason: text, hint: "" }] : []);
+      const films = new Films(this, base, (name, texts) => this.#take(name, texts), tell);
+      this.picture.watch = (time, places) => films.at(time, places);
       this.source = new Source(
         need(this, ".carts-measured-source"),
-        (name, texts) => this.#take(name, texts),
+        (name, texts) => {
+          films.end();
+          this.#take(name, texts);
+        },
         () => this.#keep(),
-        (text) => this.#refuse([{ line: null, reason: text, hint: "" }]),
+        tell,
+        (file) => void films.open(file),
       );
       wireButtons(this, {
-        own: () => this.#take("", []),
+        own: () => this.source?.take("", []),
         save: () => this.source?.save(this.#name, this.#texts),
         fit: () => void this.fit(),
         compare: () => void this.fit(true),

@@ -2,6 +2,7 @@
 
 import { need } from "../shared/dom.js";
 import { download } from "../shared/download.js";
+import { isFilm } from "./films.js";
 import { Grid } from "./grid.js";
 
 const MOST = 4_000_000; // bytes of one file; Python says so too
@@ -12,12 +13,13 @@ const TYPED = "typed readings";
 export class Source {
   /**
    * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-   * @param {(text: string) => void} tell
+   * @param {(text: string) => void} tell @param {(file: File) => void} film takes a film
    */
-  constructor(root, take, changed, tell) {
+  constructor(root, take, changed, tell, film) {
     this.root = root;
     this.take = take;
     this.tell = tell;
+    this.film = film;
     this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
     this.paste = /** @type {HTMLTextAreaElement} */ (need(root, ".carts-measured-paste textarea"));
     this.paste.addEventListener("input", changed);
@@ -50,6 +52,8 @@ export class Source {
   /** @param {File[]} files one with both carts, or one for each */
   async files(files) {
     if (!files.length) return;
+    const film = files.find(isFilm);
+    if (film) return this.film(film);
     if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
     if (files.some((file) => file.size > MOST)) {
       return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
