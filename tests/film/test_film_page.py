@@ -42,7 +42,7 @@ def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def film() -> Filmed:
-    return filmed(MADE, STAGE, 60, codec="libx264", kind="mp4", options=QUICK)
+    return filmed(MADE, STAGE, 60, codec="libx264", kind="mp4", options={**QUICK, "crf": "8"})
 
 
 @pytest.fixture(scope="module")

@@ -716,8 +716,8 @@
     #mending = null;
     /** @type {Repair | null} */
     #repair = null;
-    /** The model's carts, m, where it is laid over the film. @type {Record<string, number>} */
-    #model = {};
+    /** Where the model's carts are, m, and when, s of the readings. @type {{time: number, places: Record<string, number>}} */
+    #model = { time: 0, places: {} };
     /** @type {Along | null} */
     #along = null;
     /** @param {HTMLElement} root @param {File} file @param {(name: string, text: string) => void} take */
@@ -803,7 +803,9 @@
     #marks() {
       const rows = this.#mending?.rows ?? [];
       const row = this.#mending ? rows[this.#mending.at(this.frames.time)] ?? null : null;
-      return [...marked(this.setup.points, row), ...crosses(this.#model, this.#along, rows)];
+      const meant = this.#mending?.at(this.#filmed(this.#model.time));
+      const places = row && row === rows[meant ?? -1] ? this.#model.places : {};
+      return [...marked(this.setup.points, row), ...crosses(places, this.#along, rows)];
     }
     /** Says what is to be done next. */
     #changed() {
@@ -893,19 +895,23 @@
       const [ruler, rows] = [this.setup.ruler, this.#mending?.rows];
       if (!ruler || !rows) return;
       this.#along = new Along(rows, ruler);
-      this.#model = {};
+      this.#model = { time: 0, places: {} };
       const { slower } = this.setup;
       const name = this.file.name.replace(/\.\w+$/, "");
       const remarks = [`Newton's Carts, from the film ${this.file.name.replace(/\s+/g, " ")}`];
       this.take(`${name}.csv`, readings(rows, ruler, { names: NAMES, slower, remarks }));
     }
-    /** Shows the film where the model is. @param {number} time s, of the readings @param {Record<string, number>} places m */
+    /** The time of the film when the readings say this one. @param {number} time s */
+    #filmed(time) {
+      return (this.#mending?.rows[0]?.t ?? 0) + time * this.setup.slower;
+    }
+    /** Shows the film where the model is; one that stands still leaves the film alone. @param {number} time s, of the readings @param {Record<string, number>} places m */
     at(time, places) {
-      const start = this.#mending?.rows[0]?.t;
-      if (this.phase !== "followed" || start === void 0) return;
-      this.#model = places;
+      if (this.phase !== "followed") return;
+      const moved = time !== this.#model.time;
+      this.#model = { time, places };
       need(this.root, ".carts-film-key").hidden = false;
-      void this.frames.want(start + time * this.setup.slower);
+      if (moved) void this.frames.want(this.#filmed(time));
       this.view.mark(this.#marks());
     }
     end() {
