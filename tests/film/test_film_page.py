@@ -247,6 +247,9 @@ def test_on_a_hosted_page_the_camera_films_and_following_can_be_cancelled(
     choose(page, "our carts.mp4", film.content)
     expect(page.locator(".carts-film")).to_have_count(1)
     expect(said).to_have_text("Click on the mark of cart A.", timeout=STARTS)
+    for key, time in (("End", film.times[-1]), ("Home", 0.0)):
+        page.locator(".carts-film-time").press(key)
+        expect(page.locator(".carts-film-clock")).to_have_text(f"{time:.3f} s")
     set_up(page, film)
     # Pressed before the worker is half through.
     page.evaluate(

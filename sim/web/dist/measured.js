@@ -66,106 +66,6 @@
       model.addEventListener(kind, early, { once: true });
   }
 
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-
-  // src/measured/films.js
-  var NAMED = /\.(mp4|m4v|mov|qt|webm|mkv|avi|3gp)$/i;
-  var SCRIPT = "film.js";
-  var isFilm = ({ name, type }) => type.startsWith("video/") || NAMED.test(name);
-  var Films = class {
-    /** @type {Session | null} */
-    #session = null;
-    #filmed = () => {
-    };
-    // ends the camera
-    /**
-     * @param {HTMLElement} bench @param {string} base address of the page's script
-     * @param {(name: string, texts: string[]) => void} take @param {Tell} tell
-     */
-    constructor(bench, base, take, tell2) {
-      this.bench = bench;
-      this.base = base;
-      this.take = take;
-      this.tell = tell2;
-      const input = (
-        /** @type {HTMLInputElement} */
-        need(bench, ".carts-measured-film-file")
-      );
-      need(bench, ".carts-measured-film").addEventListener("click", () => input.click());
-      input.addEventListener("change", () => {
-        const [file] = input.files ?? [];
-        if (file) void this.open(file);
-        input.value = "";
-      });
-      const camera = need(bench, ".carts-measured-camera");
-      camera.hidden = !mayFilm();
-      camera.addEventListener("click", () => void this.camera());
-    }
-    /** @returns {Promise<Script | null>} after what was shown before is gone */
-    async #script() {
-      this.end();
-      const script2 = await loaded(this.base);
-      this.tell(script2 ? "" : tr("What reads films is missing: this page was not copied whole."));
-      return script2;
-    }
-    /** @param {File} file */
-    async open(file) {
-      const script2 = await this.#script();
-      const take = (name, text2) => this.take(name, [text2]);
-      this.#session = script2?.open(this.bench, file, take) ?? null;
-    }
-    /** Films with the camera of this computer. */
-    async camera() {
-      const script2 = await this.#script();
-      const end = await script2?.camera(this.bench, (file) => void this.open(file), this.tell);
-      this.#filmed = end ?? (() => {
-      });
-    }
-    /** Shows the film where the model is. @param {number} time s @param {Record<string, number>} places m, by cart */
-    at(time, places) {
-      this.#session?.at(time, places);
-    }
-    /** Other readings are shown now. */
-    end() {
-      this.#session?.end();
-      this.#session = null;
-      this.#filmed();
-      this.#filmed = () => {
-      };
-    }
-  };
-  function mayFilm() {
-    const hosted = location.protocol.startsWith("http") && isSecureContext;
-    return hosted && Boolean(navigator.mediaDevices) && typeof MediaRecorder === "function";
-  }
-  function loaded(base) {
-    const known = () => (
-      /** @type {any} */
-      globalThis.cartsFilm ?? null
-    );
-    if (known()) return Promise.resolve(known());
-    return new Promise((resolve) => {
-      const script2 = document.createElement("script");
-      script2.src = new URL(SCRIPT + new URL(base).search, base).href;
-      script2.onload = () => resolve(known());
-      script2.onerror = () => {
-        script2.remove();
-        resolve(null);
-      };
-      document.head.append(script2);
-    });
-  }
-
   // src/measured/hands.js
   var FASTER = 1.5;
   var RATIO = [0.1, 10];
@@ -962,6 +862,106 @@
     place2.closest("details")?.querySelector(".carts-measured-rest")?.remove();
   }
 
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // src/measured/films.js
+  var NAMED = /\.(mp4|m4v|mov|qt|webm|mkv|avi|3gp)$/i;
+  var SCRIPT = "film.js";
+  var isFilm = ({ name, type }) => type.startsWith("video/") || NAMED.test(name);
+  var Films = class {
+    /** @type {Session | null} */
+    #session = null;
+    #filmed = () => {
+    };
+    // ends the camera
+    /**
+     * @param {HTMLElement} bench @param {string} base address of the page's script
+     * @param {(name: string, texts: string[]) => void} take @param {Tell} tell
+     */
+    constructor(bench, base, take, tell2) {
+      this.bench = bench;
+      this.base = base;
+      this.take = take;
+      this.tell = tell2;
+      const input = (
+        /** @type {HTMLInputElement} */
+        need(bench, ".carts-measured-film-file")
+      );
+      need(bench, ".carts-measured-film").addEventListener("click", () => input.click());
+      input.addEventListener("change", () => {
+        const [file] = input.files ?? [];
+        if (file) void this.open(file);
+        input.value = "";
+      });
+      const camera = need(bench, ".carts-measured-camera");
+      camera.hidden = !mayFilm();
+      camera.addEventListener("click", () => void this.camera());
+    }
+    /** @returns {Promise<Script | null>} after what was shown before is gone */
+    async #script() {
+      this.end();
+      const script2 = await loaded(this.base);
+      this.tell(script2 ? "" : tr("What reads films is missing: this page was not copied whole."));
+      return script2;
+    }
+    /** @param {File} file */
+    async open(file) {
+      const script2 = await this.#script();
+      const take = (name, text2) => this.take(name, [text2]);
+      this.#session = script2?.open(this.bench, file, take) ?? null;
+    }
+    /** Films with the camera of this computer. */
+    async camera() {
+      const script2 = await this.#script();
+      const end = await script2?.camera(this.bench, (file) => void this.open(file), this.tell);
+      this.#filmed = end ?? (() => {
+      });
+    }
+    /** Shows the film where the model is. @param {number} time s @param {Record<string, number>} places m, by cart */
+    at(time, places) {
+      this.#session?.at(time, places);
+    }
+    /** Other readings are shown now. */
+    end() {
+      this.#session?.end();
+      this.#session = null;
+      this.#filmed();
+      this.#filmed = () => {
+      };
+    }
+  };
+  function mayFilm() {
+    const hosted = location.protocol.startsWith("http") && isSecureContext;
+    return hosted && Boolean(navigator.mediaDevices) && typeof MediaRecorder === "function";
+  }
+  function loaded(base) {
+    const known = () => (
+      /** @type {any} */
+      globalThis.cartsFilm ?? null
+    );
+    if (known()) return Promise.resolve(known());
+    return new Promise((resolve) => {
+      const script2 = document.createElement("script");
+      script2.src = new URL(SCRIPT + new URL(base).search, base).href;
+      script2.onload = () => resolve(known());
+      script2.onerror = () => {
+        script2.remove();
+        resolve(null);
+      };
+      document.head.append(script2);
+    });
+  }
+
   // src/measured/grid.js
   var ROWS = 10;
   var MOST = 500;
@@ -1048,13 +1048,20 @@
   var Source = class {
     /**
      * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-     * @param {(text: string) => void} tell @param {(file: File) => void} film takes a film
+     * @param {(text: string) => void} tell @param {string} base address of the page's script
      */
-    constructor(root, take, changed, tell2, film) {
+    constructor(root, take, changed, tell2, base) {
       this.root = root;
-      this.take = take;
+      const area = (
+        /** @type {HTMLElement} */
+        root.closest("carts-measured") ?? root
+      );
+      this.films = new Films(area, base, take, tell2);
+      this.take = (name, texts) => {
+        this.films.end();
+        take(name, texts);
+      };
       this.tell = tell2;
-      this.film = film;
       this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
       this.paste = /** @type {HTMLTextAreaElement} */
       need(root, ".carts-measured-paste textarea");
@@ -1074,7 +1081,6 @@
         void this.files([...file.files ?? []]);
         file.value = "";
       });
-      const area = root.closest("carts-measured") ?? root;
       area.addEventListener("dragover", (event) => event.preventDefault());
       area.addEventListener("drop", (event) => {
         event.preventDefault();
@@ -1093,7 +1099,7 @@
     async files(files) {
       if (!files.length) return;
       const film = files.find(isFilm);
-      if (film) return this.film(film);
+      if (film) return this.films.open(film);
       if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
       if (files.some((file) => file.size > MOST2)) {
         return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
@@ -1537,19 +1543,14 @@
         this.picture = new Picture(this);
         this.hands = new Hands(this, () => this.#moved());
         this.settings = new Settings(this, (again) => this.#changed(again));
-        const tell2 = (text2) => this.#refuse(text2 ? [{ line: null, reason: text2, hint: "" }] : []);
-        const films = new Films(this, base, (name, texts) => this.#take(name, texts), tell2);
-        this.picture.watch = (time, places) => films.at(time, places);
         this.source = new Source(
           need(this, ".carts-measured-source"),
-          (name, texts) => {
-            films.end();
-            this.#take(name, texts);
-          },
+          (name, texts) => this.#take(name, texts),
           () => this.#keep(),
-          tell2,
-          (file) => void films.open(file)
+          (text2) => this.#refuse(text2 ? [{ line: null, reason: text2, hint: "" }] : []),
+          base
         );
+        this.picture.watch = (time, places) => this.source?.films.at(time, places);
         wireButtons(this, {
           own: () => this.source?.take("", []),
           save: () => this.source?.save(this.#name, this.#texts),
@@ -1565,6 +1566,7 @@
       disconnectedCallback() {
         this.#leaving.abort();
         this.picture?.player.pause();
+        this.source?.films.end();
       }
       /** What was done here before, or the lesson's readings. */
       async #restore() {
@@ -1590,8 +1592,7 @@
         const live = () => {
           if (client.state === "ready") this.dataset.state = "live";
         };
-        const { signal } = this.#leaving;
-        client.addEventListener("state", live, { signal });
+        client.addEventListener("state", live, { signal: this.#leaving.signal });
         live();
       }
       get #texts() {
@@ -1637,8 +1638,7 @@
         this.dataset.state = "live";
         return header;
       }
-      /** Asks for something and shows it, if nothing newer was asked for meanwhile. */
-      /** @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
+      /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
       async #newest(what, more, show) {
         this.#generation += 1;
         const generation = this.#generation;
@@ -1742,8 +1742,7 @@
       /** @param {string} text */
       #note(text2) {
         const note = need(this, ".carts-note");
-        note.hidden = false;
-        note.textContent = `Python cannot do this here: ${text2}`;
+        Object.assign(note, { hidden: false, textContent: `Python cannot do this here: ${text2}` });
         if (client.state === "failed") this.dataset.state = "failed";
       }
     };

@@ -2,7 +2,6 @@
 
 import { need } from "../shared/dom.js";
 import { wireButtons } from "./buttons.js";
-import { Films } from "./films.js";
 import { Hands } from "./hands.js";
 import { empty, keeper } from "./keep.js";
 import { Picture } from "./picture.js";
@@ -44,20 +43,14 @@ export function measuredElement(client, base) {
       this.picture = new Picture(this);
       this.hands = new Hands(this, () => this.#moved());
       this.settings = new Settings(this, (again) => this.#changed(again));
-      const tell = (/** @type {string} */ text) =>
-        this.#refuse(text ? [{ line: null, reason: text, hint: "" }] : []);
-      const films = new Films(this, base, (name, texts) => this.#take(name, texts), tell);
-      this.picture.watch = (time, places) => films.at(time, places);
       this.source = new Source(
         need(this, ".carts-measured-source"),
-        (name, texts) => {
-          films.end();
-          this.#take(name, texts);
-        },
+        (name, texts) => this.#take(name, texts),
         () => this.#keep(),
-        tell,
-        (file) => void films.open(file),
+        (text) => this.#refuse(text ? [{ line: null, reason: text, hint: "" }] : []),
+        base,
       );
+      this.picture.watch = (time, places) => this.source?.films.at(time, places);
       wireButtons(this, {
         own: () => this.source?.take("", []),
         save: () => this.source?.save(this.#name, this.#texts),
@@ -73,6 +66,7 @@ export function measuredElement(client, base) {
     disconnectedCallback() {
       this.#leaving.abort();
       this.picture?.player.pause();
+      this.source?.films.end();
     }
 
     /** What was done here before, or the lesson's readings. */
@@ -97,8 +91,7 @@ export function measuredElement(client, base) {
       const live = () => {
         if (client.state === "ready") this.dataset.state = "live";
       };
-      const { signal } = this.#leaving;
-      client.addEventListener("state", live, { signal });
+      client.addEventListener("state", live, { signal: this.#leaving.signal });
       live();
     }
 
@@ -152,8 +145,7 @@ export function measuredElement(client, base) {
       return header;
     }
 
-    /** Asks for something and shows it, if nothing newer was asked for meanwhile. */
-    /** @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
+    /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
     async #newest(what, more, show) {
       this.#generation += 1;
       const generation = this.#generation;
@@ -251,8 +243,7 @@ export function measuredElement(client, base) {
     /** @param {string} text */
     #note(text) {
       const note = need(this, ".carts-note");
-      note.hidden = false;
-      note.textContent = `Python cannot do this here: ${text}`;
+      Object.assign(note, { hidden: false, textContent: `Python cannot do this here: ${text}` });
       if (client.state === "failed") this.dataset.state = "failed";
     }
   };
