@@ -520,8 +520,8 @@
 
   // src/film/view.js
   var STEP = 8;
-  var LENS = 0.3;
-  var ZOOM = 4;
+  var LENS = 0.36;
+  var ZOOM = 3;
   var COLOURS = { ring: "#ffe14d", cross: "#ff5cf4", end: "#5ce1ff" };
   var KEYS = (
     /** @type {Record<string, [number, number]>} */
@@ -673,7 +673,7 @@
     #lens({ x, y }, picture, fine) {
       const { width, height } = this.canvas;
       const side = LENS * height;
-      const seen = side / ZOOM / fine * Math.min(1, fine);
+      const seen = side / ZOOM;
       const left = x > width / 2 ? 0 : width - side;
       this.pen.imageSmoothingEnabled = false;
       this.pen.drawImage(

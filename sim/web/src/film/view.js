@@ -7,8 +7,8 @@
 /** @typedef {Point & {shape: "ring" | "cross" | "end", label: string, radius?: number}} Shown pixels of the frame */
 
 const STEP = 8; // pixels, with an arrow key
-const LENS = 0.3; // of the picture's height
-const ZOOM = 4; // of the lens
+const LENS = 0.36; // of the picture's height
+const ZOOM = 3; // of the lens
 const COLOURS = { ring: "#ffe14d", cross: "#ff5cf4", end: "#5ce1ff" };
 const KEYS = /** @type {Record<string, [number, number]>} */ ({
   ArrowLeft: [-1, 0],
@@ -167,7 +167,7 @@ export class View {
   #lens({ x, y }, picture, fine) {
     const { width, height } = this.canvas;
     const side = LENS * height;
-    const seen = (side / ZOOM / fine) * Math.min(1, fine); // so much of the frame
+    const seen = side / ZOOM; // so much of the frame
     const left = x > width / 2 ? 0 : width - side;
     this.pen.imageSmoothingEnabled = false;
     this.pen.drawImage(
