@@ -210,6 +210,8 @@ class SiteBuild:
             if any(needs.measured for needs in self.needs.values()):
                 script = site_files.measured_script()
                 (site / site_files.ASSETS / "measured.js").write_bytes(script)
+                script = site_files.film_script()
+                (site / site_files.ASSETS / site_files.FILM).write_bytes(script)
             if self.doors.made:
                 self.doors.write(site / site_files.ASSETS, *site_files.teacher_files())
                 packages.add(runtime.TEACHER)

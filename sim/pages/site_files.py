@@ -15,6 +15,8 @@ from pathlib import Path
 import sim
 
 ASSETS = "assets/carts/"
+FILM = "film.js"
+"""Loaded when a reader chooses a film; no page names it."""
 SEARCH_FROM_DISK = ASSETS + "iframe-worker.js"  # a name that keeps the theme from adding its own
 
 _WEB = Path(sim.__file__).parent / "web"
@@ -55,6 +57,11 @@ def measured_script() -> bytes:
 def worlds_script() -> bytes:
     """The committed bundle of pages whose scenes name worlds: assets/carts/worlds.js."""
     return _read(_WEB / "dist" / "worlds.js", "make bundle")
+
+
+def film_script() -> bytes:
+    """The committed bundle that follows marks in films: asked for by measured.js beside it."""
+    return _read(_WEB / "dist" / FILM, "make bundle")
 
 
 def challenge_script() -> bytes:

@@ -10,7 +10,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright.sync_api import expect
 
-from sim.pages.offline.stamps import stamp_pages
+from sim.pages.offline.stamps import stamp_of, stamp_pages
 from tests.web.conftest import OpenPage
 
 OURS = r'(?:src|href|data-lesson)="[^"]*?(assets/carts/[^"]*\.(?:js|css)[^"]*)"'
@@ -60,6 +60,18 @@ def test_an_address_changes_with_what_it_brings_and_with_nothing_else(
     after = published(tmp_path / "after", **change)
     assert all("?" in address for address in before)
     assert {urlsplit(a).path.removeprefix("assets/carts/") for a in after - before} == renewed
+
+
+def test_what_reads_films_is_asked_for_by_a_stamp_that_changes_with_it(tmp_path: Path) -> None:
+    ours = tmp_path / "assets" / "carts"
+    ours.mkdir(parents=True)
+    for name in ("measured.js", "carts.js", "film.js"):
+        (ours / name).write_text("a script", encoding="utf-8")
+    names = ("assets/carts/measured.js", "assets/carts/carts.js")
+    before = [stamp_of(tmp_path, name) for name in names]
+    (ours / "film.js").write_text("another", encoding="utf-8")
+    after = [stamp_of(tmp_path, name) for name in names]
+    assert [one == other for one, other in zip(before, after, strict=True)] == [False, True]
 
 
 def test_every_page_of_a_hosted_site_asks_for_our_files_by_their_stamp(hosted_site: Path) -> None:

@@ -19,6 +19,7 @@ MOST_HTML_PER_MAP = 40_000
 MOST_RUNTIME = 14_000_000  # bytes on disk, once per site, without packages
 MOST_CLASSROOM = 300_000
 MOST_MEASURED = 150_000
+MOST_FILM = 130_000  # bytes as gzip
 MOST_TEACHER = 1_450_000  # with YAML, Markdown and templates; loaded by teachers only
 # More: numpy because a page has a map, scipy because one has balls; and what those and teacher mode
 # need of the standard library.
@@ -199,6 +200,22 @@ def test_the_runtime_fits(site: Path) -> None:
     extra = sum(p.stat().st_size for p in packages)
     assert 0 < extra <= MOST_PACKAGES
     assert size - extra <= MOST_RUNTIME
+
+
+def test_no_page_loads_what_reads_films_before_a_reader_chooses_one(site: Path) -> None:
+    assets = site / "assets" / "carts"
+    script = assets / "film.js"
+    assert len(gzip.compress(script.read_bytes())) <= MOST_FILM
+    for page in pages(site):
+        assert not [address for address in links(page).loaded if script.name in address]
+    assert "carts-film" not in (assets / "carts.css").read_text(encoding="utf-8")
+    holding = [
+        path.name
+        for path in assets.glob("*.js")
+        if "mediabunny" in path.read_text(encoding="utf-8")
+    ]
+    assert holding == [script.name]
+    assert "mediabunny" in (site / "third-party-licenses.txt").read_text(encoding="utf-8")
 
 
 def test_only_pages_with_balls_load_scipy(site: Path) -> None:

@@ -45,6 +45,7 @@ def build_measured(site: Path) -> Path:
     sheets = [web / "css" / "carts.css", web / "css" / "measured.css"]
     (assets / "carts.css").write_bytes(b"\n".join(sheet.read_bytes() for sheet in sheets))
     bundle(web / "src" / "measured-main.js", assets / "measured.js")
+    bundle(web / "src" / "film-main.js", assets / "film.js")
     for name, body in BLOCKS.items():
         text = PAGE.format(csp=html.escape(STRICT), element=element(body), name=name)
         (site / f"{name}.html").write_text(text, encoding="utf-8")

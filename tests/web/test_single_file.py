@@ -8,6 +8,7 @@ import shutil
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 from playwright.sync_api import expect
@@ -15,6 +16,7 @@ from playwright.sync_api import expect
 from sim.cli import main
 from sim.cli.single import command
 from sim.pages.runtime import default_cache
+from tests.film.maker import Stage, encoded, frames
 from tests.web.boot_site import ROOT
 from tests.web.conftest import OpenPage
 from tests.web.widget_site import live, on_scene
@@ -88,6 +90,14 @@ def test_a_lesson_of_real_carts_alone_in_a_folder_reads_its_film(
     film = page.locator("carts-measured").first
     expect(film).to_have_attribute("data-state", "live", timeout=60_000)
     expect(film.locator(".carts-measured-figures path").first).to_be_attached()
+    # What reads films, elsewhere a script of its own, is in the file too.
+    stage, times = Stage(width=160, height=96, radius=5.0, scale=80.0), [0.0, 0.04, 0.08]
+    motion = [np.full(3, 0.4), np.full(3, 1.4)]
+    content = encoded(frames(stage, times, motion), times, stage)
+    chosen = {"name": "carts.webm", "mimeType": "video/webm", "buffer": content}
+    film.locator(".carts-measured-film-file").set_input_files([chosen])  # type: ignore[list-item]
+    said = film.locator(".carts-film-say")
+    expect(said).to_have_text("Click on the mark of cart A.", timeout=60_000)
 
 
 def test_a_lesson_with_mistakes_or_several_scenes_says_so(tmp_path: Path) -> None:

@@ -15,6 +15,9 @@ from pathlib import Path
 
 OURS = "assets/carts/"
 INDEX = OURS + "runtime/index.js"
+BESIDE = {OURS + "measured.js": OURS + "film.js"}
+"""What a script asks for by its own stamp when a reader wants it."""
+
 DIGITS = 10  # of a sha256 in hexadecimal
 
 # What leads to the folder is `../`; in 404.html, which is served anywhere, the path of the site.
@@ -38,8 +41,10 @@ def stamp_pages(site: Path) -> None:
 
 
 def stamp_of(site: Path, name: str) -> str:
-    """The stamp of the file `name`; a script's changes with the runtime that it loads, too."""
+    """The stamp of the file `name`; a script's changes with what it loads, too."""
     held = hashlib.sha256((site / name).read_bytes())
+    if (beside := BESIDE.get(name)) and (site / beside).is_file():
+        held.update((site / beside).read_bytes())
     if name.endswith(".js") and (site / INDEX).is_file():
         held.update((site / INDEX).read_bytes())
     return held.hexdigest()[:DIGITS]

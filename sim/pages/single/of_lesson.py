@@ -15,7 +15,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from sim.pages.single.all_inside import INSIDE, policy
-from sim.pages.site_files import ASSETS
+from sim.pages.site_files import ASSETS, FILM
 
 _LOOK = """\
 html { font-size: 125%; } body { margin: 0; }
@@ -63,7 +63,10 @@ def single_lesson(page: Path, site: Path, runtime: Iterable[str]) -> str:
     ]
     live = any(src.endswith(_WITH_PYTHON) for src in sources)
     scripts = [_DARK, INSIDE, *(runtime if live else ())]
-    scripts += [_beside(page, src).read_text(encoding="utf-8") for src in sources]
+    for src in sources:
+        if src.endswith("/measured.js"):  # in one file nothing can be asked for later
+            scripts.append(_beside(page, src).with_name(FILM).read_text(encoding="utf-8"))
+        scripts.append(_beside(page, src).read_text(encoding="utf-8"))
     data = re.findall(r'<script type="application/json" id="carts-lesson">.*?</script>', text, re.S)
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
     return _PAGE.format(

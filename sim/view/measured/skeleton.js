@@ -3,6 +3,7 @@
  * is; what the script fills in has its place already, so that nothing jumps.
  */
 
+import { tr } from "../language.js";
 import { html } from "../markup.js";
 import { tableOf } from "./table.js";
 
@@ -27,7 +28,7 @@ const HANDS = [
 /** @param {Facts} facts @returns {Markup} the inside of `<carts-measured>`; its figure is still empty */
 export function inside(facts) {
   const { id, title } = facts;
-  const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file, drop it here, or type readings.</text>`;
+  const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file or a film, drop it here, or type readings.</text>`;
   return html`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
 <div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
 <div class="carts-note" role="status" hidden></div>
@@ -62,7 +63,7 @@ function source({ name, units, offered, read }) {
   });
   const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
   return html`<div class="carts-measured-source">
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${film()}${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
 <details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
@@ -70,6 +71,11 @@ function source({ name, units, offered, read }) {
 <p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults"></ul></div>
 </div>`;
+}
+
+/** Films are opened by a script of their own; a phone offers its camera here. */
+function film() {
+  return html`<button type="button" class="carts-button carts-measured-film" disabled>${tr("Choose a film")}</button><input type="file" class="carts-measured-film-file" accept="video/*,.mp4,.m4v,.mov,.webm" hidden tabindex="-1" aria-label=${tr("film of the carts")}> <button type="button" class="carts-button carts-measured-camera" hidden disabled>${tr("Film with the camera")}</button> `;
 }
 
 /** The model by hand, and what a fit may ask for. @param {Facts} facts */

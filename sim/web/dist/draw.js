@@ -11001,6 +11001,23 @@ ${second && across3}
 <tbody>${rows}</tbody></table></div></details>`;
   }
 
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence2, values = {}) {
+    return filled(catalogue[sentence2] ?? sentence2, values);
+  }
+  function told2(sentence2) {
+    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
+    const values = Object.entries(sentence2.values).map(([name, value]) => [name, told2(value)]);
+    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
   // ../view/measured/table.js
   var PLACES = 4;
   function tableOf2({ kind, names, tracks }, residuals) {
@@ -11040,7 +11057,7 @@ ${second && across3}
   ];
   function inside4(facts) {
     const { id, title } = facts;
-    const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file, drop it here, or type readings.</text>`;
+    const hint = html`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file or a film, drop it here, or type readings.</text>`;
     return html`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
 <div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
 <div class="carts-note" role="status" hidden></div>
@@ -11072,7 +11089,7 @@ ${table3(facts)}
     });
     const own = html`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
     return html`<div class="carts-measured-source">
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${film()}${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
 <details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
@@ -11080,6 +11097,9 @@ ${table3(facts)}
 <p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults"></ul></div>
 </div>`;
+  }
+  function film() {
+    return html`<button type="button" class="carts-button carts-measured-film" disabled>${tr("Choose a film")}</button><input type="file" class="carts-measured-film-file" accept="video/*,.mp4,.m4v,.mov,.webm" hidden tabindex="-1" aria-label=${tr("film of the carts")}> <button type="button" class="carts-button carts-measured-camera" hidden disabled>${tr("Film with the camera")}</button> `;
   }
   function model({ id, law }) {
     const hands = HANDS.map(
@@ -11103,23 +11123,6 @@ ${table3(facts)}
     const lines3 = rows.slice(0, MOST_ROWS).map((row2) => html`<tr>${row2.map((cell) => html`<td>${cell}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
     return html`<details class="carts-more carts-measured-table"><summary>Table of the readings</summary><div class="carts-scroll" role="group" tabindex="0" aria-label="readings"><table class="carts-table"><thead><tr>${heads}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html`<p class="carts-measured-rest">and ${more} more rows</p>`}</details>`;
-  }
-
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence2, values = {}) {
-    return filled(catalogue[sentence2] ?? sentence2, values);
-  }
-  function told2(sentence2) {
-    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
-    const values = Object.entries(sentence2.values).map(([name, value]) => [name, told2(value)]);
-    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
   }
 
   // ../view/bodies.js

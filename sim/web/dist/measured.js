@@ -862,6 +862,106 @@
     place2.closest("details")?.querySelector(".carts-measured-rest")?.remove();
   }
 
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // src/measured/films.js
+  var NAMED = /\.(mp4|m4v|mov|qt|webm|mkv|avi|3gp)$/i;
+  var SCRIPT = "film.js";
+  var isFilm = ({ name, type }) => type.startsWith("video/") || NAMED.test(name);
+  var Films = class {
+    /** @type {Session | null} */
+    #session = null;
+    #filmed = () => {
+    };
+    // ends the camera
+    /**
+     * @param {HTMLElement} bench @param {string} base address of the page's script
+     * @param {(name: string, texts: string[]) => void} take @param {Tell} tell
+     */
+    constructor(bench, base, take, tell2) {
+      this.bench = bench;
+      this.base = base;
+      this.take = take;
+      this.tell = tell2;
+      const input = (
+        /** @type {HTMLInputElement} */
+        need(bench, ".carts-measured-film-file")
+      );
+      need(bench, ".carts-measured-film").addEventListener("click", () => input.click());
+      input.addEventListener("change", () => {
+        const [file] = input.files ?? [];
+        if (file) void this.open(file);
+        input.value = "";
+      });
+      const camera = need(bench, ".carts-measured-camera");
+      camera.hidden = !mayFilm();
+      camera.addEventListener("click", () => void this.camera());
+    }
+    /** @returns {Promise<Script | null>} after what was shown before is gone */
+    async #script() {
+      this.end();
+      const script2 = await loaded(this.base);
+      this.tell(script2 ? "" : tr("What reads films is missing: this page was not copied whole."));
+      return script2;
+    }
+    /** @param {File} file */
+    async open(file) {
+      const script2 = await this.#script();
+      const take = (name, text2) => this.take(name, [text2]);
+      this.#session = script2?.open(this.bench, file, take) ?? null;
+    }
+    /** Films with the camera of this computer. */
+    async camera() {
+      const script2 = await this.#script();
+      const end = await script2?.camera(this.bench, (file) => void this.open(file), this.tell);
+      this.#filmed = end ?? (() => {
+      });
+    }
+    /** Shows the film where the model is. @param {number} time s @param {Record<string, number>} places m, by cart */
+    at(time, places) {
+      this.#session?.at(time, places);
+    }
+    /** Other readings are shown now. */
+    end() {
+      this.#session?.end();
+      this.#session = null;
+      this.#filmed();
+      this.#filmed = () => {
+      };
+    }
+  };
+  function mayFilm() {
+    const hosted = location.protocol.startsWith("http") && isSecureContext;
+    return hosted && Boolean(navigator.mediaDevices) && typeof MediaRecorder === "function";
+  }
+  function loaded(base) {
+    const known = () => (
+      /** @type {any} */
+      globalThis.cartsFilm ?? null
+    );
+    if (known()) return Promise.resolve(known());
+    return new Promise((resolve) => {
+      const script2 = document.createElement("script");
+      script2.src = new URL(SCRIPT + new URL(base).search, base).href;
+      script2.onload = () => resolve(known());
+      script2.onerror = () => {
+        script2.remove();
+        resolve(null);
+      };
+      document.head.append(script2);
+    });
+  }
+
   // src/measured/grid.js
   var ROWS = 10;
   var MOST = 500;
@@ -948,11 +1048,19 @@
   var Source = class {
     /**
      * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-     * @param {(text: string) => void} tell
+     * @param {(text: string) => void} tell @param {string} base address of the page's script
      */
-    constructor(root, take, changed, tell2) {
+    constructor(root, take, changed, tell2, base) {
       this.root = root;
-      this.take = take;
+      const area = (
+        /** @type {HTMLElement} */
+        root.closest("carts-measured") ?? root
+      );
+      this.films = new Films(area, base, take, tell2);
+      this.take = (name, texts) => {
+        this.films.end();
+        take(name, texts);
+      };
       this.tell = tell2;
       this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
       this.paste = /** @type {HTMLTextAreaElement} */
@@ -973,7 +1081,6 @@
         void this.files([...file.files ?? []]);
         file.value = "";
       });
-      const area = root.closest("carts-measured") ?? root;
       area.addEventListener("dragover", (event) => event.preventDefault());
       area.addEventListener("drop", (event) => {
         event.preventDefault();
@@ -991,6 +1098,8 @@
     /** @param {File[]} files one with both carts, or one for each */
     async files(files) {
       if (!files.length) return;
+      const film = files.find(isFilm);
+      if (film) return this.films.open(film);
       if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
       if (files.some((file) => file.size > MOST2)) {
         return this.tell("This file is too large to be readings of two carts: at most 4 MB.");
@@ -1021,7 +1130,7 @@
   var USUAL = 0.2;
   var NEAR = 1.5;
   var Stage = class {
-    /** @type {{tracks: Track[], curve: Curve, length: number} | null} */
+    /** @type {{tracks: Track[], curve: Curve, length: number, names: string[]} | null} */
     #shown = null;
     /** @type {SVGElement[]} */
     #carts = [];
@@ -1036,7 +1145,7 @@
     /** @param {Track[]} tracks @param {Curve} curve @param {number} distance at the touch, m @param {string[]} names */
     show(tracks, curve, distance, names) {
       const length = distance > 0.1 && distance < 1 ? distance : USUAL;
-      this.#shown = { tracks, curve, length };
+      this.#shown = { tracks, curve, length, names };
       const all = [...tracks.flatMap((track) => track.value), ...curve.x.flat()];
       const low = all.reduce((a, b) => Math.min(a, b)) - length / 2;
       const high = all.reduce((a, b) => Math.max(a, b)) + length / 2;
@@ -1094,6 +1203,13 @@
     #at(x) {
       return SIDE + (x - this.#left) * this.#scale;
     }
+    /** Where the model's carts are, in m. @param {number} time s @returns {Record<string, number>} by name */
+    places(time) {
+      const { names, curve } = this.#shown ?? { names: [], curve: { t: [], x: [] } };
+      return Object.fromEntries(
+        names.map((name, k) => [name, between(curve.t, curve.x[k] ?? [], time)])
+      );
+    }
     /** @param {number} time s */
     at(time) {
       if (!this.#shown) return;
@@ -1131,6 +1247,9 @@
   var FINE = 0.01;
   var Picture = class {
     #begin = 0;
+    /** Called with the time in s and where the model's carts are then, in m. @type {(time: number, places: Record<string, number>) => void} */
+    watch = () => {
+    };
     /** @param {HTMLElement} root */
     constructor(root) {
       this.root = root;
@@ -1205,6 +1324,7 @@
     #frame() {
       const t = this.#begin + this.player.time;
       this.stage.at(t);
+      this.watch(t, this.stage.places(t));
       this.figure.at(t);
       this.scrub.value = String(this.player.time);
       this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);
@@ -1395,7 +1515,7 @@
 
   // src/measured/element.js
   var PACKAGES = ["numpy", "scipy"];
-  function measuredElement(client) {
+  function measuredElement(client, base) {
     return class CartsMeasured extends HTMLElement {
       /** @type {Facts | null} */
       #facts = null;
@@ -1427,10 +1547,12 @@
           need(this, ".carts-measured-source"),
           (name, texts) => this.#take(name, texts),
           () => this.#keep(),
-          (text2) => this.#refuse([{ line: null, reason: text2, hint: "" }])
+          (text2) => this.#refuse(text2 ? [{ line: null, reason: text2, hint: "" }] : []),
+          base
         );
+        this.picture.watch = (time, places) => this.source?.films.at(time, places);
         wireButtons(this, {
-          own: () => this.#take("", []),
+          own: () => this.source?.take("", []),
           save: () => this.source?.save(this.#name, this.#texts),
           fit: () => void this.fit(),
           compare: () => void this.fit(true),
@@ -1444,6 +1566,7 @@
       disconnectedCallback() {
         this.#leaving.abort();
         this.picture?.player.pause();
+        this.source?.films.end();
       }
       /** What was done here before, or the lesson's readings. */
       async #restore() {
@@ -1469,8 +1592,7 @@
         const live = () => {
           if (client.state === "ready") this.dataset.state = "live";
         };
-        const { signal } = this.#leaving;
-        client.addEventListener("state", live, { signal });
+        client.addEventListener("state", live, { signal: this.#leaving.signal });
         live();
       }
       get #texts() {
@@ -1516,8 +1638,7 @@
         this.dataset.state = "live";
         return header;
       }
-      /** Asks for something and shows it, if nothing newer was asked for meanwhile. */
-      /** @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
+      /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
       async #newest(what, more, show) {
         this.#generation += 1;
         const generation = this.#generation;
@@ -1621,8 +1742,7 @@
       /** @param {string} text */
       #note(text2) {
         const note = need(this, ".carts-note");
-        note.hidden = false;
-        note.textContent = `Python cannot do this here: ${text2}`;
+        Object.assign(note, { hidden: false, textContent: `Python cannot do this here: ${text2}` });
         if (client.state === "failed") this.dataset.state = "failed";
       }
     };
@@ -1790,18 +1910,6 @@
     }
   };
 
-  // ../view/language.js
-  var catalogue = (
-    /** @type {any} */
-    globalThis.cartsWords ?? {}
-  );
-  function tr(sentence, values = {}) {
-    return filled(catalogue[sentence] ?? sentence, values);
-  }
-  function filled(template, values) {
-    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
-  }
-
   // src/runtime/failure.js
   var MESSAGES = {
     "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
@@ -1898,19 +2006,19 @@
   var indexes = /* @__PURE__ */ new Map();
   function runScript(src, name) {
     return new Promise((resolve, reject) => {
-      const script = document.createElement("script");
-      script.src = src;
-      script.async = true;
+      const script2 = document.createElement("script");
+      script2.src = src;
+      script2.async = true;
       const settle = (then) => () => {
-        script.remove();
+        script2.remove();
         then();
       };
-      script.onload = settle(resolve);
-      script.onerror = settle(() => {
+      script2.onload = settle(resolve);
+      script2.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
         else reject(new RuntimeFailure("payload-missing", src, name));
       });
-      document.head.append(script);
+      document.head.append(script2);
     });
   }
   function indexOf(base) {
@@ -2264,11 +2372,11 @@
 
   // src/runtime/page-python.js
   function pagePython(packages) {
-    const script = (
+    const script2 = (
       /** @type {HTMLScriptElement | null} */
       document.currentScript
     );
-    const own = new URL(script?.src || document.baseURI);
+    const own = new URL(script2?.src || document.baseURI);
     const base = new URL(`runtime/${own.search}`, own).href;
     const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
     client.addEventListener("state", () => tell(client.state));
@@ -2296,6 +2404,10 @@
 
   // src/measured-main.js
   var MEASURED = "newtons-carts-measured";
+  var script = (
+    /** @type {HTMLScriptElement | null} */
+    document.currentScript
+  );
   var missing = missingFeatures();
   if (missing.length) {
     for (const note of document.querySelectorAll("carts-measured .carts-note")) {
@@ -2304,7 +2416,8 @@
     }
   } else {
     const client = pagePython(() => [MEASURED]);
-    customElements.define("carts-measured", measuredElement(client));
+    const base = script?.src || document.baseURI;
+    customElements.define("carts-measured", measuredElement(client, base));
     startWhenIdle(client);
   }
 })();

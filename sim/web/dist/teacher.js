@@ -1429,7 +1429,7 @@ ${second && across2}
   ];
   function inside2(facts) {
     const { id, title } = facts;
-    const hint = html2`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file, drop it here, or type readings.</text>`;
+    const hint = html2`<text class="carts-measured-hint" x="320" y="130" text-anchor="middle">Open a file or a film, drop it here, or type readings.</text>`;
     return html2`<div class="carts-measured-frame" role="group" aria-labelledby="${id}-title">
 <div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
 <div class="carts-note" role="status" hidden></div>
@@ -1461,7 +1461,7 @@ ${table2(facts)}
     });
     const own = html2`<button type="button" class="carts-button carts-measured-own" disabled>The lesson’s readings</button> `;
     return html2`<div class="carts-measured-source">
-<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
+<p class="carts-measured-row"><button type="button" class="carts-button carts-measured-open" disabled>Open a file</button><input type="file" class="carts-measured-file" accept=".txt,.csv,.tsv,text/plain,text/csv" multiple hidden tabindex="-1" aria-label="files with readings"> ${film()}${name && own}<button type="button" class="carts-button carts-measured-save" disabled>Save these readings</button></p>
 <details class="carts-more carts-measured-paste"><summary>Paste readings</summary><label>Text from Tracker, a spreadsheet or a sensor <textarea rows="6" spellcheck="false" autocomplete="off" disabled></textarea></label><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-take" disabled>Read this text</button></p></details>
 <details class="carts-more carts-measured-type"><summary>Type readings</summary><div class="carts-scroll" role="group" aria-label="table to type readings into"><table class="carts-table carts-measured-grid"><thead><tr><th scope="col">t</th><th scope="col">x of A</th><th scope="col">x of B</th></tr></thead><tbody></tbody></table></div><p class="carts-measured-row"><button type="button" class="carts-button carts-measured-more" disabled>More rows</button> <button type="button" class="carts-button carts-measured-typed-take" disabled>Read this table</button></p></details>
 <p class="carts-measured-row">${choices}</p>
@@ -1469,6 +1469,9 @@ ${table2(facts)}
 <p class="carts-measured-said" role="status">${name && `${name}: ${read?.read.join("; ") ?? ""}`}</p>
 <div role="alert"><ul class="carts-measured-faults"></ul></div>
 </div>`;
+  }
+  function film() {
+    return html2`<button type="button" class="carts-button carts-measured-film" disabled>${tr("Choose a film")}</button><input type="file" class="carts-measured-film-file" accept="video/*,.mp4,.m4v,.mov,.webm" hidden tabindex="-1" aria-label=${tr("film of the carts")}> <button type="button" class="carts-button carts-measured-camera" hidden disabled>${tr("Film with the camera")}</button> `;
   }
   function model({ id, law }) {
     const hands = HANDS.map(

@@ -6,6 +6,7 @@ import { missingFeatures } from "./shared/features.js";
 
 const MEASURED = "newtons-carts-measured";
 
+const script = /** @type {HTMLScriptElement | null} */ (document.currentScript);
 const missing = missingFeatures();
 if (missing.length) {
   for (const note of document.querySelectorAll("carts-measured .carts-note")) {
@@ -14,6 +15,7 @@ if (missing.length) {
   }
 } else {
   const client = pagePython(() => [MEASURED]);
-  customElements.define("carts-measured", measuredElement(client));
+  const base = script?.src || document.baseURI;
+  customElements.define("carts-measured", measuredElement(client, base));
   startWhenIdle(client);
 }

@@ -16,8 +16,8 @@ import { Source } from "./source.js";
 
 const PACKAGES = ["numpy", "scipy"]; // for the fit; reading and the model by hand do without
 
-/** The element class for a client. @param {import("../runtime/client.js").Client} client */
-export function measuredElement(client) {
+/** The element class for a client. @param {import("../runtime/client.js").Client} client @param {string} base address of this script */
+export function measuredElement(client, base) {
   return class CartsMeasured extends HTMLElement {
     /** @type {Facts | null} */
     #facts = null;
@@ -47,10 +47,12 @@ export function measuredElement(client) {
         need(this, ".carts-measured-source"),
         (name, texts) => this.#take(name, texts),
         () => this.#keep(),
-        (text) => this.#refuse([{ line: null, reason: text, hint: "" }]),
+        (text) => this.#refuse(text ? [{ line: null, reason: text, hint: "" }] : []),
+        base,
       );
+      this.picture.watch = (time, places) => this.source?.films.at(time, places);
       wireButtons(this, {
-        own: () => this.#take("", []),
+        own: () => this.source?.take("", []),
         save: () => this.source?.save(this.#name, this.#texts),
         fit: () => void this.fit(),
         compare: () => void this.fit(true),
@@ -64,6 +66,7 @@ export function measuredElement(client) {
     disconnectedCallback() {
       this.#leaving.abort();
       this.picture?.player.pause();
+      this.source?.films.end();
     }
 
     /** What was done here before, or the lesson's readings. */
@@ -88,8 +91,7 @@ export function measuredElement(client) {
       const live = () => {
         if (client.state === "ready") this.dataset.state = "live";
       };
-      const { signal } = this.#leaving;
-      client.addEventListener("state", live, { signal });
+      client.addEventListener("state", live, { signal: this.#leaving.signal });
       live();
     }
 
@@ -143,8 +145,7 @@ export function measuredElement(client) {
       return header;
     }
 
-    /** Asks for something and shows it, if nothing newer was asked for meanwhile. */
-    /** @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
+    /** Asks for something and shows it, if nothing newer was asked for meanwhile. @param {string} what @param {Record<string, unknown>} more @param {(found: any) => void} show @returns {Promise<boolean>} whether it was shown */
     async #newest(what, more, show) {
       this.#generation += 1;
       const generation = this.#generation;
@@ -242,8 +243,7 @@ export function measuredElement(client) {
     /** @param {string} text */
     #note(text) {
       const note = need(this, ".carts-note");
-      note.hidden = false;
-      note.textContent = `Python cannot do this here: ${text}`;
+      Object.assign(note, { hidden: false, textContent: `Python cannot do this here: ${text}` });
       if (client.state === "failed") this.dataset.state = "failed";
     }
   };

@@ -16,6 +16,8 @@ const FINE = 0.01; // m; smaller residuals are told with two decimals of a milli
 
 export class Picture {
   #begin = 0;
+  /** Called with the time in s and where the model's carts are then, in m. @type {(time: number, places: Record<string, number>) => void} */
+  watch = () => {};
 
   /** @param {HTMLElement} root */
   constructor(root) {
@@ -97,6 +99,7 @@ export class Picture {
   #frame() {
     const t = this.#begin + this.player.time;
     this.stage.at(t);
+    this.watch(t, this.stage.places(t));
     this.figure.at(t);
     this.scrub.value = String(this.player.time);
     this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);

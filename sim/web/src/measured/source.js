@@ -2,6 +2,7 @@
 
 import { need } from "../shared/dom.js";
 import { download } from "../shared/download.js";
+import { Films, isFilm } from "./films.js";
 import { Grid } from "./grid.js";
 
 const MOST = 4_000_000; // bytes of one file; Python says so too
@@ -12,11 +13,17 @@ const TYPED = "typed readings";
 export class Source {
   /**
    * @param {HTMLElement} root @param {Take} take @param {() => void} changed something was typed
-   * @param {(text: string) => void} tell
+   * @param {(text: string) => void} tell @param {string} base address of the page's script
    */
-  constructor(root, take, changed, tell) {
+  constructor(root, take, changed, tell, base) {
     this.root = root;
-    this.take = take;
+    const area = /** @type {HTMLElement} */ (root.closest("carts-measured") ?? root);
+    this.films = new Films(area, base, take, tell);
+    /** Other readings than those of a film. @type {Take} */
+    this.take = (name, texts) => {
+      this.films.end();
+      take(name, texts);
+    };
     this.tell = tell;
     this.grid = new Grid(need(root, ".carts-measured-grid tbody"), changed);
     this.paste = /** @type {HTMLTextAreaElement} */ (need(root, ".carts-measured-paste textarea"));
@@ -33,7 +40,7 @@ export class Source {
       void this.files([...(file.files ?? [])]);
       file.value = "";
     });
-    const area = root.closest("carts-measured") ?? root; // a file may be dropped anywhere on it
+    // A file may be dropped anywhere on it.
     area.addEventListener("dragover", (event) => event.preventDefault());
     area.addEventListener("drop", (event) => {
       event.preventDefault();
@@ -50,6 +57,8 @@ export class Source {
   /** @param {File[]} files one with both carts, or one for each */
   async files(files) {
     if (!files.length) return;
+    const film = files.find(isFilm);
+    if (film) return this.films.open(film);
     if (files.length > 2) return this.tell("Choose one file with both carts, or one for each.");
     if (files.some((file) => file.size > MOST)) {
       return this.tell("This file is too large to be readings of two carts: at most 4 MB.");

@@ -12,7 +12,7 @@ const USUAL = 0.2; // m, length of a cart whose marks are at unusual places
 const NEAR = 1.5; // frames; a ring is shown while the nearest frame is nearer
 
 export class Stage {
-  /** @type {{tracks: Track[], curve: Curve, length: number} | null} */
+  /** @type {{tracks: Track[], curve: Curve, length: number, names: string[]} | null} */
   #shown = null;
   /** @type {SVGElement[]} */
   #carts = [];
@@ -29,7 +29,7 @@ export class Stage {
   /** @param {Track[]} tracks @param {Curve} curve @param {number} distance at the touch, m @param {string[]} names */
   show(tracks, curve, distance, names) {
     const length = distance > 0.1 && distance < 1 ? distance : USUAL;
-    this.#shown = { tracks, curve, length };
+    this.#shown = { tracks, curve, length, names };
     const all = [...tracks.flatMap((track) => track.value), ...curve.x.flat()];
     const low = all.reduce((a, b) => Math.min(a, b)) - length / 2;
     const high = all.reduce((a, b) => Math.max(a, b)) + length / 2;
@@ -87,6 +87,14 @@ export class Stage {
   /** @param {number} x m */
   #at(x) {
     return SIDE + (x - this.#left) * this.#scale;
+  }
+
+  /** Where the model's carts are, in m. @param {number} time s @returns {Record<string, number>} by name */
+  places(time) {
+    const { names, curve } = this.#shown ?? { names: [], curve: { t: [], x: [] } };
+    return Object.fromEntries(
+      names.map((name, k) => [name, between(curve.t, curve.x[k] ?? [], time)]),
+    );
   }
 
   /** @param {number} time s */

@@ -1,0 +1,74 @@
+/** Sets lost places by hand, one click each: goes to the next, where it is expected, until none is left. */
+
+import { fixed } from "../../../view/numbers.js";
+import { NAMES } from "./over.js";
+import * as words from "./words.js";
+
+/** @typedef {import("./along.js").Point} Point */
+/** @typedef {import("./mending.js").Place} Place */
+/**
+ * @typedef {object} Film what it needs of the film in the page
+ * @property {import("./setup.js").Setup} setup
+ * @property {import("./view.js").View} view
+ * @property {import("./frames.js").Frames} frames
+ * @property {(text: string) => void} say
+ * @property {() => void} changed places are others now
+ * @property {() => void} read
+ */
+
+export class Repair {
+  /** @param {import("./mending.js").Mending} mending @param {Film} film */
+  constructor(mending, film) {
+    this.mending = mending;
+    this.film = film;
+  }
+
+  /** @returns {Place} that a click would set now */
+  get here() {
+    const mark = Math.max(0, NAMES.indexOf(this.film.setup.aim));
+    return { row: this.mending.at(this.film.frames.time), mark };
+  }
+
+  /** Goes to the next place that was lost. */
+  next() {
+    const found = this.mending.after(this.here);
+    if (found) this.#go(found);
+    else this.film.say(words.noneLost());
+  }
+
+  /** @param {Place} place */
+  #go(place) {
+    const t = this.mending.rows[place.row]?.t ?? 0;
+    const { setup, frames, view, say } = this.film;
+    setup.aim = /** @type {"A"} */ (NAMES[place.mark]);
+    setup.show(/** @type {("A" | "B")[]} */ (NAMES));
+    say(words.clickLost(setup.aim, fixed(t, 3)));
+    const expected = this.mending.expected(place);
+    void frames.want(t + 1e-6).then(() => expected && view.aim(expected));
+  }
+
+  /** @param {Point} point a click in the frame that is shown */
+  set(point) {
+    const here = this.here;
+    const lost = this.mending.lost.some(({ row, mark }) => row === here.row && mark === here.mark);
+    this.mending.set(here, point);
+    this.#done(here, lost);
+  }
+
+  /** There is no mark to be seen in this frame. */
+  leave() {
+    const here = this.here;
+    this.mending.leave(here);
+    this.#done(here, true);
+  }
+
+  /** @param {Place} here @param {boolean} on whether another lost place is looked for */
+  #done(here, on) {
+    this.film.changed();
+    const next = on ? this.mending.after(here) : null;
+    if (next) return this.#go(next);
+    if (!on) return;
+    this.film.say(words.noneLost());
+    this.film.read();
+  }
+}

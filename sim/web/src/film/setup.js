@@ -1,0 +1,92 @@
+/** What a film needs before it is followed: both marks, both ends of the ruler, its length, and how slow the film runs. */
+
+import { need } from "../shared/dom.js";
+
+/** @typedef {import("./along.js").Point} Point */
+/** @typedef {import("./words.js").Aim} Aim */
+/** @typedef {Point & {radius?: number}} Chosen */
+
+const AIMS = /** @type {Aim[]} */ (["A", "B", "one", "other"]);
+const METRES = /** @type {Record<string, number>} */ ({ m: 1, cm: 0.01 });
+
+export class Setup {
+  /** @type {Partial<Record<Aim, Chosen>>} */
+  points = {};
+  /** @type {Aim} */
+  aim = "A";
+
+  /** @param {HTMLElement} root @param {() => void} changed the aim or a number is another now */
+  constructor(root, changed) {
+    const find = (/** @type {string} */ name) =>
+      /** @type {HTMLInputElement} */ (need(root, `.carts-film-${name}`));
+    this.boxes = { length: find("length"), slower: find("slower") };
+    this.unit = /** @type {HTMLSelectElement} */ (need(root, ".carts-film-unit"));
+    /** @type {HTMLButtonElement[]} */
+    this.buttons = [...root.querySelectorAll("[data-aim]")].map(
+      (button) => /** @type {HTMLButtonElement} */ (button),
+    );
+    for (const button of this.buttons) {
+      button.addEventListener("click", () => {
+        this.aim = /** @type {Aim} */ (button.dataset.aim);
+        changed();
+      });
+    }
+    for (const input of [...Object.values(this.boxes), this.unit]) {
+      input.addEventListener("input", changed);
+    }
+  }
+
+  /** @param {Chosen} point for what is aimed at; the first that is still open is aimed at next */
+  set(point) {
+    this.points[this.aim] = point;
+    this.aim = AIMS.find((aim) => !this.points[aim]) ?? this.aim;
+  }
+
+  /** Marks hold for the frame in which they were clicked. */
+  forgetMarks() {
+    delete this.points.A;
+    delete this.points.B;
+    this.aim = "A";
+  }
+
+  /** @returns {boolean} whether every place is set */
+  get placed() {
+    return AIMS.every((aim) => this.points[aim]);
+  }
+
+  /** @returns {number} m; not a number where none is typed */
+  get length() {
+    return this.boxes.length.valueAsNumber * Number(METRES[this.unit.value]);
+  }
+
+  /** @returns {number} how many times slower than life the film runs */
+  get slower() {
+    const typed = this.boxes.slower.valueAsNumber;
+    return typed > 0 ? typed : 1;
+  }
+
+  /** @returns {import("./along.js").Ruler | null} null: not known yet */
+  get ruler() {
+    const { one, other } = this.points;
+    if (!one || !other || !(this.length > 0)) return null;
+    if (Math.hypot(one.x - other.x, one.y - other.y) < 1) return null;
+    return { ends: [one, other], length: this.length };
+  }
+
+  /** @returns {Chosen[]} */
+  get marks() {
+    const { A, B } = this.points;
+    return A && B ? [A, B] : [];
+  }
+
+  /** Shows what can be set now. @param {Aim[]} offered */
+  show(offered) {
+    for (const button of this.buttons) {
+      const aim = /** @type {Aim} */ (button.dataset.aim);
+      button.disabled = !offered.includes(aim);
+      button.setAttribute("aria-pressed", String(!button.disabled && aim === this.aim));
+      button.classList.toggle("carts-film-set", Boolean(this.points[aim]));
+    }
+    for (const input of [...Object.values(this.boxes), this.unit]) input.disabled = !offered.length;
+  }
+}

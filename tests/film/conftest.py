@@ -1,0 +1,19 @@
+"""Browsers, as the tests of the pages have them."""
+
+from tests.web.conftest import (
+    browser,
+    browser_name,
+    driver,
+    open_page,
+    pytest_collection_modifyitems,
+    site_server,
+)
+
+__all__ = [
+    "browser",
+    "browser_name",
+    "driver",
+    "open_page",
+    "pytest_collection_modifyitems",
+    "site_server",
+]

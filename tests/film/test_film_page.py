@@ -1,0 +1,261 @@
+"""From a film to a fit, in the page: from a folder on the disk, in both browsers."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sim.measured.tracks import read_measured
+from tests.film.collision import QUICK, Filmed, filmed
+from tests.film.maker import Stage, encoded, frames
+from tests.measured.makers import truth
+from tests.web.boot_site import ROOT
+from tests.web.conftest import OpenPage
+from tests.web.measured_site import build_measured
+from tests.web.pages_of import listen
+from tests.web.test_class_page import CATCH, LAST
+from tests.web.test_every_page import PALE, RUN_AXE
+
+pytestmark = pytest.mark.browser
+
+MADE = truth()
+STAGE = Stage(noise=3, tilt=0.02)
+STARTS = 60_000  # ms; Python with scipy on a loaded computer
+AIMS = ("A", "B", "one", "other")
+DROP = """([text, name]) => {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([bytes], name, { type: "video/mp4" }));
+  const event = new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true });
+  document.querySelector("carts-measured").dispatchEvent(event);
+}"""
+
+
+@pytest.fixture(scope="module")
+def benches(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return build_measured(tmp_path_factory.mktemp("films"))
+
+
+@pytest.fixture(scope="module")
+def film() -> Filmed:
+    return filmed(MADE, STAGE, 60, codec="libx264", kind="mp4", options={**QUICK, "crf": "8"})
+
+
+@pytest.fixture(scope="module")
+def broken_off() -> Filmed:
+    """A film in which cart A is not to be seen for three frames."""
+    stage = Stage()
+    made = filmed(MADE, stage, 30, codec="libvpx")
+    pictures = list(frames(stage, made.times, made.places))
+    for picture in pictures[8:11]:
+        picture[:, : stage.width // 2] = 128
+    return Filmed(encoded(iter(pictures), made.times, stage), made.times, made.places, stage)
+
+
+def choose(page: Page, name: str, content: bytes) -> None:
+    payload = {"name": name, "mimeType": "video/webm", "buffer": content}
+    page.locator(".carts-measured-film-file").set_input_files([payload])  # type: ignore[list-item]
+
+
+def click(page: Page, x: float, y: float) -> None:
+    """On the middle of a pixel of the frame."""
+    view = page.locator(".carts-film-view")
+    view.scroll_into_view_if_needed()
+    box = view.bounding_box()
+    assert box is not None
+    ratio = box["width"] / float(view.evaluate("canvas => canvas.width"))
+    page.mouse.click(box["x"] + (x + 0.5) * ratio, box["y"] + (y + 0.5) * ratio)
+
+
+def set_up(page: Page, film: Filmed) -> None:
+    """Marks, ruler and its length."""
+    for aim, place in zip(AIMS, film.clicks(), strict=True):
+        expect(page.locator(f"[data-aim={aim}]")).to_have_attribute("aria-pressed", "true")
+        click(page, *place)
+    expect(page.locator(".carts-film-say")).to_contain_text("Type how long the ruler is")
+    page.locator(".carts-film-unit").select_option("cm")
+    page.locator(".carts-film-length").fill("50")
+
+
+def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(
+    benches: Path, open_page: OpenPage, film: Filmed
+) -> None:
+    page = open_page(benches / "empty.html", viewport={"width": 1000, "height": 900})
+    heard = listen(page)
+    expect(page.locator("carts-measured[data-state=live]")).to_have_count(1, timeout=STARTS)
+    assert page.evaluate("typeof globalThis.cartsFilm") == "undefined"  # nothing of it before
+    expect(page.locator(".carts-measured-camera")).to_be_hidden()  # no page from a disk may film
+    page.evaluate(DROP, [b64encode(film.content).decode(), "our carts.mp4"])
+    said = page.locator(".carts-film-say")
+    expect(said).to_have_text("Click on the mark of cart A.", timeout=STARTS)
+    click(page, 10, 10)
+    expect(said).to_contain_text("Nothing stands out there")
+    set_up(page, film)
+    page.locator(".carts-film-follow").click()
+    count = len(film.times)
+    expect(said).to_have_text(f"Followed through {count} frames. Nothing was lost.", timeout=STARTS)
+    expect(page.locator(".carts-measured-said")).to_contain_text("our carts.csv", timeout=STARTS)
+    page.locator(".carts-measured-fit").click()
+    expect(page.locator(".carts-measured-known")).to_be_visible(timeout=2 * STARTS)
+    report = page.evaluate("document.querySelector('carts-measured').report")
+    assert report["outcome"] == "bounce"
+    (ratio,) = [one for one in report["known"] if one["key"] == "mass_ratio"]
+    assert ratio["low"] <= MADE.ratio <= ratio["high"]
+    # What is saved is what was read, at the times of the film itself.
+    page.evaluate(CATCH)
+    page.locator(".carts-measured-save").click()
+    read = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
+    assert list(read.tracks[0].t) == pytest.approx(film.times, abs=1e-6)
+    # The model and the film move together.
+    page.locator(".carts-measured-scrub").focus()
+    page.keyboard.press("End")
+    expect(page.locator(".carts-film-clock")).to_have_text(f"{film.times[-1]:.3f} s")
+    expect(page.locator(".carts-film-key")).to_be_visible()
+    assert heard == []
+
+
+@pytest.mark.one_browser
+def test_by_keys_on_a_dark_phone_lost_places_are_mended(
+    benches: Path, open_page: OpenPage, broken_off: Filmed
+) -> None:
+    page = open_page(benches / "empty.html", viewport={"width": 360, "height": 740})
+    page.evaluate(DARK)
+    expect(page.locator("carts-measured[data-state=live]")).to_have_count(1, timeout=STARTS)
+    choose(page, "lost.webm", broken_off.content)
+    said = page.locator(".carts-film-say")
+    expect(said).to_have_text("Click on the mark of cart A.", timeout=STARTS)
+    view = page.locator(".carts-film-view")
+    view.focus()
+    at = (broken_off.stage.width // 2, broken_off.stage.height // 2)  # where the cross begins
+    for aim, place in zip(AIMS, broken_off.clicks(), strict=True):
+        expect(page.locator(f"[data-aim={aim}]")).to_have_attribute("aria-pressed", "true")
+        at = move(page, at, place)
+        page.keyboard.press("Enter")
+    page.locator(".carts-film-length").fill("0.5")
+    look(page)
+    page.locator(".carts-film-follow").click()
+    expect(said).to_contain_text("Lost places, left out for now: A: 3.", timeout=STARTS)
+    page.locator(".carts-film-next").click()
+    for k in (8, 9):  # two by a click each, the third is left out
+        expect(said).to_have_text(
+            f"Lost at {broken_off.times[k]:.3f} s. Click where the mark of cart A is."
+        )
+        expect(page.locator(".carts-film-clock")).to_have_text(f"{broken_off.times[k]:.3f} s")
+        click(page, *broken_off.stage.place(float(broken_off.places[0][k])))
+    expect(said).to_contain_text(f"{broken_off.times[10]:.3f} s")
+    look(page)
+    page.locator(".carts-film-leave").click()
+    expect(said).to_have_text("No lost place is left.")
+    page.evaluate("document.querySelector('carts-measured').complete")
+    page.locator(".carts-measured-table summary").click()
+    rows = page.locator(".carts-measured-table tbody tr td:nth-child(2)").all_inner_texts()
+    assert [k for k, text in enumerate(rows) if not text] == [10]
+    # Other readings take the place of the film.
+    page.locator(".carts-film-again").click()
+    expect(said).to_have_text("Click on the mark of cart A.")
+    text = {"name": "t.txt", "mimeType": "text/plain", "buffer": b"t;x_A;x_B\n0;0;1\n"}
+    page.locator(".carts-measured-file").set_input_files([text])  # type: ignore[list-item]
+    expect(page.locator(".carts-film")).to_have_count(0)
+
+
+def move(page: Page, at: tuple[int, int], to: tuple[float, float]) -> tuple[int, int]:
+    """Move the cross with the arrow keys, first by eight pixels, then by one."""
+    for axis, keys in enumerate((("ArrowRight", "ArrowLeft"), ("ArrowDown", "ArrowUp"))):
+        left = round(to[axis]) - at[axis]
+        key = keys[0] if left > 0 else keys[1]
+        for _ in range(abs(left) // 8):
+            page.keyboard.press(key)
+        for _ in range(abs(left) % 8):
+            page.keyboard.press(f"Shift+{key}")
+    return round(to[0]), round(to[1])
+
+
+def look(page: Page) -> None:
+    """Nothing is too wide, too pale, or without a name."""
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    assert page.evaluate(PALE) == []
+    page.evaluate((ROOT / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8"))
+    found = page.evaluate(RUN_AXE.replace("axe.run(document", "axe.run('.carts-film'"))
+    assert found == []
+
+
+@pytest.mark.one_browser
+def test_what_cannot_be_read_is_said_with_the_way_out(
+    benches: Path, open_page: OpenPage, film: Filmed
+) -> None:
+    page = open_page(benches / "empty.html")
+    stage = Stage(width=160, height=96)
+    moving = filmed(MADE, stage, 10, codec="libx265", kind="mp4", options=QUICK)
+    for name, content, reason in (
+        ("phone.mov", moving.content, "cannot decode this film (HEVC)"),
+        ("notes.mp4", b"t;x\n0;1\n" * 400, "This is no film in MP4, MOV or WebM."),
+        ("half.mp4", film.content[: len(film.content) // 2], "the file may be damaged"),
+    ):
+        choose(page, name, content)
+        said = page.locator(".carts-film-say")
+        expect(said).to_contain_text(reason, timeout=STARTS)
+        expect(said).to_contain_text("Tracker")
+        expect(page.locator(".carts-film-follow")).to_be_disabled()
+
+
+DARK = """() => {
+  document.body.dataset.mdColorScheme = "slate";
+  const theme = { "default-bg-color": "#1e2129", "default-fg-color": "#e7e9ee",
+    "typeset-a-color": "#8fc7f2" };
+  for (const [name, colour] of Object.entries(theme)) {
+    document.body.style.setProperty(`--md-${name}`, colour);
+  }
+}"""
+CAMERA = """() => {
+  const canvas = document.createElement("canvas");
+  const pen = canvas.getContext("2d");
+  let k = 0;
+  setInterval(() => {
+    pen.fillStyle = "#777";
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    pen.fillStyle = "#d22";
+    pen.fillRect((k += 1), 60, 20, 20);
+  }, 20);
+  navigator.mediaDevices.getUserMedia = async () => canvas.captureStream(30);
+}"""
+
+
+@pytest.mark.one_browser
+def test_on_a_hosted_page_the_camera_films_and_following_can_be_cancelled(
+    benches: Path,
+    open_page: OpenPage,
+    site_server: Callable[[Path], str],
+    film: Filmed,
+) -> None:
+    page = open_page(f"{site_server(benches)}/empty.html")
+    heard = listen(page)
+    page.evaluate(CAMERA)
+    page.locator(".carts-measured-camera").click()
+    stop = page.locator(".carts-film-stop")
+    expect(stop).to_have_text("Start filming")
+    stop.click()
+    expect(stop).to_have_text("Stop filming")
+    page.wait_for_timeout(400)
+    stop.click()
+    said = page.locator(".carts-film-say")
+    expect(said).to_have_text("Click on the mark of cart A.", timeout=STARTS)
+    expect(page.locator("video")).to_have_count(0)
+    choose(page, "our carts.mp4", film.content)
+    expect(page.locator(".carts-film")).to_have_count(1)
+    expect(said).to_have_text("Click on the mark of cart A.", timeout=STARTS)
+    for key, time in (("End", film.times[-1]), ("Home", 0.0)):
+        page.locator(".carts-film-time").press(key)
+        expect(page.locator(".carts-film-clock")).to_have_text(f"{time:.3f} s")
+    set_up(page, film)
+    # Pressed before the worker is half through.
+    page.evaluate(
+        """() => { document.querySelector(".carts-film-follow").click();
+        document.querySelector(".carts-film-cancel").click(); }"""
+    )
+    expect(said).to_have_text("Cancelled. Nothing was read.", timeout=STARTS)
+    expect(page.locator(".carts-film-follow")).to_be_enabled()
+    assert heard == []
