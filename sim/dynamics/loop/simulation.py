@@ -199,6 +199,8 @@ class Simulation:
         motion = body.motion
         assert motion is not None
         bodies, gaps = self.settle([body], now)
+        for gap in motion.members:
+            gap.plain = 0 if motion.ends else gap.plain + 1
         self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
         for gap in transitions.struck(motion):
             self.happened += 1

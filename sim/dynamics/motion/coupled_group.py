@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.friction_shares import share
@@ -27,6 +27,9 @@ from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.branch import Branch
 from sim.laws.damped_oscillation import Rate
+
+if TYPE_CHECKING:
+    from sim.dynamics.motion.modal_group import ModalGroup
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,14 +149,20 @@ class CoupledGroup:
         return found
 
 
-def coupled_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:
+def coupled_group(
+    bodies: list[Body], gaps: list[Gap], now: Time, limit: float
+) -> CoupledGroup | ModalGroup:
     """The group of these bodies, settled at `now`, for at most `limit` s."""
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
-    step, resting = _step(bodies, gaps, branches, limit)
-    if resting:
-        return _group(step, [], limit, now)
+    rest = _at_rest(bodies, gaps, branches, limit)
+    if rest is not None:
+        return _group(rest, [], limit, now)
+    swinging = _in_modes(bodies, gaps, branches, now, limit)
+    if swinging is not None:
+        return swinging
+    step = _converged(bodies, gaps, branches, limit)
     sizes = [size(force, step.length) for force in step.contact]
     ends, duration = first_ends(step, sizes)
     return _group(step, ends, duration, now)
@@ -166,16 +175,37 @@ def _group(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGr
     return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads)
 
 
-def _step(
+def _at_rest(
     bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float
-) -> tuple[Step, bool]:
-    """Rest where the row is at rest, and whether it is; else its series."""
-    if limit > 0.0 and gaps and _slow(gaps):
-        row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
-        rest = at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
-        if rest is not None:
-            return rest, True
-    return _converged(bodies, gaps, branches, limit), False
+) -> Step | None:
+    """The step of a row at rest; None where it is not."""
+    if not gaps or not _slow(gaps):
+        return None
+    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+    return at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
+
+
+def _in_modes(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], now: Time, limit: float
+) -> ModalGroup | None:
+    """A sum of modes, where the series has taken some steps and all is linear."""
+    if not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
+        return None
+    if any(body.load.quadratic for body in bodies):
+        return None
+    from sim.dynamics.motion.modal_group import modal_group  # where a scene calls for it
+
+    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+    found = modal_group(bodies, gaps, row, now, limit)
+    if found is None:
+        for gap in gaps:
+            gap.plain = 0
+    return found
+
+
+STEPS_FIRST = 4
+"""Steps of the series without an event before a row is looked at as a sum of modes: most contacts
+are over by then, and modes cost as much as three steps."""
 
 
 def _slow(gaps: list[Gap]) -> bool:
