@@ -6,9 +6,10 @@ With a = F/m of all constant forces (sliding friction included), γ = b/m and κ
     κ = 0        v = v0 + (a − γ v0) φ(t)              x = x0 + v0 t + (a − γ v0) ψ(t)
                  φ = (1 − e^(−γt))/γ ,  ψ = (t − φ)/γ
     a = γ = 0    v = v0/(1 + κ|v0|t)                   x = x0 ± ln(1 + κ|v0|t)/κ
+    else         a tangent or a hyperbolic tangent     (`drag_course`)
 
 Every velocity here is monotone in time and every |acceleration| falls or stays. A body that slides
-under friction ends its flight where v = 0. Other mixtures go to the power series (`cluster`).
+under friction ends its flight where v = 0.
 Errors: a few units in the last place.
 """
 
@@ -143,7 +144,11 @@ def course(mass: float, v: float, sliding: int, load: Load) -> Course | None:
         return Parabola(v, a) if load.linear == 0.0 else Fading(v, a, load.linear / mass)
     if a == 0.0 and load.linear == 0.0:
         return Slowing(v, load.quadratic / mass)
-    return None
+    if load.linear and len({one.kind for one in load.forces if one.linear or one.quadratic}) > 1:
+        return None  # whose drag took what, no formula here tells
+    from sim.dynamics.motion.drag_course import driven  # where a scene calls for it
+
+    return driven(v, a, load.linear / mass, load.quadratic / mass)
 
 
 @dataclass(slots=True)

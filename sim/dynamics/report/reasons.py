@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, cast
 
+from sim.dynamics.motion.drag_course import Driven
 from sim.dynamics.motion.flight import Fading, Flight, Slowing
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.record import Solved
@@ -32,6 +33,7 @@ STUCK = said("carts that stick together move as one")
 FORMS: dict[type, str] = {
     Fading: said("linear drag fades exponentially, exact"),
     Slowing: said("quadratic drag slows as 1/t, x is a logarithm, exact"),
+    Driven: said("drag beside other forces: v is a tangent or a hyperbolic tangent, exact"),
 }
 PARABOLA = said("constant forces, x = x₀ + v t + ½ a t² is exact")
 
@@ -130,7 +132,7 @@ def _effects(names: Sequence[str]) -> str:
 
 def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
     found: list[str] = []
-    for form in (None, Fading, Slowing):
+    for form in (None, *FORMS):
         own = [
             s for s in solvers if (s.course.sparse if form is None else isinstance(s.course, form))
         ]
