@@ -196,7 +196,10 @@ def _in_modes(
     from sim.dynamics.motion.modal_group import modal_group  # where a scene calls for it
 
     row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
-    found = modal_group(bodies, gaps, row, now, limit)
+    try:
+        found = modal_group(bodies, gaps, row, now, limit)
+    except ArithmeticError:  # numbers so far apart that their products leave the range of floats
+        found = None
     if found is None:
         for gap in gaps:
             gap.plain = 0

@@ -83,7 +83,9 @@ class OneWay:
             return math.inf
         half, omega = 0.5 * self.gamma, self.omega
         if self.square > 0.0:
-            steep = (half + omega) * self.w0 - self.push  # 2 Omega (half + Omega) (w0 − W)/(2 Omega)
+            steep = (
+                half + omega
+            ) * self.w0 - self.push  # 2 Omega (half + Omega) (w0 − W)/(2 Omega)
             return -math.log1p(-2.0 * omega * self.w0 / steep) / (2.0 * omega)
         ratio = self.w0 / (half * self.w0 - self.push)
         return math.atan(omega * ratio) / omega if omega > 0.0 else ratio

@@ -131,7 +131,7 @@ def _add(
     strain = [0.0 if k is None else strained[k] for k in near]
     rate = [0.0 if k is None else row.rates[k] for k in near]
     extra = [row.speeds[block[0]] - whole for block in own]
-    energy = _energy(segment, strain, extra if segment.anchored else _beyond(segment, extra))
+    energy = _energy(segment, strain, extra)
     shares = []
     for mode in found:
         share = _share(mode, segment, strain, rate, extra)
@@ -165,13 +165,6 @@ def _share(
         moving = -sum(n * r for n, r in zip(mode.push, rate, strict=True)) / (z * z)
     springs = zip(segment.kappa, mode.strain, strain, strict=True)
     return (moving - sum(k * e * s for k, e, s in springs) / z) / mode.norm
-
-
-def _beyond(segment: Segment, extra: list[float]) -> list[float]:
-    """Velocities beyond the common one."""
-    momentum = math.fsum([m * w for m, w in zip(segment.masses, extra, strict=True)])
-    mean = momentum / math.fsum(segment.masses)
-    return [w - mean for w in extra]
 
 
 def _energy(segment: Segment, strain: list[float], extra: list[float]) -> float:

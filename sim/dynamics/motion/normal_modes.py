@@ -229,7 +229,8 @@ def _twisted(row: Segment, z: complex) -> tuple[tuple[complex, ...], tuple[compl
         right[i] = to_right[i] * behind
     rests = [left[i] + right[i] - inert[i] for i in range(n)]
     sizes = [abs(left[i]) + abs(right[i]) + abs(inert[i]) for i in range(n)]
-    at = min(range(n), key=lambda i: abs(rests[i]) / sizes[i])
+    # where nothing acts at all (a row that drag slows as one) nothing is left over
+    at = min(range(n), key=lambda i: abs(rests[i]) / sizes[i] if sizes[i] else 0.0)
     u, push = [0j] * n, [0j] * (n + 1)
     u[at] = 1.0 + 0j
     for i in range(at, -1, -1):
