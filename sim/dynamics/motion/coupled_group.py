@@ -1,10 +1,9 @@
 """Several bodies that push or pull each other, all at once: tier 2, stepped by power series.
 
-A group is a row of bodies whose neighbours touch or are linked by a spring or magnets, or one body
-under forces that have no closed form together. It lives for one step, or until something happens
-in it: a contact's force becomes zero, a bumper turns from one line of its law to the other, a
-linked pair touches, a sliding body halts, a held one slips. Then it is taken apart and what still
-belongs together forms anew, by the cheapest solver that is exact.
+A group is a row of bodies whose neighbours touch or are linked, or one body under forces that have
+no closed form together. It lives for one step, or until something happens in it: a contact's force
+becomes zero, a bumper turns to the other line of its law, a linked pair touches, a body halts or
+slips. Then what still belongs together forms anew, by the cheapest solver that is exact.
 """
 
 from __future__ import annotations
@@ -15,9 +14,10 @@ from typing import TYPE_CHECKING, ClassVar
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.friction_shares import share
-from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
+from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import integral, size, slope, value, value_and_slope
 from sim.dynamics.motion.rest import at_rest
+from sim.dynamics.motion.row_now import row_of
 from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
 from sim.dynamics.motion.step import Step
 from sim.dynamics.motion.step_ends import first_ends
@@ -156,11 +156,9 @@ def coupled_group(
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
-    rest = _at_rest(bodies, gaps, branches, limit)
-    if rest is not None:
+    if (rest := _at_rest(bodies, gaps, branches, limit)) is not None:
         return _group(rest, [], limit, now)
-    swinging = _in_modes(bodies, gaps, branches, now, limit)
-    if swinging is not None:
+    if (swinging := _in_modes(bodies, gaps, branches, now, limit)) is not None:
         return swinging
     step = _converged(bodies, gaps, branches, limit)
     sizes = [size(force, step.length) for force in step.contact]
@@ -207,8 +205,7 @@ def _in_modes(
 
 
 STEPS_FIRST = 4
-"""Steps of the series without an event before a row is looked at as a sum of modes: most contacts
-are over by then, and modes cost as much as three steps."""
+"""Steps without an event before a row is looked at as a sum of modes, which costs three of them."""
 
 
 def _slow(gaps: list[Gap]) -> bool:
@@ -251,33 +248,3 @@ def _expanded(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tu
     series = expand(row)
     share(bodies, branches, row.steady, series)
     return row, series
-
-
-def row_of(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], quadratic: list[float]
-) -> Row:
-    """All that acts at the beginning of a step; `quadratic` is signed."""
-    return Row(
-        inverse=[0.0 if body.held else 1.0 / body.mass for body in bodies],
-        speeds=[body.v for body in bodies],
-        overlaps=[-gap.room for gap in gaps],
-        rates=[-gap.rate for gap in gaps],
-        branches=branches,
-        links=[gap.links for gap in gaps],
-        steady=[_steady(i, bodies, gaps, branches) for i in range(len(bodies))],
-        linear=[body.load.linear for body in bodies],
-        quadratic=quadratic,
-    )
-
-
-def _steady(i: int, bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> float:
-    """N on body i besides its neighbours and drag: constant in the step."""
-    body = bodies[i]
-    force = body.load.steady
-    if body.load.kinetic and body.sliding:
-        between = 0.0
-        for k, sign in ((i - 1, 1.0), (i, -1.0)):
-            if 0 <= k < len(gaps):
-                between += sign * push_now(gaps[k], branches[k])
-        force += stick_slip.friction(body, body.load.steady + between)
-    return force

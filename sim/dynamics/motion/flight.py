@@ -9,8 +9,7 @@ With a = F/m of all constant forces (sliding friction included), γ = b/m and κ
     else         a tangent or a hyperbolic tangent     (`drag_course`)
 
 Every velocity here is monotone in time and every |acceleration| falls or stays. A body that slides
-under friction ends its flight where v = 0.
-Errors: a few units in the last place.
+under friction ends its flight where v = 0. Errors: a few units in the last place.
 """
 
 from __future__ import annotations
@@ -67,7 +66,6 @@ class Parabola:
 
 SMALL = 0.05
 """γt. Below it t − φ is summed as a series: eight terms leave less than 1e-16."""
-
 
 FADED = 12
 """Time constants after which a flight has faded below 1e-5 of its start."""
@@ -144,7 +142,7 @@ def course(mass: float, v: float, sliding: int, load: Load) -> Course | None:
         return Parabola(v, a) if load.linear == 0.0 else Fading(v, a, load.linear / mass)
     if a == 0.0 and load.linear == 0.0:
         return Slowing(v, load.quadratic / mass)
-    if load.linear and len({one.kind for one in load.forces if one.linear or one.quadratic}) > 1:
+    if load.linear and len({f.kind for f in load.forces if f.linear or f.quadratic}) > 1:
         return None  # whose drag took what, no formula here tells
     from sim.dynamics.motion.drag_course import driven  # where a scene calls for it
 
@@ -221,7 +219,7 @@ class Flight:
         return self.course.sparse
 
     def locked(self, k: int) -> bool:
-        """It has no contact."""
+        """No contact."""
         return False
 
     def parts(self, t: float, *, peaks: bool) -> list[Part]:
@@ -245,9 +243,7 @@ class Flight:
         taken = force * way - 0.5 * mass * (v - self.v0) * (v + self.v0)  # J
         total = load.linear + load.quadratic
         for one in load.forces:
-            share = (
-                (one.linear + one.quadratic) / total if total else 0.0
-            )  # one of the two is nought
+            share = (one.linear + one.quadratic) / total if total else 0.0  # or all of one kind
             accounts.push_from_outside(one.steady * t - share * slowed, one.kind)
             accounts.work(one.kind, one.steady * way - share * taken)
         if load.kinetic:

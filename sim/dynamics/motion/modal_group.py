@@ -10,12 +10,11 @@ to rest when what still swings is rounding; it ends there too, so that rest is r
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
-from sim.dynamics.motion.guards import guards_of
 from sim.dynamics.motion.modal_forces import contact_sums, others
+from sim.dynamics.motion.modal_guards import guarded
 from sim.dynamics.motion.modal_state import ModalState, modal_state
 from sim.dynamics.motion.modal_sum import ModalSum, clear_until, maximum, plus
 from sim.dynamics.motion.rest import QUIET
@@ -25,7 +24,7 @@ from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.effects.forces import FRICTION
-from sim.laws.branch import Branch, Guard
+from sim.laws.branch import Branch
 from sim.laws.damped_oscillation import Rate
 
 WORTH = 6.0
@@ -212,7 +211,7 @@ def modal_group(
     contact, across = forces
     rest = _to_rest(state, step)
     duration = min(limit, rest)
-    for quantity in _guarded(bodies, gaps, row, state, contact, across):
+    for quantity in guarded(bodies, gaps, row, state, contact, across):
         if duration < WORTH * step or not quantity.value(0.0) > CLEAR * quantity.size:
             return None
         duration = clear_until(quantity, duration, step, LOOKS)
@@ -235,37 +234,3 @@ def _to_rest(state: ModalState, step: float) -> float:
         return math.inf
     rest = math.log(0.1 * QUIET * deepest / swing) / slowest
     return rest if rest > WORTH * step else math.inf
-
-
-def _guarded(
-    bodies: list[Body],
-    gaps: list[Gap],
-    row: Row,
-    state: ModalState,
-    contact: list[ModalSum],
-    across: list[ModalSum],
-) -> Iterator[ModalSum]:
-    """All that is positive while the formulas hold."""
-    for k, (gap, branch) in enumerate(zip(gaps, row.branches, strict=True)):
-        for guard in guards_of(gap, branch):
-            yield _along(gap, guard, state.over[k], contact[k])
-    for i, body in enumerate(bodies):
-        if body.carts and body.held:
-            total = others(i, body.load, contact, across)
-            static = ModalSum(body.load.static, ())
-            yield plus((1.0, static), (-1.0, total))
-            yield plus((1.0, static), (1.0, total))
-        elif body.sliding and body.load.static:
-            yield plus((float(body.sliding), state.speed[i]))
-
-
-def _along(gap: Gap, guard: Guard, over: ModalSum, force: ModalSum) -> ModalSum:
-    """The quantity of a guard: it falls to zero where the guard's event happens."""
-    if guard.of == "push":
-        assert gap.law is not None
-        k, c = gap.law.stiffness, gap.law.damper(gap.mu)
-        return plus((-k, over), (-c, over.slope))
-    quantity = {"force": force, "overlap": over, "rate": over.slope}[guard.of]
-    if guard.rises:
-        return plus((1.0, ModalSum(guard.level, ())), (-1.0, quantity))
-    return quantity
