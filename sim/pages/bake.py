@@ -18,7 +18,13 @@ MANY_ROWS = 100
 """A run that would need more, say on a spring, gets the samples of many carts."""
 
 MANY_STEPS = 20
-SAMPLES_PER_STEP = {"adaptive": 1, "power-series": 2, "pair-phase": 4, "pair-contact": 4}
+SAMPLES_PER_STEP = {
+    "adaptive": 1,
+    "power-series": 2,
+    "modes": 4,
+    "pair-phase": 4,
+    "pair-contact": 4,
+}
 """A motion solved in many short steps is sampled in each of them: fewer do for the same picture."""
 
 FORMLESS = ("hertz",)

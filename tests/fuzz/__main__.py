@@ -31,6 +31,10 @@ WORDS = (
 )
 
 
+SLOW = (0.2, 1.0)
+"""s of processor time: how many runs take longer is a column each."""
+
+
 def main() -> int:
     """0 if nothing went wrong."""
     asked = argparse.ArgumentParser(prog="tests.fuzz", description=__doc__)
@@ -41,31 +45,35 @@ def main() -> int:
     asked.add_argument("--no-shrink", action="store_true")
     asked.add_argument("--seconds", type=float, default=BUDGET, help="of processor time per run")
     given = asked.parse_args()
-    print(f"{'kind':18}" + "".join(f"{word:>9}" for word in WORDS) + f"{'slowest s':>11}")
+    above = "".join(f"{f'> {limit:g} s':>9}" for limit in SLOW)
+    print(f"{'kind':18}" + "".join(f"{w:>9}" for w in WORDS) + above + f"{'slowest s':>11}")
     total: Counter[str] = Counter()
     wrong = []
     for kind in given.kind or KINDS:
         seen: Counter[str] = Counter()
-        slowest = 0.0
+        times = []
         for seed in range(given.first, given.first + given.scenes):
             plain = scene_of(kind, seed)
             begun = time.process_time()
             found = judge(plain, oracle=False, seconds=given.seconds)
-            slowest = max(slowest, time.process_time() - begun)
+            times.append(time.process_time() - begun)
             if found.word == "unknown" and not given.no_oracle:
                 found = judge(plain, seconds=given.seconds)
             seen[found.word] += 1
             if found.word not in GOOD:
                 wrong.append((kind, seed, plain, found))
-        print(
-            f"{kind:18}" + "".join(f"{seen[w]:9}" for w in WORDS) + f"{slowest:11.2f}", flush=True
-        )
+        seen.update({f"> {limit:g}": sum(t > limit for t in times) for limit in SLOW})
+        print(f"{kind:18}" + _columns(seen) + f"{max(times, default=0.0):11.2f}", flush=True)
         total += seen
-    print(f"{'all':18}" + "".join(f"{total[word]:9}" for word in WORDS))
+    print(f"{'all':18}" + _columns(total))
     for kind, seed, plain, found in wrong:
         small = plain if given.no_shrink else plainest(plain, found)
         print(f"\n{kind} {seed}: {found.word} {found.detail}\n  {json.dumps(small)}", flush=True)
     return 1 if wrong else 0
+
+
+def _columns(seen: Counter[str]) -> str:
+    return "".join(f"{seen[word]:9}" for word in (*WORDS, *(f"> {limit:g}" for limit in SLOW)))
 
 
 if __name__ == "__main__":

@@ -18,6 +18,11 @@ repelling one; then they end at their common velocity whatever is between. Equal
 (1 + e)² >= 16 e, McNamara and Young's limit. Rounds of rounds (four that touch, five …) take a
 fifteenth of the impacts so.
 
+Of more bodies, and of three that other things act on, rounds are linear maps of the relative
+speeds: whatever they begin with, the greatest eigenvalue q of one round remains. Where the same
+round has come again and again, and every speed in it is q < 1 times that of the round before, and
+was so before (`Hits`), no later round differs: the rest of the series is left out.
+
 Otherwise the rounds are followed as they are, until the speed of approach is rounding: the rest of
 the series is shorter than the last bit of the time, and every further impact would be one of
 rounding errors, which have no end. Then all that touch and move alike get the velocity of their
@@ -27,16 +32,71 @@ centre of mass at once, so that no two of them can differ by rounding and begin 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass, field
 
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import Chain, velocity
-from sim.dynamics.state.clock import Time, elapsed
+from sim.dynamics.state.clock import NEVER, Time, elapsed
 from sim.dynamics.state.flips import UNDECIDED
 
 ROUNDING = 1e-15
 """Of the velocities of two bodies, or of the approach of a third, per impact at one instant: what
 rounding leaves of a relative speed. The errors of many impacts add up."""
+
+
+LONGEST_ROUND = 60
+"""Impacts. Of six bodies that collapse most rounds have a dozen."""
+
+ROUNDS = 4
+"""That are compared: the same gaps in the same order."""
+
+SAME_RATIO = 1e-7
+"""Relative. What is left of all but the greatest eigenvalue; it fades from round to round."""
+
+SELDOM = 16
+"""Impacts at one instant between two looks for rounds."""
+
+
+@dataclass(slots=True)
+class Hits:
+    """Impacts without a duration at one instant: in which gap, and how fast [m/s]."""
+
+    time: Time = NEVER
+    gaps: list[int] = field(default_factory=list)
+    speeds: list[float] = field(default_factory=list)
+
+    def note(self, gap: Gap, now: Time, instant: float) -> None:
+        """Another one; those of an earlier instant are forgotten."""
+        if elapsed(self.time, now) > instant:
+            self.gaps.clear()
+            self.speeds.clear()
+        self.time = now
+        self.gaps.append(gap.index)
+        self.speeds.append(-gap.rate)
+
+    def rounds(self) -> tuple[int, int] | None:
+        """First and last gap of those that are hit in rounds for ever; None where none are."""
+        count = len(self.gaps)
+        if count % SELDOM:
+            return None
+        for p in range(2, min(LONGEST_ROUND, count // ROUNDS) + 1):
+            last = self.gaps[-p:]
+            if all(self.gaps[count - (k + 1) * p : count - k * p] == last for k in range(ROUNDS)):
+                return (min(last), max(last)) if self._shrink(p) else None
+        return None
+
+    def _shrink(self, p: int) -> bool:
+        now, before, earlier = (
+            self.speeds[len(self.speeds) - (k + 1) * p : len(self.speeds) - k * p] for k in range(3)
+        )
+        if min(before) <= 0.0 or min(earlier) <= 0.0:
+            return False
+        q = now[0] / before[0]
+        ratios = [
+            a / b for a, b in (*zip(now, before, strict=True), *zip(before, earlier, strict=True))
+        ]
+        return q < 1.0 - SAME_RATIO and all(abs(one - q) <= SAME_RATIO * q for one in ratios)
 
 
 CLEARLY = 1.0 + 1e-6
@@ -91,13 +151,20 @@ def _scale(gap: Gap) -> float:
     return max(abs(gap.left.v), abs(gap.right.v))
 
 
-def run_of(chain: Chain, gap: Gap, now: Time, instant: float) -> list[Gap]:
+def run_of(chain: Chain, gap: Gap, now: Time, instant: float, hits: Hits) -> list[Gap]:
     """The gaps of all bodies that the coming impact in `gap` leaves with one velocity; often none.
 
     From left to right. They touch without a duration.
     """
     if gap.law is not None or gap.contact.joins or gap.flips + 1 < UNDECIDED:
         return []
+    hits.note(gap, now, instant)
+    if (found := hits.rounds()) is not None:
+        inside = [one for one in chain.gaps[found[0] : found[1] + 1] if one is not None]
+        if all((one.law is None and not one.contact.joins) or one.joined for one in inside):
+            hits.gaps.clear()
+            hits.speeds.clear()
+            return [one for one in inside if not one.joined]
     other = third(chain, gap, now, instant)
     if other is None and not is_over(chain, gap, now, instant):
         return []

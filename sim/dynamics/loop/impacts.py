@@ -10,7 +10,7 @@ from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import Chain, component
-from sim.dynamics.state.clock import Time
+from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.touching import Touching
 
 STILL = 1e-30
@@ -32,6 +32,22 @@ def rests(gap: Gap, fastest: float, *, in_contact: bool) -> bool:
     """Would this impact leave so little speed that the two stay in contact, if they are pressed?"""
     small = AT_REST_IN_CONTACT if in_contact else AT_REST
     return (gap.contact.restitution or 0.0) * -gap.rate <= small * fastest
+
+
+PLACE = 1e-15
+"""Of where the two are. A hop that is no higher is one of rounding errors, which have no end."""
+
+
+def hops_within_rounding(gap: Gap, now: Time) -> bool:
+    """Would the two, hit again under what presses them together, part by less than rounding?
+
+    A hop from speed u that took dt was u dt/4 high; the next one is e² times that.
+    """
+    e, since = gap.contact.restitution or 0.0, elapsed(gap.changed, now)
+    if since <= 0.0:  # hit twice at one instant: that is no hop
+        return False
+    hop = 0.25 * e * e * -gap.rate * since
+    return hop <= PLACE * max(abs(gap.left.x), abs(gap.right.x))
 
 
 def instant(

@@ -11,7 +11,7 @@ import math
 
 from sim.dynamics.loop.contacts import pair_contact
 from sim.dynamics.motion import flight
-from sim.dynamics.motion.coupled_group import CoupledGroup, coupled_group
+from sim.dynamics.motion.coupled_group import coupled_group
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.guards import branch_of
 from sim.dynamics.motion.linear_pair import linear_pair
@@ -83,7 +83,8 @@ def _solver(
 
 def _is_linear(row: list[Body], gap: Gap) -> bool:
     """Constant forces on both, springs between, and a law with linear branches that moves."""
-    if any(body.load.linear or body.load.quadratic or body.load.grips for body in row):
+    loads = [body.load for body in row]
+    if any(load.linear or load.quadratic or load.static or load.kinetic for load in loads):
         return False
     if gap.touching is not None and (
         gap.law is None or not gap.law.linear or branch_of(gap).locked
@@ -105,9 +106,7 @@ def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion |
     return Flight(body, now, body.v, load, body.sliding, course)
 
 
-def _group(
-    row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None
-) -> CoupledGroup:
+def _group(row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Forces | None) -> Motion:
     _count(row, gaps, forces, ORDER - 1)
     limit = max(elapsed(now, end), 0.0)
     if any(gap.touching is not None and gap.law is not None and not gap.law.linear for gap in gaps):

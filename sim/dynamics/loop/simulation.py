@@ -43,6 +43,7 @@ class Simulation:
         self.predictions = Predictions(self.chain, self.calendar, self.end)
         self.fastest = 0.0  # m/s, greatest approach so far
         self.instant = flips.AT_ONE_INSTANT * scene.until
+        self.hits = collapse.Hits()
         self.happened = 0
         self.steps = 0
 
@@ -53,9 +54,7 @@ class Simulation:
             self.chain.advance(gap, now)
             if moving and gap.room + resting(gap) > MISSED and not transitions.is_push(gap):
                 gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
-                self.predictions.gap(
-                    gap, now
-                )  # the search came this far, and they do not touch yet
+                self.predictions.gap(gap, now)  # the search came this far: they do not touch yet
                 return
             self.begin(gap, now)
         elif isinstance(gap.solver, PairContact):
@@ -76,7 +75,7 @@ class Simulation:
         if self.forces is not None or not free or (gap.law is not None and not gap.law.linear):
             self.join(gap, now)
             return
-        run = collapse.run_of(self.chain, gap, now, self.instant)
+        run = collapse.run_of(self.chain, gap, now, self.instant, self.hits)
         if any(body.motion is not None for one in run for body in (one.left, one.right)):
             self.join(gap, now)
             return
@@ -157,7 +156,8 @@ class Simulation:
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
         stays = impacts.rests(gap, self.fastest, in_contact=in_contact)
-        run = [] if stays else collapse.run_of(self.chain, gap, now, self.instant)
+        stays = stays or impacts.hops_within_rounding(gap, now)
+        run = [] if stays else collapse.run_of(self.chain, gap, now, self.instant, self.hits)
         if run:
             more, between = self.settle([b for g in run for b in (g.left, g.right)], now)
             bodies = list(dict.fromkeys([*bodies, *more]))
@@ -199,6 +199,8 @@ class Simulation:
         motion = body.motion
         assert motion is not None
         bodies, gaps = self.settle([body], now)
+        for gap in motion.members:
+            gap.plain = 0 if motion.ends else gap.plain + 1
         self.happened += transitions.leave(motion, now, self.record, self.ledger, self.instant)
         for gap in transitions.struck(motion):
             self.happened += 1

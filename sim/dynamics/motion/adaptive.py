@@ -17,17 +17,18 @@ import math
 from dataclasses import dataclass
 
 from sim.dynamics.motion import stick_slip
-from sim.dynamics.motion.coupled_group import CoupledGroup, row_of
+from sim.dynamics.motion.coupled_group import CoupledGroup
+from sim.dynamics.motion.curved_field import curved, dragged, field_of
 from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import Poly, value
-from sim.dynamics.motion.series import Row, hold_now
+from sim.dynamics.motion.row_now import row_of
+from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step import Step, slope_of
 from sim.dynamics.motion.step_ends import first_ends, found_again
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import ZERO, Time
-from sim.effects.forces import resistance
 from sim.laws.branch import Branch
 from sim.laws.contact_law import ContactLaw
 
@@ -97,12 +98,6 @@ class IntegratedStep(Step):
         return value(self.losses[k], t) if curved_law else Step.dissipated(self, k, t)
 
 
-def curved(gap: Gap) -> ContactLaw | None:
-    """The law of a gap that touches by one without linear branches."""
-    law = gap.law
-    return law if law is not None and not law.linear and gap.touching is not None else None
-
-
 def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:
     """One accepted step of a row in which some contact has a curved law, at most `limit` s."""
     refuse_too_near(gaps, now)
@@ -120,55 +115,18 @@ def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: floa
     return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, "adaptive", 3)
 
 
-def _slope(bodies: list[Body], gaps: list[Gap], row: Row, y: list[float]) -> list[float]:
-    """f(y)."""
-    count, branches = len(gaps), row.branches
-    over, rate, v = y[:count], y[count : 2 * count], y[2 * count : 2 * count + len(bodies)]
-    push, loss, across = [], [], []
-    for k, gap in enumerate(gaps):
-        law, d, s = curved(gap), over[k], rate[k]
-        if law is not None:
-            mu = gap.mu
-            push.append(law.force(mu, d, s))
-            loss.append(law.dissipated(mu, d, s))
-        else:
-            push.append(branches[k].force(d, s))
-            loss.append(branches[k].gamma * s * s)
-        links = gap.links
-        across.append(math.fsum([link.force(-d, -s) for link in links]) if links else 0.0)
-    outside = []
-    for i, body in enumerate(bodies):
-        force = row.steady[i] + resistance(body.load.linear, body.load.quadratic, v[i])
-        force += across[i - 1] if i > 0 else 0.0
-        outside.append(force - (across[i] if i < count else 0.0))
-    if any(branch.locked for branch in branches):
-        hold_now(branches, push, row.inverse, outside)
-    a = [
-        ((push[i - 1] if i > 0 else 0.0) - (push[i] if i < count else 0.0) + outside[i]) * inv
-        for i, inv in enumerate(row.inverse)
-    ]
-    relative = [0.0 if branches[k].locked else a[k] - a[k + 1] for k in range(count)]
-    squares = [r * r for r in rate]
-    for i in _dragged(bodies):
-        squares += [v[i] * v[i], v[i] * abs(v[i]), abs(v[i]) ** 3]
-    return [*rate, *relative, *a, *v, *push, *loss, *squares]
-
-
-def _dragged(bodies: list[Body]) -> list[int]:
-    return [i for i, body in enumerate(bodies) if body.load.linear or body.load.quadratic]
-
-
 def _integrated(
     bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float, first: float = 0.0
 ) -> IntegratedStep:
     """One accepted step, at most `limit` s, with its dense output; `first` [s] is tried first."""
     start = [*row.overlaps, *row.rates, *row.speeds]
-    start += [0.0] * (len(bodies) + 3 * len(gaps) + 3 * len(_dragged(bodies)))
+    start += [0.0] * (len(bodies) + 3 * len(gaps) + 3 * len(dragged(bodies)))
     if limit <= 0.0:
         return _kept(bodies, gaps, row, [[y] for y in start], 0.0)
     numpy, dop853 = scipy_method()
+    field = field_of(bodies, gaps, row)
     solver = dop853(
-        lambda _t, y: _slope(bodies, gaps, row, y.tolist()),
+        lambda _t, y: field(y.tolist()),
         0.0,
         numpy.array(start),
         limit,
@@ -223,7 +181,7 @@ def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
         + [SMALL * lightest * speed * speed] * count
         + [SMALL * way * speed] * count
         + [SMALL * way * speed, SMALL * way * speed, SMALL * way * speed * speed]
-        * len(_dragged(bodies))
+        * len(dragged(bodies))
     )
 
 
@@ -233,11 +191,11 @@ def _kept(
     count, n = len(gaps), len(bodies)
     over, speed = dense[:count], dense[2 * count : 2 * count + n]
     path = dense[2 * count + n : 2 * count + 2 * n]
-    first = 2 * count + 2 * n
-    impulses, losses, rates = (dense[first + j * count : first + (j + 1) * count] for j in range(3))
-    dragged, rest = _dragged(bodies), dense[first + 3 * count :]
+    behind = 2 * count + 2 * n
+    impulses, losses, rates = (dense[behind + j * count :][:count] for j in range(3))
+    rest = dense[behind + 3 * count :]
     drags: list[list[Poly]] = [[] for _ in bodies]
-    for j, i in enumerate(dragged):
+    for j, i in enumerate(dragged(bodies)):
         drags[i] = rest[3 * j : 3 * j + 3]
     force = [slope_of(p) or [0.0] for p in impulses]
     branches: list[Branch] = row.branches

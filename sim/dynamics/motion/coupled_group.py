@@ -1,23 +1,23 @@
 """Several bodies that push or pull each other, all at once: tier 2, stepped by power series.
 
-A group is a row of bodies whose neighbours touch or are linked by a spring or magnets, or one body
-under forces that have no closed form together. It lives for one step, or until something happens
-in it: a contact's force becomes zero, a bumper turns from one line of its law to the other, a
-linked pair touches, a sliding body halts, a held one slips. Then it is taken apart and what still
-belongs together forms anew, by the cheapest solver that is exact.
+A group is a row of bodies whose neighbours touch or are linked, or one body under forces that have
+no closed form together. It lives for one step, or until something happens in it: a contact's force
+becomes zero, a bumper turns to the other line of its law, a linked pair touches, a body halts or
+slips. Then what still belongs together forms anew, by the cheapest solver that is exact.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.friction_shares import share
-from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
+from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.polynomial import integral, size, slope, value, value_and_slope
 from sim.dynamics.motion.rest import at_rest
+from sim.dynamics.motion.row_now import row_of
 from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
 from sim.dynamics.motion.step import Step
 from sim.dynamics.motion.step_ends import first_ends
@@ -27,6 +27,9 @@ from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.branch import Branch
 from sim.laws.damped_oscillation import Rate
+
+if TYPE_CHECKING:
+    from sim.dynamics.motion.modal_group import ModalGroup
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,14 +149,18 @@ class CoupledGroup:
         return found
 
 
-def coupled_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: float) -> CoupledGroup:
+def coupled_group(
+    bodies: list[Body], gaps: list[Gap], now: Time, limit: float
+) -> CoupledGroup | ModalGroup:
     """The group of these bodies, settled at `now`, for at most `limit` s."""
     refuse_too_near(gaps, now)
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
-    step, resting = _step(bodies, gaps, branches, limit)
-    if resting:
-        return _group(step, [], limit, now)
+    if (rest := _at_rest(bodies, gaps, branches, limit)) is not None:
+        return _group(rest, [], limit, now)
+    if (swinging := _in_modes(bodies, gaps, branches, now, limit)) is not None:
+        return swinging
+    step = _converged(bodies, gaps, branches, limit)
     sizes = [size(force, step.length) for force in step.contact]
     ends, duration = first_ends(step, sizes)
     return _group(step, ends, duration, now)
@@ -166,16 +173,39 @@ def _group(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGr
     return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads)
 
 
-def _step(
+def _at_rest(
     bodies: list[Body], gaps: list[Gap], branches: list[Branch], limit: float
-) -> tuple[Step, bool]:
-    """Rest where the row is at rest, and whether it is; else its series."""
-    if limit > 0.0 and gaps and _slow(gaps):
-        row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
-        rest = at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
-        if rest is not None:
-            return rest, True
-    return _converged(bodies, gaps, branches, limit), False
+) -> Step | None:
+    """The step of a row at rest; None where it is not."""
+    if not gaps or not _slow(gaps):
+        return None
+    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+    return at_rest(bodies, gaps, branches, REACH / step_length(row), limit)
+
+
+def _in_modes(
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], now: Time, limit: float
+) -> ModalGroup | None:
+    """A sum of modes, where the series has taken some steps and all is linear."""
+    if not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
+        return None
+    if any(body.load.quadratic for body in bodies):
+        return None
+    from sim.dynamics.motion.modal_group import modal_group  # where a scene calls for it
+
+    row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
+    try:
+        found = modal_group(bodies, gaps, row, now, limit)
+    except ArithmeticError:  # numbers so far apart that their products leave the range of floats
+        found = None
+    if found is None:
+        for gap in gaps:
+            gap.plain = 0
+    return found
+
+
+STEPS_FIRST = 4
+"""Steps without an event before a row is looked at as a sum of modes, which costs three of them."""
 
 
 def _slow(gaps: list[Gap]) -> bool:
@@ -218,33 +248,3 @@ def _expanded(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tu
     series = expand(row)
     share(bodies, branches, row.steady, series)
     return row, series
-
-
-def row_of(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], quadratic: list[float]
-) -> Row:
-    """All that acts at the beginning of a step; `quadratic` is signed."""
-    return Row(
-        inverse=[0.0 if body.held else 1.0 / body.mass for body in bodies],
-        speeds=[body.v for body in bodies],
-        overlaps=[-gap.room for gap in gaps],
-        rates=[-gap.rate for gap in gaps],
-        branches=branches,
-        links=[gap.links for gap in gaps],
-        steady=[_steady(i, bodies, gaps, branches) for i in range(len(bodies))],
-        linear=[body.load.linear for body in bodies],
-        quadratic=quadratic,
-    )
-
-
-def _steady(i: int, bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> float:
-    """N on body i besides its neighbours and drag: constant in the step."""
-    body = bodies[i]
-    force = body.load.steady
-    if body.load.kinetic and body.sliding:
-        between = 0.0
-        for k, sign in ((i - 1, 1.0), (i, -1.0)):
-            if 0 <= k < len(gaps):
-                between += sign * push_now(gaps[k], branches[k])
-        force += stick_slip.friction(body, body.load.steady + between)
-    return force

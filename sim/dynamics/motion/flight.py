@@ -6,10 +6,10 @@ With a = F/m of all constant forces (sliding friction included), γ = b/m and κ
     κ = 0        v = v0 + (a − γ v0) φ(t)              x = x0 + v0 t + (a − γ v0) ψ(t)
                  φ = (1 − e^(−γt))/γ ,  ψ = (t − φ)/γ
     a = γ = 0    v = v0/(1 + κ|v0|t)                   x = x0 ± ln(1 + κ|v0|t)/κ
+    else         a tangent or a hyperbolic tangent     (`drag_course`)
 
 Every velocity here is monotone in time and every |acceleration| falls or stays. A body that slides
-under friction ends its flight where v = 0. Other mixtures go to the power series (`cluster`).
-Errors: a few units in the last place.
+under friction ends its flight where v = 0. Errors: a few units in the last place.
 """
 
 from __future__ import annotations
@@ -66,7 +66,6 @@ class Parabola:
 
 SMALL = 0.05
 """γt. Below it t − φ is summed as a series: eight terms leave less than 1e-16."""
-
 
 FADED = 12
 """Time constants after which a flight has faded below 1e-5 of its start."""
@@ -143,7 +142,11 @@ def course(mass: float, v: float, sliding: int, load: Load) -> Course | None:
         return Parabola(v, a) if load.linear == 0.0 else Fading(v, a, load.linear / mass)
     if a == 0.0 and load.linear == 0.0:
         return Slowing(v, load.quadratic / mass)
-    return None
+    if load.linear and len({f.kind for f in load.forces if f.linear or f.quadratic}) > 1:
+        return None  # whose drag took what, no formula here tells
+    from sim.dynamics.motion.drag_course import driven  # where a scene calls for it
+
+    return driven(v, a, load.linear / mass, load.quadratic / mass)
 
 
 @dataclass(slots=True)
@@ -216,7 +219,7 @@ class Flight:
         return self.course.sparse
 
     def locked(self, k: int) -> bool:
-        """It has no contact."""
+        """No contact."""
         return False
 
     def parts(self, t: float, *, peaks: bool) -> list[Part]:
@@ -240,9 +243,7 @@ class Flight:
         taken = force * way - 0.5 * mass * (v - self.v0) * (v + self.v0)  # J
         total = load.linear + load.quadratic
         for one in load.forces:
-            share = (
-                (one.linear + one.quadratic) / total if total else 0.0
-            )  # one of the two is nought
+            share = (one.linear + one.quadratic) / total if total else 0.0  # or all of one kind
             accounts.push_from_outside(one.steady * t - share * slowed, one.kind)
             accounts.work(one.kind, one.steady * way - share * taken)
         if load.kinetic:

@@ -1,14 +1,13 @@
 """A row at rest under a constant load: its forces by statics, and no steps until the load changes.
 
-Bodies that touch and lie still (or share one constant acceleration) keep their overlaps. With x_i
-the small way from here to the exact place of rest, and blocks of bodies whose contacts are locked
-moving as one,
+Bodies that touch and lie still (or share one constant acceleration) keep their overlaps. Blocks of
+bodies whose contacts are locked move as one. At rest
 
-    (kappa_L + kappa_R) x_i − kappa_L x_(i−1) − kappa_R x_(i+1) = F_i + N_L − N_R
-    N = kappa (o − rest) in a contact that gives, whatever the balance takes in a locked one
+    N_(i+1) = N_i + F_i ,     N = kappa (o − rest) in a contact that gives,
 
-a tridiagonal, positive definite system (Thomas's algorithm). A row counts as at rest when what is
-left of its motion, in rates and in ways still to go, is QUIET of the speed that the load itself
+whatever the balance takes in a locked one: from an open end all forces follow one by one; between
+two ends that stand fast the strains add up to nought. A row counts as at rest when what is left of
+its motion, in rates and in ways still to go, is QUIET of the speed that the load itself
 would give it, and when every contact presses there: then this is the one solution of the
 complementarity problem of the row (all contacts carry), and it holds as long as the load does.
 Springs and magnets across the gaps take part with their stiffness. Without an anchor (a wall, a
@@ -17,7 +16,6 @@ cart that static friction holds) the row's common acceleration is taken out firs
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import dataclass
 
@@ -53,12 +51,12 @@ def at_rest(
     if not _may_rest(bodies, gaps) or not 0.0 < fastest < math.inf:
         return None
     balance, common = _balance(bodies, gaps, branches)
-    moved = _displacements(balance)
-    if moved is None:
+    strained = strains(balance)
+    if strained is None:
         return None
-    over = [-gap.room + a - b for gap, a, b in zip(gaps, moved, moved[1:], strict=False)]
+    over = [-gap.room - e for gap, e in zip(gaps, strained, strict=True)]
     quiet = QUIET * fastest * max(abs(o) for o in over)
-    if not _is_quiet(bodies, gaps, moved, fastest, quiet, anchored=any(balance.fixed)):
+    if not _is_quiet(bodies, gaps, strained, fastest, quiet, anchored=any(balance.fixed)):
         return None
     across = [
         math.fsum(link.force(-o, 0.0) for link in g.links) for g, o in zip(gaps, over, strict=True)
@@ -84,7 +82,9 @@ def _may_rest(bodies: list[Body], gaps: list[Gap]) -> bool:
     free = not any(body.held or body.mass == math.inf for body in bodies)
     for body in bodies:
         load = body.load
-        if not body.held and (load.grips or (free and (load.linear or load.quadratic))):
+        if not body.held and (
+            load.static or load.kinetic or (free and (load.linear or load.quadratic))
+        ):
             return False
     return bool(gaps) and all(
         gap.touching is not None and (gap.law is None or gap.law.linear) for gap in gaps
@@ -107,55 +107,72 @@ def _balance(bodies: list[Body], gaps: list[Gap], branches: list[Branch]) -> tup
     return Balance(force, stiff, push, fixed, [branch.locked for branch in branches]), common
 
 
-def _blocks(balance: Balance) -> list[range]:
+def blocks(balance: Balance) -> list[range]:
     """Bodies whose contacts are locked, together."""
-    blocks, first = [], 0
+    found, first = [], 0
     for k, locked in enumerate(balance.locked):
         if not locked:
-            blocks.append(range(first, k + 1))
+            found.append(range(first, k + 1))
             first = k + 1
-    blocks.append(range(first, len(balance.force)))
-    return blocks
+    found.append(range(first, len(balance.force)))
+    return found
 
 
-def _displacements(balance: Balance) -> list[float] | None:
-    """m. The way of each body to its place of rest; None where nothing gives."""
-    blocks = _blocks(balance)
-    still = [any(balance.fixed[i] for i in block) for block in blocks]
-    if not any(still):
-        still[0] = True  # only differences count
-    ratio, right = [0.0], [0.0]
-    for j, block in enumerate(blocks):
-        before = balance.stiff[block[0] - 1] if block[0] > 0 else 0.0
-        after = balance.stiff[block[-1]] if block[-1] < len(balance.stiff) else 0.0
-        known = math.fsum(balance.force[i] for i in block)
-        known += math.fsum(
-            (balance.push[i - 1] if i > 0 else 0.0)
-            - (balance.push[i] if i < len(balance.push) else 0.0)
-            for i in block
-        )
-        pivot = before + after - before * ratio[-1]
-        if still[j]:
-            ratio.append(0.0)
-            right.append(0.0)
-        elif pivot <= 0.0:
+def segments(balance: Balance) -> list[tuple[list[range], list[int | None]]]:
+    """Blocks that move, up to the next ones that do not, and the gaps before and behind each.
+
+    None stands for an open end.
+    """
+    rows, found = blocks(balance), []
+    own: list[range] = []
+    for block in [*rows, None]:
+        if block is not None and not any(balance.fixed[i] for i in block):
+            own.append(block)
+            continue
+        if own:
+            first, last = own[0][0] - 1, own[-1][-1]
+            ends = [*(one[0] - 1 for one in own[1:]), last if last < len(balance.stiff) else None]
+            found.append((own, [first if first >= 0 else None, *ends]))
+        own = []
+    return found
+
+
+def strains(balance: Balance) -> list[float] | None:
+    """m. By how much each gap is pressed more than at its place of rest; None where nothing gives.
+
+    What each push is at rest follows from the forces, from an open end on or, between two bodies
+    that do not move, up to a number that makes the strains add up to nought. No differences of
+    ways: a stiff contact beside a soft spring keeps its figures.
+    """
+    found = [0.0] * len(balance.stiff)
+    for own, near in segments(balance):
+        inside = [k for k in near if k is not None]
+        if any(balance.stiff[k] <= 0.0 for k in inside):
             return None
+        sums = [0.0]
+        for block in own:
+            sums.append(math.fsum([sums[-1], *(balance.force[i] for i in block)]))
+        if near[0] is None:
+            first = 0.0
+        elif near[-1] is None:
+            first = -sums[-1]
         else:
-            ratio.append(after / pivot)
-            right.append((known + before * right[-1]) / pivot)
-    moved = [0.0] * len(balance.force)
-    x = 0.0
-    for j in range(len(blocks) - 1, -1, -1):
-        x = right[j + 1] + ratio[j + 1] * x
-        for i in blocks[j]:
-            moved[i] = x
-    return moved
+            gives = [1.0 / balance.stiff[k] for k in inside]
+            more = [
+                (balance.push[k] - total) * give
+                for k, total, give in zip(inside, sums, gives, strict=True)
+            ]
+            first = math.fsum(more) / math.fsum(gives)
+        for k, total in zip(near, sums, strict=True):
+            if k is not None:
+                found[k] = (balance.push[k] - (first + total)) / balance.stiff[k]
+    return found
 
 
 def _is_quiet(
     bodies: list[Body],
     gaps: list[Gap],
-    moved: list[float],
+    strained: list[float],
     fastest: float,
     quiet: float,
     *,
@@ -163,7 +180,7 @@ def _is_quiet(
 ) -> bool:
     """Is nothing left of the motion?"""
     rates = max(abs(gap.rate) for gap in gaps)
-    ways = max(abs(a - b) for a, b in itertools.pairwise(moved)) * fastest
+    ways = max(map(abs, strained)) * fastest
     speeds = max(abs(body.v) for body in bodies) if anchored else 0.0
     return max(rates, ways, speeds) <= quiet
 
@@ -177,7 +194,7 @@ def _contacts(
         for branch, o in zip(branches, over, strict=True)
     ]
     total = [p + a for p, a in zip(push, across, strict=True)]
-    for block in _blocks(balance):
+    for block in blocks(balance):
         anchors = [i for i in block if balance.fixed[i]]
         if len(anchors) > 1:
             return None

@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, cast
 
-from sim.dynamics.motion.coupled_group import CoupledGroup
+from sim.dynamics.motion.drag_course import Driven
 from sim.dynamics.motion.flight import Fading, Flight, Slowing
-from sim.dynamics.motion.linear_pair import LinearPair
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.record import Solved
 from sim.dynamics.state.body import Motion
 from sim.effects.forces import FRICTION
 from sim.scene.model import Scene
 from sim.scene.said import listed, said, template
+
+if TYPE_CHECKING:
+    from sim.dynamics.motion.coupled_group import CoupledGroup
+    from sim.dynamics.motion.linear_pair import LinearPair
+    from sim.dynamics.motion.modal_group import ModalGroup
+
+    InRows = CoupledGroup | LinearPair | ModalGroup
 
 FLIGHT = said(
     "nothing touches and no effect acts: every cart keeps its velocity, x = x₀ + v t is exact"
@@ -26,16 +33,16 @@ STUCK = said("carts that stick together move as one")
 FORMS: dict[type, str] = {
     Fading: said("linear drag fades exponentially, exact"),
     Slowing: said("quadratic drag slows as 1/t, x is a logarithm, exact"),
+    Driven: said("drag beside other forces: v is a tangent or a hyperbolic tangent, exact"),
 }
 PARABOLA = said("constant forces, x = x₀ + v t + ½ a t² is exact")
 
 
 def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
     """One sentence per kind of solver at work; `used` are the names of all solvers of the run."""
+    rows = [p.solver for p in parts if not isinstance(p.solver, (Flight, PairContact))]
     sentences = [
-        *_clusters(
-            scene, [p.solver for p in parts if isinstance(p.solver, (CoupledGroup, LinearPair))]
-        ),
+        *_clusters(scene, [cast("InRows", s) for s in rows]),
         *_pairs(scene, [p.solver for p in parts if isinstance(p.solver, PairContact)]),
         *_flights(scene, [p.solver for p in parts if isinstance(p.solver, Flight)]),
     ]
@@ -70,7 +77,7 @@ def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
     ]
 
 
-def _clusters(scene: Scene, solvers: list[CoupledGroup | LinearPair]) -> list[str]:
+def _clusters(scene: Scene, solvers: list[InRows]) -> list[str]:
     found = []
     for solver in solvers:
         touching = [
@@ -93,12 +100,19 @@ def _clusters(scene: Scene, solvers: list[CoupledGroup | LinearPair]) -> list[st
         together = _with_commas(causes)
         if len(causes) > 1 or len(touching) > 1:
             together = said("{causes} at the same time", causes=together)
-        found.append(said(METHODS[solver.tier], causes=together))
+        found.append(
+            said(METHODS[SWINGS if solver.name == SWINGS else solver.tier], causes=together)
+        )
     return list(dict.fromkeys(found))
 
 
+SWINGS = "modes"
+
 METHODS = {
     1: template("{causes}: all of it is linear, an oscillation about its place of rest, exact"),
+    SWINGS: template(
+        "{causes}: all of it is linear, a sum of damped oscillations about the place of rest, exact"
+    ),
     2: template("{causes}: a power series of order 26 in short steps, exact to rounding"),
     3: template(
         "{causes}: an adaptive method of order 8 with located events, "
@@ -118,7 +132,7 @@ def _effects(names: Sequence[str]) -> str:
 
 def _flights(scene: Scene, solvers: list[Flight]) -> list[str]:
     found: list[str] = []
-    for form in (None, Fading, Slowing):
+    for form in (None, *FORMS):
         own = [
             s for s in solvers if (s.course.sparse if form is None else isinstance(s.course, form))
         ]

@@ -51,11 +51,15 @@ class Hertz:
         if d <= 0.0:
             return 0.0
         root = math.sqrt(d)
+        if self.zeta == 0.0:
+            return self.stiffness * d * root
         return self.stiffness * d * root + self.damper(mu) * math.sqrt(root) * v
 
     def dissipated(self, mu: float, d: float, v: float) -> float:
         """W. What the damper takes just now."""
-        return self.damper(mu) * math.sqrt(math.sqrt(d)) * v * v if d > 0.0 else 0.0
+        if d <= 0.0 or self.zeta == 0.0:
+            return 0.0
+        return self.damper(mu) * math.sqrt(math.sqrt(d)) * v * v
 
     def figures(self, mu: float) -> Figures:
         """Not proportional to the speed."""

@@ -4953,6 +4953,7 @@
     "pair-contact": tr("contacts"),
     "pair-phase": tr("contacts with other forces"),
     "power-series": tr("series for several forces"),
+    modes: tr("sums of swings"),
     adaptive: tr("steps of an adaptive method"),
     instant: tr("impacts")
   };

@@ -53,6 +53,7 @@ const USED = {
   "pair-contact": tr("contacts"),
   "pair-phase": tr("contacts with other forces"),
   "power-series": tr("series for several forces"),
+  modes: tr("sums of swings"),
   adaptive: tr("steps of an adaptive method"),
   instant: tr("impacts"),
 };

@@ -1,0 +1,164 @@
+"""A quantity of a row that moves as a sum of modes: values, bounds, zeros, maxima, integrals.
+
+    q(t) = c + d t + Re sum of a_j e^(lambda_j t) ,     Re lambda_j <= 0
+
+|q''| from t on is at most sum |a_j| |lambda_j|² e^(Re lambda_j t), so that steps that cannot jump
+over a zero (`safe_step`) are as long as what still swings allows: a stiff contact that has come to
+rest costs nothing beside a soft spring, however long the run.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+
+from sim.dynamics.motion.safe_step import safe_step
+
+Term = tuple[complex, complex]
+"""lambda [1/s] and a. Of a pair of conjugate ones one stands for both, a being twice its share."""
+
+
+@dataclass(frozen=True, slots=True)
+class ModalSum:
+    """c, d and the terms; `at` in s from where the terms begin."""
+
+    constant: float
+    terms: tuple[Term, ...]
+    growth: float = 0.0
+
+    def value(self, t: float) -> float:
+        """q."""
+        swings = [(a * cmath.exp(z * t)).real for z, a in self.terms]
+        return math.fsum([self.constant, self.growth * t, *swings])
+
+    def both(self, t: float) -> tuple[float, float]:
+        """q and q'."""
+        here = [(z, a * cmath.exp(z * t)) for z, a in self.terms]
+        value = math.fsum([self.constant, self.growth * t, *(s.real for _, s in here)])
+        return value, math.fsum([self.growth, *((z * s).real for z, s in here)])
+
+    def bound(self, t: float, order: int) -> float:
+        """Of the absolute value of a derivative from t on; of order 0 without the constant."""
+        return math.fsum([abs(a) * abs(z) ** order * math.exp(z.real * t) for z, a in self.terms])
+
+    @property
+    def slope(self) -> ModalSum:
+        """q'."""
+        return ModalSum(self.growth, tuple((z, z * a) for z, a in self.terms))
+
+    @property
+    def size(self) -> float:
+        """Of all that adds up to q at the start."""
+        return abs(self.constant) + sum(abs(a) for _, a in self.terms)
+
+    def integral(self, t: float) -> float:
+        """Of q from 0 to t."""
+        swings = [(a * _grown(z, t)).real for z, a in self.terms]
+        return math.fsum([self.constant * t, 0.5 * self.growth * t * t, *swings])
+
+    def square_integral(self, t: float) -> float:
+        """Of q² from 0 to t; without growth."""
+        whole: list[Term] = [(0j, complex(self.constant))] if self.constant else []
+        for z, a in self.terms:
+            whole += [(z, a)] if z.imag == 0.0 else [(z, 0.5 * a), _conjugate(z, 0.5 * a)]
+        mixed = [
+            (1.0 if i == j else 2.0) * (a * b * _grown(z + w, t)).real
+            for i, (z, a) in enumerate(whole)
+            for j, (w, b) in enumerate(whole[: i + 1])
+        ]
+        return math.fsum(mixed)
+
+
+def _conjugate(z: complex, a: complex) -> Term:
+    return z.conjugate(), a.conjugate()
+
+
+def plus(*parts: tuple[float, ModalSum]) -> ModalSum:
+    """A sum with factors."""
+    shares: dict[complex, complex] = {}
+    for factor, one in parts:
+        if factor:
+            for z, a in one.terms:
+                shares[z] = shares.get(z, 0j) + factor * a
+    return ModalSum(
+        math.fsum([factor * one.constant for factor, one in parts]),
+        tuple(shares.items()),
+        math.fsum([factor * one.growth for factor, one in parts]),
+    )
+
+
+def _grown(z: complex, t: float) -> complex:
+    """Integral of e^(z t): (e^(z t) − 1)/z, without cancellation."""
+    if z == 0.0:
+        return complex(t)
+    x, y = z.real * t, z.imag * t
+    half = math.sin(0.5 * y)
+    real = math.expm1(x) * math.cos(y) - 2.0 * half * half
+    return complex(real, math.exp(x) * math.sin(y)) / z
+
+
+def clear_until(q: ModalSum, horizon: float, least: float, most: int) -> float:
+    """s. A time up to the horizon before which q, positive now, has no zero.
+
+    It stops where the next safe step is shorter than `least` [s], or after `most` of them.
+    """
+    t = 0.0
+    for _ in range(most):
+        if q.growth >= 0.0 and q.constant > q.bound(t, 0):
+            return horizon  # what swings cannot reach so far, ever
+        here, rate = q.both(t)
+        if here <= 0.0:
+            return 0.0
+        step = safe_step(here, rate, q.bound(t, 2))
+        if step < least:
+            return t
+        t += step
+        if t >= horizon:
+            return horizon
+    return t
+
+
+AS_GREAT = 1e-13
+"""Relative to all that adds up. A later maximum that exceeds the first by no more is the same."""
+
+
+def maximum(q: ModalSum, t: float, least: float, most: int) -> float:
+    """When q is greatest in [0, t]; the first of equal ones.
+
+    `least` [s] is a step so short that nothing happens within it, `most` the looks at q.
+    """
+    slope = q.slope
+    best, when = q.value(0.0), 0.0
+    end = q.value(t)
+    if end > best:
+        best, when = end, t
+    same = AS_GREAT * q.size
+    now = 0.0
+    for _ in range(most):
+        if now >= t:
+            break
+        here, rate = q.both(now)
+        step = safe_step(max(best - here, 0.0) + same, -rate, q.bound(now, 2))
+        if step >= least or rate <= 0.0:
+            now += max(step, least)
+            continue
+        top = _top(slope, now, t, least)
+        now = top + least
+        if (found := q.value(top)) > best + same:
+            best, when = found, top
+    return when
+
+
+def _top(slope: ModalSum, begin: float, end: float, least: float) -> float:
+    """The next zero of q', which is positive at `begin`: safe steps, then Newton's."""
+    t = begin
+    while t < end:
+        here, rate = slope.both(t)
+        if here <= 0.0:
+            break
+        step = safe_step(here, rate, slope.bound(t, 2))
+        if step < 1e-9 * least:
+            break
+        t += step
+    return min(t, end)

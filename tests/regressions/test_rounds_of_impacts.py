@@ -1,0 +1,109 @@
+"""Impacts without a duration that have no end: rounds at one instant, and hops under a force."""
+
+from __future__ import annotations
+
+import itertools
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from sim.dynamics.loop.collapse import Hits
+from sim.dynamics.loop.run import run
+from sim.dynamics.state.clock import ZERO
+from sim.scene import read_scene
+
+
+def row(masses: list[float], speeds: list[float], e: float, **more: Any) -> dict[str, Any]:
+    """Carts in touch from a wall on."""
+    carts = {
+        "ABCDE"[k]: {"mass": m, "position": round(0.1 + 0.2 * k, 6), "velocity": v}
+        for k, (m, v) in enumerate(zip(masses, speeds, strict=True))
+    }
+    return {
+        "carts": carts,
+        "track": {"left": "wall", "length": 3},
+        "contact": {"law": "instant", "restitution": e},
+        "until": 3,
+    } | more
+
+
+def hit_in_turn(plain: dict[str, Any], rounds: int) -> float:
+    """The greatest relative speed that is left after so many impacts, the fastest one first.
+
+    Plain arithmetic of V + e (V − v), with exact fractions: no rounding decides who is hit.
+    """
+    carts = list(plain["carts"].values())
+    e = Fraction(str(plain["contact"]["restitution"]))
+    m = [Fraction(str(c["mass"])) for c in carts]
+    v = [Fraction(str(c["velocity"])) for c in carts]
+    for _ in range(rounds):
+        closing = [-v[0], *(a - b for a, b in itertools.pairwise(v))]
+        k = max(range(len(closing)), key=lambda j: closing[j])
+        if closing[k] <= 0:
+            return 0.0
+        if k == 0:
+            v[0] = -e * v[0]
+        else:
+            centre = (m[k - 1] * v[k - 1] + m[k] * v[k]) / (m[k - 1] + m[k])
+            v[k - 1], v[k] = centre + e * (centre - v[k - 1]), centre + e * (centre - v[k])
+        v = [one.limit_denominator(10**40) for one in v]
+    closing = [-v[0], *(a - b for a, b in itertools.pairwise(v))]
+    return float(max(map(abs, closing)))
+
+
+COLLAPSING = {
+    "four": row([1, 0.385, 2.13, 1], [-0.5, -0.55, -1, -1], 0.25),
+    "four, near the limit": row([1, 0.385, 2.13, 1], [-0.488, -0.556, -1, -1], 0.3),
+    "three": row([1, 0.7, 2], [0, 0, -1], 0.25),
+}
+
+
+@pytest.mark.parametrize("what", COLLAPSING)
+def test_rounds_of_impacts_that_shrink_for_ever_end_at_once_in_rest_at_the_wall(what: str) -> None:
+    plain = COLLAPSING[what]
+    assert hit_in_turn(plain, 400) < 1e-3
+    done = run(read_scene(plain), max_events=3000)
+    assert done.stopped is None
+    assert done.v == pytest.approx((0.0,) * len(plain["carts"]), abs=1e-14)
+    assert done.ledger.imbalance() < 1e-14
+
+
+def test_rounds_count_only_when_every_speed_shrinks_by_the_same_factor() -> None:
+    def hits(factors: list[float]) -> Hits:
+        found = Hits()
+        speed = 1.0
+        for k in range(16):
+            found.gaps += [1, 2]
+            found.speeds += [speed, 0.3 * speed]
+            speed *= factors[k % len(factors)]
+        found.time = ZERO
+        return found
+
+    assert hits([0.5]).rounds() == (1, 2)
+    assert hits([0.5, 0.51]).rounds() is None
+    assert hits([1.0]).rounds() is None
+
+
+PRESSED = {
+    "carts": {
+        "A": {"mass": 0.408, "position": 0.1, "velocity": -1.0},
+        "B": {"mass": 1.0, "position": 0.3},
+    },
+    "track": {"left": "wall", "length": 3},
+    "contact": {
+        "law": "instant",
+        "restitution": 0.2,
+        "pairs": {"left-A": {"law": "instant", "restitution": 0.89}},
+    },
+    "effects": [{"spring": {"between": ["A", "B"], "stiffness": 922, "length": 0.3}}],
+    "until": 1,
+}
+
+
+def test_a_cart_that_a_spring_presses_to_the_wall_hops_until_no_hop_is_left() -> None:
+    """Each hop is e² as high: 140 of them to 1e-16, and then it is held, until the spring pulls."""
+    done = run(read_scene(PRESSED), max_events=1000)
+    assert done.stopped is None
+    assert done.record.counts["contact"] < 300
+    assert done.ledger.imbalance() < 1e-13
