@@ -10,8 +10,8 @@ import mpmath
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.motion.modal_sum import ModalSum, clear_until, maximum
-from sim.dynamics.motion.normal_modes import Segment, modes
+from sim.dynamics.motion.modes.modal_sum import ModalSum, clear_until, maximum
+from sim.dynamics.motion.modes.normal_modes import Segment, modes
 from sim.dynamics.result.trajectory import sample
 from sim.scene import read_scene
 from tests.fuzz.units import scaled

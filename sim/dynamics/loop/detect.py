@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop import recontact
+from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.safe_step import SAFE_STEPS, safe_step
 from sim.dynamics.motion.series import is_rounding
 from sim.dynamics.state.body import Body, Gap
@@ -29,6 +30,9 @@ SAME_SPEED = 1e-13
 
 KNOWN = 1e-15
 """Of the way that the faster one goes up to the horizon. Less room than that has no sign."""
+
+CRAWLS = 1e-6
+"""Of what is left of the search. Steps this short would not end it."""
 
 CLEARLY = 1e4
 """Times that. From so much room on the search for the next touch is not led astray by rounding."""
@@ -198,12 +202,35 @@ def _first_fall(
             if body.motion is not None
         )
         step = safe_step(max(here, 0.0), rate, bound)
+        if step < CRAWLS * (horizon - t):
+            step = _together(gap, moment, max(here, 0.0), rate, step, horizon - t)
         if step <= TOUCH_ROUNDING * t:
             return t if rate < 0.0 else None
         t += step
         if t > horizon:
             return None
     return t
+
+
+def _together(
+    gap: Gap, moment: Time, here: float, rate: float, step: float, horizon: float
+) -> float:
+    """A longer safe step of two whose accelerations are nearly the same, as downhill side by side.
+
+    Each of them lies between its values at both ends of a stretch: that bounds their difference
+    there far better than both do together.
+    """
+    left, right = gap.left.motion, gap.right.motion
+    if not isinstance(left, Flight) or not isinstance(right, Flight):
+        return step
+    stretch = horizon
+    while stretch > step:
+        low_left, high_left = left.accelerations(moment, stretch)
+        low_right, high_right = right.accelerations(moment, stretch)
+        bound = max(abs(high_right - low_left), abs(low_right - high_left))
+        step = max(step, min(stretch, safe_step(here, rate, bound)))
+        stretch /= 8.0
+    return step
 
 
 def _pushed_again(

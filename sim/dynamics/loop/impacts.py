@@ -124,6 +124,7 @@ def merge(chain: Chain, gap: Gap, now: Time, record: Record) -> Body:
             left.mass + right.mass,
             right.right,
         )
+        one.held = left.held and right.held  # one that comes along has not started by itself
         beyond = chain.gaps[right.right]
         if beyond is not None:
             beyond.left = one

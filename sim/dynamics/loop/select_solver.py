@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from sim.dynamics.loop.contacts import pair_contact
-from sim.dynamics.motion import flight
+from sim.dynamics.motion import courses
 from sim.dynamics.motion.coupled_group import coupled_group
 from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.guards import branch_of
@@ -100,7 +100,7 @@ def _flight(body: Body, now: Time, end: Time, forces: Forces | None) -> Motion |
     _count([body], [], forces, 1)
     if body.held or (body.v == 0.0 and not body.sliding):
         return None
-    course = flight.course(body.mass, body.v, body.sliding, load)
+    course = courses.course(body.mass, body.v, body.sliding, load)
     if course is None:
         return _group([body], [], now, end, forces)
     return Flight(body, now, body.v, load, body.sliding, course)

@@ -156,7 +156,7 @@ class Simulation:
     ) -> list[Body]:
         """An impact without duration among settled bodies; returns those that are left."""
         stays = impacts.rests(gap, self.fastest, in_contact=in_contact)
-        stays = stays or impacts.hops_within_rounding(gap, now)
+        stays = stays or (self.hits.often(gap) and impacts.hops_within_rounding(gap, now))
         run = [] if stays else collapse.run_of(self.chain, gap, now, self.instant, self.hits)
         if run:
             more, between = self.settle([b for g in run for b in (g.left, g.right)], now)

@@ -29,7 +29,7 @@ from sim.laws.branch import Branch
 from sim.laws.damped_oscillation import Rate
 
 if TYPE_CHECKING:
-    from sim.dynamics.motion.modal_group import ModalGroup
+    from sim.dynamics.motion.modes.group import ModalGroup
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,7 +191,7 @@ def _in_modes(
         return None
     if any(body.load.quadratic for body in bodies):
         return None
-    from sim.dynamics.motion.modal_group import modal_group  # where a scene calls for it
+    from sim.dynamics.motion.modes.group import modal_group  # where a scene calls for it
 
     row = row_of(bodies, gaps, branches, [0.0] * len(bodies))
     try:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, cast
 
+from sim.dynamics.motion.courses import Fading, Slowing
 from sim.dynamics.motion.drag_course import Driven
-from sim.dynamics.motion.flight import Fading, Flight, Slowing
+from sim.dynamics.motion.flight import Flight
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.record import Solved
 from sim.dynamics.state.body import Motion
@@ -17,7 +18,7 @@ from sim.scene.said import listed, said, template
 if TYPE_CHECKING:
     from sim.dynamics.motion.coupled_group import CoupledGroup
     from sim.dynamics.motion.linear_pair import LinearPair
-    from sim.dynamics.motion.modal_group import ModalGroup
+    from sim.dynamics.motion.modes.group import ModalGroup
 
     InRows = CoupledGroup | LinearPair | ModalGroup
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sim.dynamics.motion.guards import guards_of
-from sim.dynamics.motion.modal_forces import others
-from sim.dynamics.motion.modal_state import ModalState
-from sim.dynamics.motion.modal_sum import ModalSum, plus
+from sim.dynamics.motion.modes.forces import others
+from sim.dynamics.motion.modes.modal_sum import ModalSum, plus
+from sim.dynamics.motion.modes.state import ModalState
 from sim.dynamics.motion.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Guard

@@ -15,8 +15,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from sim.dynamics.motion.modal_sum import ModalSum, Term
-from sim.dynamics.motion.normal_modes import Mode, Segment, modes
+from sim.dynamics.motion.modes.modal_sum import ModalSum, Term
+from sim.dynamics.motion.modes.normal_modes import Mode, Segment, modes
 from sim.dynamics.motion.rest import Balance, segments, strains
 from sim.dynamics.motion.series import Row
 from sim.dynamics.state.body import Body, Gap

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.motion.modal_state import ModalState
-from sim.dynamics.motion.modal_sum import ModalSum, plus
+from sim.dynamics.motion.modes.modal_sum import ModalSum, plus
+from sim.dynamics.motion.modes.state import ModalState
 from sim.dynamics.motion.series import Row
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.loads import Load
