@@ -29,7 +29,8 @@ from sim.dynamics.report.document import finite, report
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.methods import Way
-from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
+from sim.dynamics.stepping.recorded import SteppedRun, stepped
+from sim.dynamics.stepping.stepped_report import stepped_report
 from sim.scene import Scene, read_scene
 
 METHODS = ("euler", "semi-implicit", "rk4")

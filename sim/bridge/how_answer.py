@@ -25,7 +25,8 @@ from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.drawn import Drawn, drawn
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
-from sim.dynamics.stepping.recorded import SteppedRun, stepped, stepped_report
+from sim.dynamics.stepping.recorded import SteppedRun, stepped
+from sim.dynamics.stepping.stepped_report import stepped_report
 from sim.scene import Problem, Scene, SceneError, read_scene
 from sim.scene.said import wire as said_by
 

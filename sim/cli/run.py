@@ -101,7 +101,7 @@ def command(
         return
     description = scene_file.read(scene)
     if method != "exact":
-        from sim.dynamics.stepping.recorded import stepped_report
+        from sim.dynamics.stepping.stepped_report import stepped_report
 
         result = _stepped(scene, description, method, step, rtol, keep_events=not no_events)
         if as_json:

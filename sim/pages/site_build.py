@@ -193,27 +193,22 @@ class SiteBuild:
         from sim.pages import runtime  # only where a page has a scene
 
         try:
-            (site / site_files.ASSETS / "carts.js").write_bytes(site_files.scene_script())
+            assets = site / site_files.ASSETS
+            (assets / "carts.js").write_bytes(site_files.scene_script())
             packages = set(self.packages)
             if any(needs.classroom for needs in self.needs.values()):
-                assets = site / site_files.ASSETS
                 (assets / "class.js").write_bytes(site_files.class_script())
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
-            if any(needs.challenge for needs in self.needs.values()):
-                script = site_files.challenge_script()
-                (site / site_files.ASSETS / "challenge.js").write_bytes(script)
-            if any(needs.worlds for needs in self.needs.values()):
-                script = site_files.worlds_script()
-                (site / site_files.ASSETS / "worlds.js").write_bytes(script)
+            for name in ("challenge", "worlds"):
+                if any(getattr(needs, name) for needs in self.needs.values()):
+                    (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             if any(needs.measured for needs in self.needs.values()):
-                script = site_files.measured_script()
-                (site / site_files.ASSETS / "measured.js").write_bytes(script)
-                script = site_files.film_script()
-                (site / site_files.ASSETS / site_files.FILM).write_bytes(script)
+                (assets / "measured.js").write_bytes(site_files.measured_script())
+                (assets / site_files.FILM).write_bytes(site_files.film_script())
             if self.doors.made:
-                self.doors.write(site / site_files.ASSETS, *site_files.teacher_files())
+                self.doors.write(assets, *site_files.teacher_files())
                 packages.add(runtime.TEACHER)
             cache = runtime.default_cache(self.root)
             if self.done is None or not packages <= self.done:

@@ -54,19 +54,14 @@ def measured_script() -> bytes:
     return _read(_WEB / "dist" / "measured.js", "make bundle")
 
 
-def worlds_script() -> bytes:
-    """The committed bundle of pages whose scenes name worlds: assets/carts/worlds.js."""
-    return _read(_WEB / "dist" / "worlds.js", "make bundle")
-
-
 def film_script() -> bytes:
     """The committed bundle that follows marks in films: asked for by measured.js beside it."""
     return _read(_WEB / "dist" / FILM, "make bundle")
 
 
-def challenge_script() -> bytes:
-    """The committed bundle of pages with a challenge: assets/carts/challenge.js."""
-    return _read(_WEB / "dist" / "challenge.js", "make bundle")
+def own_script(name: str) -> bytes:
+    """The committed bundle of pages with challenges, or with worlds: assets/carts/NAME.js."""
+    return _read(_WEB / "dist" / f"{name}.js", "make bundle")
 
 
 def teacher_files() -> tuple[bytes, bytes]:

@@ -10,7 +10,8 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, outcome
-from sim.dynamics.stepping.recorded import stepped, stepped_report
+from sim.dynamics.stepping.recorded import stepped
+from sim.dynamics.stepping.stepped_report import stepped_report
 from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
 from sim.scene.model import Contact

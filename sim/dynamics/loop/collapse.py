@@ -55,8 +55,9 @@ ROUNDS = 4
 SAME_RATIO = 1e-7
 """Relative. What is left of all but the greatest eigenvalue; it fades from round to round."""
 
-MANY = 900
-"""Blows in one gap. A ball with e = 0.969 comes to rest in fewer, each of them told."""
+REST_COMES = 1.2 * math.log(1e-12)
+"""Over ln e: blows in one gap after which a ball would have come to rest by itself, see `impacts`,
+and a fifth more. Whatever still hops then does so by rounding."""
 
 SELDOM = 16
 """Impacts at one instant between two looks for rounds."""
@@ -74,7 +75,8 @@ class Hits:
     def often(self, gap: Gap) -> bool:
         """One blow more in this gap: are there so many that rounding may have the say?"""
         self.blows[gap.index] += 1
-        return self.blows[gap.index] > MANY
+        e = gap.contact.restitution or 0.0
+        return e < 1.0 and (e == 0.0 or self.blows[gap.index] > REST_COMES / math.log(e))
 
     def note(self, gap: Gap, now: Time, instant: float) -> None:
         """Another one; those of an earlier instant are forgotten."""

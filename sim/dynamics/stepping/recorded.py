@@ -13,9 +13,7 @@ from __future__ import annotations
 import math
 from array import array
 from dataclasses import dataclass
-from typing import Any
 
-from sim.dynamics.report.document import finite, report
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
@@ -27,7 +25,6 @@ from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
-from sim.scene.said import said
 
 MOST_ROWS = 20_000
 """Samples kept; of a longer run every so many steps one."""
@@ -231,28 +228,3 @@ def _empty(
     columns.update({("F", "-".join(scene.names_at(gap))): array("d") for gap in gaps})
     columns.update({("E", kind, scene.carts[k].name): array("d") for kind, k in outside})
     return columns
-
-
-def stepped_report(result: SteppedRun) -> dict[str, Any]:
-    """What `carts run --method … --json` prints: format 1, the plan and the imbalance its own."""
-    run, way = result.run, result.way
-    document = report(run)
-    asked = (
-        said("asked for: step {size}, for the whole run", size=f"{way.step:.6g} s")
-        if way.step
-        else said("asked for: relative tolerance {size}, for the whole run", size=f"{way.rtol:.3g}")
-    )
-    document["plan"] = [
-        {
-            "from": 0.0,
-            "until": run.t,
-            "tier": None,
-            "solver": way.method,
-            "why": said("{first}; {last}", first=asked, last=said("it is not exact")),
-            "packages": ["numpy", "scipy"] if way.method in ADAPTIVE else [],
-        }
-    ]
-    document["energy"]["imbalance"] = finite(result.lost_energy)
-    document["momentum"]["imbalance"] = finite(result.lost_momentum)
-    document["steps"] = result.steps
-    return document

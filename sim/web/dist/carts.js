@@ -165,7 +165,7 @@
     });
   }
 
-  // src/scene/slow.js
+  // src/scene/time/slow.js
   var WATCH = 3;
   var BEFORE = 0.15;
   var AFTER = 0.25;
@@ -214,7 +214,7 @@
     return rate < 1 ? `1/${Math.round(1 / rate)}` : `${rate}×`;
   }
 
-  // src/scene/player.js
+  // src/scene/time/player.js
   var SAME = 1e-12;
   var STEP = 0.04;
   var STILL = 1;
@@ -8688,7 +8688,7 @@ ${lines4.join("\n")}
     }
   };
 
-  // src/scene/timeline.js
+  // src/scene/time/timeline.js
   var MOST_EVENTS3 = 60;
   var BAND = { class: "carts-contact-band", y: 0, height: 18 };
   var Timeline = class {
@@ -8709,7 +8709,7 @@ ${lines4.join("\n")}
       this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
       this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
     }
-    /** @param {import("../../../view/types.js").Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+    /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
       const pushes2 = isTold(run) ? marks(header, false) : [];
@@ -8994,7 +8994,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
   }
 
-  // src/scene/sound.js
+  // src/scene/time/sound.js
   var KEY = "carts-sound";
   var LASTS = 0.08;
   var FADES = 60;
@@ -9044,7 +9044,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     return kind === "contact" || kind === "release" ? impulse ?? 0 : 0;
   }
 
-  // src/scene/transport.js
+  // src/scene/time/transport.js
   var Transport = class {
     /** @param {HTMLElement} root @param {Player} player @param {Record<string, number>} decimals */
     constructor(root, player, decimals) {
@@ -9274,12 +9274,12 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
   };
 
-  // src/scene/watch.js
+  // src/scene/time/watch.js
   var WATCHED = "carts-watched";
   var Watch = class {
     over = false;
     /**
-     * @param {HTMLElement} element of the scene @param {import("../../../view/types.js").Baked} baked
+     * @param {HTMLElement} element of the scene @param {import("../../../../view/types.js").Baked} baked
      * @param {import("./player.js").Player} player @param {() => void} ended once, when all was seen
      */
     constructor(element, baked, player, ended2) {

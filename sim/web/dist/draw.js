@@ -14850,7 +14850,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
   };
 
-  // src/scene/timeline.js
+  // src/scene/time/timeline.js
   var MOST_EVENTS3 = 60;
   var BAND = { class: "carts-contact-band", y: 0, height: 18 };
   var Timeline = class {
@@ -14871,7 +14871,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       this.numbers = need(root, '.carts-ticks [data-part="numbers"]');
       this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
     }
-    /** @param {import("../../../view/types.js").Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+    /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
       const pushes2 = isTold(run) ? marks(header, false) : [];

@@ -445,7 +445,7 @@
     return String(rounded === 0 ? 0 : rounded);
   }
 
-  // src/scene/slow.js
+  // src/scene/time/slow.js
   function slowAt(parts, t) {
     return parts.find((part) => t >= part.from && t < part.to);
   }
@@ -464,7 +464,7 @@
     return Math.min(now, until);
   }
 
-  // src/scene/player.js
+  // src/scene/time/player.js
   var SAME = 1e-12;
   var STEP = 0.04;
   var STILL = 1;

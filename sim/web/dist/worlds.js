@@ -120,7 +120,7 @@
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
   }
 
-  // src/scene/watch.js
+  // src/scene/time/watch.js
   var WATCHED = "carts-watched";
 
   // src/shared/ask-scene.js
@@ -954,180 +954,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
   }
 
-  // src/scene/slow.js
-  var WATCH = 3;
-  var BEFORE = 0.15;
-  var AFTER = 0.25;
-  var SLOWEST = 1e-12;
-  var RATES = [0.5, 0.2, 0.1];
-  function rateFor(duration) {
-    const wanted = duration / WATCH;
-    for (let power = 1; power > SLOWEST; power /= 10) {
-      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
-    }
-    return wanted;
-  }
-  function slowParts(touches2) {
-    const parts = [];
-    for (const { start, end } of touches2) {
-      const duration = end - start;
-      const rate = rateFor(duration);
-      if (rate >= 1) continue;
-      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
-      const last2 = parts.at(-1);
-      if (last2 && part.from <= last2.to) {
-        last2.to = Math.max(last2.to, part.to);
-        last2.rate = Math.min(last2.rate, rate);
-      } else parts.push(part);
-    }
-    return parts;
-  }
-  function slowAt(parts, t) {
-    return parts.find((part) => t >= part.from && t < part.to);
-  }
-  function advance(t, seconds, speed, parts, until) {
-    let now = t;
-    let left = seconds;
-    while (left > 0 && now < until) {
-      const inside = slowAt(parts, now);
-      const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
-      const next = Math.min(edge, until);
-      if (now + left * rate < next) return now + left * rate;
-      left -= (next - now) / rate;
-      now = next;
-    }
-    return Math.min(now, until);
-  }
-
-  // src/scene/player.js
-  var SAME = 1e-12;
-  var STEP = 0.04;
-  var STILL = 1;
-  var LONGEST_FRAME = 0.1;
-  var Player = class {
-    time = 0;
-    own = 0;
-    // s that the reader has watched since the start
-    playing = false;
-    speed = 1;
-    slow = true;
-    until = 1;
-    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
-    seen = Infinity;
-    ended = () => {
-    };
-    // what to do at the end of the run
-    /** What to do after steps. @type {(before: number) => void} */
-    stepped = () => {
-    };
-    /** @type {import("./slow.js").SlowPart[]} */
-    parts = [];
-    /** @type {number[]} s, where playing stops by itself */
-    halts = [];
-    halting = false;
-    /** @type {number[]} */
-    stops = [];
-    /** Whether playing shows a still each second, and each event, in place of motion. */
-    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    #waited = 0;
-    // s since the last still
-    #frame = 0;
-    #last = 0;
-    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
-    constructor(changed) {
-      this.changed = changed;
-    }
-    get #parts() {
-      return this.slow ? this.parts : [];
-    }
-    /** @returns {number} cart seconds per second now */
-    get rate() {
-      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
-    }
-    /** @returns {boolean} whether slow motion is on at this instant */
-    get isSlow() {
-      return this.rate < this.speed;
-    }
-    toggle() {
-      if (this.playing) this.pause();
-      else this.play();
-    }
-    play() {
-      if (this.playing) return;
-      if (this.time >= this.until) this.#move(0);
-      if (this.time === 0) this.own = 0;
-      this.playing = true;
-      this.#last = 0;
-      this.#waited = 0;
-      this.changed(this.time, false);
-      this.#frame = requestAnimationFrame((now) => this.#tick(now));
-    }
-    pause() {
-      if (!this.playing) return;
-      this.playing = false;
-      cancelAnimationFrame(this.#frame);
-      this.changed(this.time, false);
-    }
-    /** @param {number} t in s */
-    seek(t) {
-      this.#move(Math.min(t, this.seen));
-      if (t <= 0) this.own = 0;
-      this.#tell(this.time, false);
-    }
-    /** Goes there, watched or not. @param {number} t in s */
-    show(t) {
-      this.seen = Math.max(this.seen, t);
-      this.seek(t);
-    }
-    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
-    step(way, count = 1) {
-      this.pause();
-      const start = this.time;
-      for (let k = 0; k < count; k += 1) {
-        const before = this.time;
-        const target = before + way * STEP * this.rate;
-        const event = way > 0 ? this.stops.find((t) => t > before + SAME) : this.stops.findLast((t) => t < before - SAME);
-        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
-        this.#move(passed ? event : target);
-        this.#tell(before, way > 0);
-      }
-      this.stepped(start);
-    }
-    /** @param {number} now */
-    #tick(now) {
-      if (!this.playing) return;
-      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
-      this.#last = now;
-      const before = this.time;
-      this.own += seconds;
-      this.#waited += seconds;
-      if (this.stills && this.#waited < STILL) {
-        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
-        return;
-      }
-      const shown = this.stills ? this.#waited : seconds;
-      this.#waited = 0;
-      let next = advance(before, shown, this.speed, this.#parts, this.until);
-      if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
-      const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : void 0;
-      this.#move(halt ?? next);
-      if (halt !== void 0 || this.time >= this.until) this.playing = false;
-      this.#tell(before, true);
-      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
-    }
-    /** @param {number} t */
-    #move(t) {
-      this.time = Math.min(this.until, Math.max(0, t));
-      this.seen = Math.max(this.seen, this.time);
-    }
-    /** @param {number} before @param {boolean} playing */
-    #tell(before, playing) {
-      this.changed(before, playing);
-      if (this.time >= this.until) this.ended();
-    }
-  };
-
   // src/predict/pull.js
   function pullable(stage2, slider, full, width) {
     const group = svg("g", {});
@@ -1711,6 +1537,180 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     put(mass, "y", px(box2.labelY));
     say(mass, box2.label);
   }
+
+  // src/scene/time/slow.js
+  var WATCH = 3;
+  var BEFORE = 0.15;
+  var AFTER = 0.25;
+  var SLOWEST = 1e-12;
+  var RATES = [0.5, 0.2, 0.1];
+  function rateFor(duration) {
+    const wanted = duration / WATCH;
+    for (let power = 1; power > SLOWEST; power /= 10) {
+      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
+    }
+    return wanted;
+  }
+  function slowParts(touches2) {
+    const parts = [];
+    for (const { start, end } of touches2) {
+      const duration = end - start;
+      const rate = rateFor(duration);
+      if (rate >= 1) continue;
+      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
+      const last2 = parts.at(-1);
+      if (last2 && part.from <= last2.to) {
+        last2.to = Math.max(last2.to, part.to);
+        last2.rate = Math.min(last2.rate, rate);
+      } else parts.push(part);
+    }
+    return parts;
+  }
+  function slowAt(parts, t) {
+    return parts.find((part) => t >= part.from && t < part.to);
+  }
+  function advance(t, seconds, speed, parts, until) {
+    let now = t;
+    let left = seconds;
+    while (left > 0 && now < until) {
+      const inside = slowAt(parts, now);
+      const rate = inside ? Math.min(speed, inside.rate) : speed;
+      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge, until);
+      if (now + left * rate < next) return now + left * rate;
+      left -= (next - now) / rate;
+      now = next;
+    }
+    return Math.min(now, until);
+  }
+
+  // src/scene/time/player.js
+  var SAME = 1e-12;
+  var STEP = 0.04;
+  var STILL = 1;
+  var LONGEST_FRAME = 0.1;
+  var Player = class {
+    time = 0;
+    own = 0;
+    // s that the reader has watched since the start
+    playing = false;
+    speed = 1;
+    slow = true;
+    until = 1;
+    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
+    seen = Infinity;
+    ended = () => {
+    };
+    // what to do at the end of the run
+    /** What to do after steps. @type {(before: number) => void} */
+    stepped = () => {
+    };
+    /** @type {import("./slow.js").SlowPart[]} */
+    parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
+    /** @type {number[]} */
+    stops = [];
+    /** Whether playing shows a still each second, and each event, in place of motion. */
+    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    #waited = 0;
+    // s since the last still
+    #frame = 0;
+    #last = 0;
+    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+    constructor(changed) {
+      this.changed = changed;
+    }
+    get #parts() {
+      return this.slow ? this.parts : [];
+    }
+    /** @returns {number} cart seconds per second now */
+    get rate() {
+      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+    }
+    /** @returns {boolean} whether slow motion is on at this instant */
+    get isSlow() {
+      return this.rate < this.speed;
+    }
+    toggle() {
+      if (this.playing) this.pause();
+      else this.play();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.until) this.#move(0);
+      if (this.time === 0) this.own = 0;
+      this.playing = true;
+      this.#last = 0;
+      this.#waited = 0;
+      this.changed(this.time, false);
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      cancelAnimationFrame(this.#frame);
+      this.changed(this.time, false);
+    }
+    /** @param {number} t in s */
+    seek(t) {
+      this.#move(Math.min(t, this.seen));
+      if (t <= 0) this.own = 0;
+      this.#tell(this.time, false);
+    }
+    /** Goes there, watched or not. @param {number} t in s */
+    show(t) {
+      this.seen = Math.max(this.seen, t);
+      this.seek(t);
+    }
+    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+    step(way, count = 1) {
+      this.pause();
+      const start = this.time;
+      for (let k = 0; k < count; k += 1) {
+        const before = this.time;
+        const target = before + way * STEP * this.rate;
+        const event = way > 0 ? this.stops.find((t) => t > before + SAME) : this.stops.findLast((t) => t < before - SAME);
+        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
+        this.#move(passed ? event : target);
+        this.#tell(before, way > 0);
+      }
+      this.stepped(start);
+    }
+    /** @param {number} now */
+    #tick(now) {
+      if (!this.playing) return;
+      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      this.#last = now;
+      const before = this.time;
+      this.own += seconds;
+      this.#waited += seconds;
+      if (this.stills && this.#waited < STILL) {
+        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+        return;
+      }
+      const shown = this.stills ? this.#waited : seconds;
+      this.#waited = 0;
+      let next = advance(before, shown, this.speed, this.#parts, this.until);
+      if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
+      const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
+      this.#tell(before, true);
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+    }
+    /** @param {number} t */
+    #move(t) {
+      this.time = Math.min(this.until, Math.max(0, t));
+      this.seen = Math.max(this.seen, this.time);
+    }
+    /** @param {number} before @param {boolean} playing */
+    #tell(before, playing) {
+      this.changed(before, playing);
+      if (this.time >= this.until) this.ended();
+    }
+  };
 
   // src/worlds/pictures.js
   var SIGN = 60;

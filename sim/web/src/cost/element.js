@@ -2,7 +2,7 @@
 
 import { cells, rowOf, told } from "../../../view/cost/words.js";
 import { fixed } from "../../../view/numbers.js";
-import { Player } from "../scene/player.js";
+import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 import { CostFigure } from "./figure.js";

@@ -1,7 +1,7 @@
 /** Everything that is drawn of the readings and of the model: figure, residuals, carts, table, faults. */
 
 import { fixed } from "../../../view/numbers.js";
-import { Player } from "../scene/player.js";
+import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
 import { Figure } from "./figure.js";
 import { showResult, showTable } from "./result.js";

@@ -15,7 +15,7 @@ import { GraphView } from "./graphs/graph-view.js";
 import { Readouts } from "./readouts.js";
 import { Stage } from "./stage.js";
 import { Story } from "./story.js";
-import { Timeline } from "./timeline.js";
+import { Timeline } from "./time/timeline.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("../../../view/windows.js").Touch} Touch */

@@ -9,7 +9,7 @@ import { Live } from "./live.js";
 import { Runs } from "./runs.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./take-along/share.js";
-import { Watch } from "./watch.js";
+import { Watch } from "./time/watch.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */

@@ -10,10 +10,10 @@ import { Drawing } from "./drawing.js";
 import { Choose, emptyGraph } from "./graphs/choose.js";
 import { GraphView } from "./graphs/graph-view.js";
 import { Ghost } from "./how/ghost.js";
-import { Player } from "./player.js";
-import { slowParts } from "./slow.js";
-import { Sound } from "./sound.js";
-import { Transport } from "./transport.js";
+import { Player } from "./time/player.js";
+import { slowParts } from "./time/slow.js";
+import { Sound } from "./time/sound.js";
+import { Transport } from "./time/transport.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 

@@ -6,7 +6,7 @@
 import { told, tr } from "../../../view/language.js";
 import { fromWire } from "../../../view/trajectory.js";
 import { readBaked } from "../scene/baked.js";
-import { WATCHED } from "../scene/watch.js";
+import { WATCHED } from "../scene/time/watch.js";
 import { askScene } from "../shared/ask-scene.js";
 import { html, need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";

@@ -7,9 +7,9 @@ import { tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
 import { stage } from "../../../view/skeleton/stage.js";
 import { touches } from "../../../view/windows.js";
-import { Player } from "../scene/player.js";
-import { slowParts } from "../scene/slow.js";
 import { Stage } from "../scene/stage.js";
+import { Player } from "../scene/time/player.js";
+import { slowParts } from "../scene/time/slow.js";
 import { html, say, svg } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */

@@ -17,7 +17,7 @@ function rateFor(duration) {
   return wanted;
 }
 
-/** @param {import("../../../view/windows.js").Touch[]} touches @returns {SlowPart[]} in order, not overlapping */
+/** @param {import("../../../../view/windows.js").Touch[]} touches @returns {SlowPart[]} in order, not overlapping */
 export function slowParts(touches) {
   /** @type {SlowPart[]} */
   const parts = [];

@@ -1,8 +1,8 @@
 /** Buttons, speed, clocks and keys: everything that moves the time. */
 
-import { tr } from "../../../view/language.js";
-import { fixed } from "../../../view/numbers.js";
-import { need, say } from "../shared/dom.js";
+import { tr } from "../../../../view/language.js";
+import { fixed } from "../../../../view/numbers.js";
+import { need, say } from "../../shared/dom.js";
 import { rateText } from "./slow.js";
 
 /** @typedef {import("./player.js").Player} Player */

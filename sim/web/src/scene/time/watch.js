@@ -3,7 +3,7 @@
  * was seen. Where a lesson has it free (`watch: free`), everything is there from the start.
  */
 
-import { recall, retain } from "../shared/tab.js";
+import { recall, retain } from "../../shared/tab.js";
 
 export const WATCHED = "carts-watched"; // an event of the scene, once, when its run was seen
 
@@ -11,7 +11,7 @@ export class Watch {
   over = false;
 
   /**
-   * @param {HTMLElement} element of the scene @param {import("../../../view/types.js").Baked} baked
+   * @param {HTMLElement} element of the scene @param {import("../../../../view/types.js").Baked} baked
    * @param {import("./player.js").Player} player @param {() => void} ended once, when all was seen
    */
   constructor(element, baked, player, ended) {

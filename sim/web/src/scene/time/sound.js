@@ -3,9 +3,9 @@
  * as long as the tab is open. Made here: no file is loaded, and no sound machine before it is wanted.
  */
 
-import { recall, retain } from "../shared/tab.js";
+import { recall, retain } from "../../shared/tab.js";
 
-/** @typedef {import("../../../view/types.js").RunEvent} RunEvent */
+/** @typedef {import("../../../../view/types.js").RunEvent} RunEvent */
 
 const KEY = "carts-sound";
 const LASTS = 0.08; // s

@@ -1,10 +1,10 @@
 /** The scrubber is the time axis: a tick for every event, a band for every contact. */
 
-import { marks } from "../../../view/effects-words.js";
-import { fixed, px } from "../../../view/numbers.js";
-import { axisDecimals, span, ticks } from "../../../view/scales.js";
-import { isTold } from "../../../view/trajectory.js";
-import { fit, need, put, svg } from "../shared/dom.js";
+import { marks } from "../../../../view/effects-words.js";
+import { fixed, px } from "../../../../view/numbers.js";
+import { axisDecimals, span, ticks } from "../../../../view/scales.js";
+import { isTold } from "../../../../view/trajectory.js";
+import { fit, need, put, svg } from "../../shared/dom.js";
 
 const MOST_EVENTS = 60;
 const BAND = { class: "carts-contact-band", y: 0, height: 18 };
@@ -26,7 +26,7 @@ export class Timeline {
     this.scrub.addEventListener("input", () => seek(this.scrub.valueAsNumber));
   }
 
-  /** @param {import("../../../view/types.js").Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+  /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
   show(run, windows) {
     const { header } = run;
     const pushes = isTold(run) ? marks(header, false) : [];
