@@ -130,7 +130,7 @@ def test_a_jump_is_drawn_upright() -> None:
 
 def test_slow_motion_makes_a_contact_last_and_misses_none() -> None:
     parts, ends = in_node(
-        """const { slowParts, advance } = await import(source + "/scene/slow.js");
+        """const { slowParts, advance } = await import(source + "/scene/time/slow.js");
         const parts = slowParts([{ start: 1, end: 1.08 }, { start: 3, end: 3.0004 }]);
         const ends = data.map((speed) => {
           let [t, frames] = [0, 0];
