@@ -10,6 +10,7 @@ in ours. So momentum and energy close, and the entry of that name is what no bod
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from typing import Any
 
@@ -17,8 +18,6 @@ from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.pairs import Pair, Row
 from sim.scene.model import Scene
 from sim.worlds.force import EVEN, Impossible, Two
-
-INF = float("inf")
 
 
 class WorldField(Field):
@@ -28,18 +27,17 @@ class WorldField(Field):
         super().__init__(scene)
         self.name, self.world = name, world
         self.resistance = [world.resistance(mass) for mass in self.mass]
-        self.between = [p for p in self.pairs if p.left is not None or p.right is not None]
         self.shares: dict[int, Two] = {}  # of the gaps that touch
         self.hits: dict[int, int] = {}  # by gap: which of the two is faster, 0 or 1
         self.past: dict[int, tuple[list[float], list[float]]] = {}  # s and N, by gap
-        self.last_push = -INF  # s
+        self.last_push = -math.inf  # s
         self.nowhere: Row = [0.0] * self.count  # N on each cart
         self.on: dict[tuple[int, int], float] = {}  # N on side 0 or 1 of a gap, pushing apart
 
     def _total(self, t: Any, v: Row, push: Row, links: dict[tuple[str, int], float]) -> Row:
         total = super()._total(t, v, push, links)
         extra = [-b * u for b, u in zip(self.resistance, v, strict=True)]
-        for pair in self.between:
+        for pair in self.pairs:
             pushed = push[pair.gap]
             pushed += sum(f for (_, gap), f in links.items() if gap == pair.gap and f > 0.0)
             pulled = sum(f for (_, gap), f in links.items() if gap == pair.gap and f < 0.0)
@@ -66,11 +64,11 @@ class WorldField(Field):
             return EVEN
         if gap not in self.shares:
             two = (pair.left, pair.right)
-            masses = tuple(INF if k is None else self.mass[k] for k in two)
+            masses = tuple(math.inf if k is None else self.mass[k] for k in two)
             speeds = tuple(0.0 if k is None else float(v[k]) for k in two)
             outside = tuple(0.0 if k is None else self._acting_on(k, v) for k in two)
             self.shares[gap] = self.world.shares(masses, speeds, outside)  # type: ignore[arg-type]
-            self.hits.setdefault(gap, 0 if abs(speeds[0]) >= abs(speeds[1]) else 1)
+            self.hits[gap] = 0 if abs(speeds[0]) >= abs(speeds[1]) else 1
         return self.shares[gap]
 
     def _acting_on(self, cart: int, v: Row) -> float:
@@ -79,7 +77,7 @@ class WorldField(Field):
 
     def remember(self, t: float, push: Row, links: dict[tuple[str, int], float]) -> None:
         """A step ended at t with these forces: what comes later is looked up here."""
-        for pair in self.between:
+        for pair in self.pairs:
             size = push[pair.gap]
             size += sum(f for (_, gap), f in links.items() if gap == pair.gap and f > 0.0)
             times, sizes = self.past.setdefault(pair.gap, ([], []))
