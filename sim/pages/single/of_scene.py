@@ -18,6 +18,7 @@ from sim.pages.scene_block import SceneBlock
 from sim.pages.single.all_inside import INSIDE, policy, runtime_scripts
 from sim.pages.site_build import SiteError
 from sim.pages.widget import render
+from sim.pages.widget.worlds import WORLDS
 
 LOOK = """\
 body { margin: 1rem auto; padding: 0 0.6rem; max-width: 62rem; line-height: 1.5;
@@ -50,11 +51,13 @@ def single_file(
     run = bake(fence.plain)
     if isinstance(run, list):
         raise AuthorError(map(block.places.finding, run))
-    packages = run.packages | set(fence.packages)
+    packages = run.packages | set(fence.packages) | ({WORLDS} if fence.worlds else set())
     try:
         css = site_files.site_files(modules)[site_files.ASSETS + "carts.css"].decode()
         carts = site_files.scene_script().decode()
         scripts = [INSIDE, *runtime_scripts(packages, root, report), carts]
+        if fence.worlds:
+            scripts.append(site_files.own_script("worlds").decode())
     except site_files.MissingFilesError as error:
         raise SiteError(str(error)) from error
     works = licences.notices(modules, scenes=True, packages=packages)
