@@ -4647,15 +4647,48 @@
     }
   };
 
+  // src/predict/once-more.js
+  var OnceMore = class {
+    /** @param {HTMLInputElement[]} radios of the prediction, whose options come back */
+    constructor(radios) {
+      this.options = radios.map((radio) => ({
+        value: radio.value,
+        text: radio.closest("label")?.textContent?.trim() ?? ""
+      }));
+      this.name = `${radios[0]?.name}-now`;
+    }
+    /** @param {string | null} value @returns {string} the words of an option */
+    said(value) {
+      return this.options.find((option2) => option2.value === value)?.text ?? "";
+    }
+    /** @param {string | null} now what was chosen at an earlier visit @param {(value: string) => void} choose */
+    draw(now, choose) {
+      const set = html("fieldset", "carts-once-more");
+      set.append(html("legend", "", tr("You have seen it. The same question once more:")));
+      for (const { value, text } of this.options) {
+        const line2 = html("label");
+        const radio = document.createElement("input");
+        Object.assign(radio, { type: "radio", name: this.name, value, checked: value === now });
+        radio.autocomplete = "off";
+        radio.addEventListener("change", () => choose(value));
+        line2.append(radio, ` ${text}`);
+        set.append(line2);
+      }
+      return set;
+    }
+  };
+
   // src/predict/words.js
   var ChoiceForm = class {
     /** @param {HTMLElement} root @param {() => void} changed */
     constructor(root, changed) {
       this.radios = /** @type {HTMLInputElement[]} */
       [
-        ...root.querySelectorAll('input[type="radio"]')
+        ...root.querySelectorAll('.carts-options input[type="radio"]')
+        // not those of how sure one is
       ];
       for (const radio of this.radios) radio.addEventListener("change", changed);
+      this.once = new OnceMore(this.radios);
     }
     get value() {
       return this.radios.find((radio) => radio.checked)?.value ?? null;
@@ -4676,7 +4709,7 @@
       return this.value === null ? tr("Choose one first.") : null;
     }
     compare() {
-      return [html("p", "", tr("Play the run. What do you see?"))];
+      return [html("p", "", tr("You said: “{said}”", { said: this.said }))];
     }
   };
   var WordsForm = class {
@@ -4704,7 +4737,7 @@
       return this.box.value.trim() ? null : tr("Write your prediction first; a few words are enough.");
     }
     compare() {
-      return [html("p", "", tr("Play the run and compare it with what you wrote."))];
+      return [html("p", "", tr("Compare what you saw with what you wrote."))];
     }
   };
 
@@ -4777,9 +4810,8 @@
     }
     /** Brings back what the reader left here before. */
     async restore() {
-      const { site, page: page2 } = place();
-      this.key = `${page2}#${this.#entry.id}`;
-      this.#store = await openStore(site);
+      this.key = `${place().page}#${this.#entry.id}`;
+      this.#store = await openStore(place().site);
       if (this.#store.kind === "memory") {
         say(
           this.saved,
@@ -4814,6 +4846,12 @@
         });
         place3.append(html("p", "", both));
       }
+      const once = this.form.once?.draw(this.#entry.now ?? null, (now) => {
+        this.#entry.now = now;
+        this.#told();
+        void this.#keep();
+      });
+      place3.append(once ?? "");
       place3.hidden = false;
       if (!this.#entry.watched) {
         this.#entry.watched = (/* @__PURE__ */ new Date()).toISOString();
@@ -4883,8 +4921,9 @@
     }
     /** The prediction in words, as the list of answers shows it. */
     #told() {
-      const { before, why } = this.#entry;
+      const { before, why, now } = this.#entry;
       const parts2 = [this.form.said];
+      if (now) parts2.push(tr("After the run: {said}", { said: this.form.once?.said(now) ?? "" }));
       if (before) parts2.push(tr("First: {said}", { said: before.said }));
       if (why) parts2.push(tr("Why: {said}", { said: why }));
       this.#entry.said = parts2.filter(Boolean).join(" · ");

@@ -19,13 +19,13 @@ import { ChoiceForm, WordsForm } from "./words.js";
 /** @typedef {import("../../../view/types.js").Baked} Baked */
 /**
  * One kind of prediction. `problem` says what is still missing; `compare` shows it beside the run.
- * `said` is the prediction in words; `ready`: it may be drawn in the picture.
+ * `said` is the prediction in words; `ready`: it may be drawn in the picture; `once`: the question comes back after the run.
  * @typedef {{value: unknown, readonly said: string, enable: (on: boolean) => void, problem: () => string | null,
- *   compare: (run: Run) => Node[], ready?: () => void}} Form
+ *   compare: (run: Run) => Node[], ready?: () => void, once?: import("./once-more.js").OnceMore}} Form
  */
 /** @typedef {{id: string, type: string, value: unknown, first: string | null, last: string | null, tries: number, locked: string | null, asked?: string, said?: string, sure?: string, watched?: string,
- *   talk?: string, before?: {value: unknown, said: string}, why?: string}} Entry
- * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking */
+ *   talk?: string, before?: {value: unknown, said: string}, why?: string, now?: string}} Entry
+ * watched: when its run was first seen to the end; talk: when it was locked for the first time; before: what it was until it was changed after talking; now: the same question after the run */
 
 export class Predict {
   /** @type {Entry} */
@@ -97,9 +97,8 @@ export class Predict {
 
   /** Brings back what the reader left here before. */
   async restore() {
-    const { site, page } = place();
-    this.key = `${page}#${this.#entry.id}`;
-    this.#store = await openStore(site);
+    this.key = `${place().page}#${this.#entry.id}`;
+    this.#store = await openStore(place().site);
     if (this.#store.kind === "memory") {
       say(
         this.saved,
@@ -135,6 +134,12 @@ export class Predict {
       });
       place.append(html("p", "", both));
     }
+    const once = this.form.once?.draw(this.#entry.now ?? null, (now) => {
+      this.#entry.now = now;
+      this.#told();
+      void this.#keep();
+    });
+    place.append(once ?? "");
     place.hidden = false;
     if (!this.#entry.watched) {
       this.#entry.watched = new Date().toISOString();
@@ -212,8 +217,9 @@ export class Predict {
 
   /** The prediction in words, as the list of answers shows it. */
   #told() {
-    const { before, why } = this.#entry;
+    const { before, why, now } = this.#entry;
     const parts = [this.form.said];
+    if (now) parts.push(tr("After the run: {said}", { said: this.form.once?.said(now) ?? "" }));
     if (before) parts.push(tr("First: {said}", { said: before.said }));
     if (why) parts.push(tr("Why: {said}", { said: why }));
     this.#entry.said = parts.filter(Boolean).join(" · ");

@@ -2,14 +2,16 @@
 
 import { tr } from "../../../view/language.js";
 import { html, need } from "../shared/dom.js";
+import { OnceMore } from "./once-more.js";
 
 export class ChoiceForm {
   /** @param {HTMLElement} root @param {() => void} changed */
   constructor(root, changed) {
     this.radios = /** @type {HTMLInputElement[]} */ ([
-      ...root.querySelectorAll('input[type="radio"]'),
+      ...root.querySelectorAll('.carts-options input[type="radio"]'), // not those of how sure one is
     ]);
     for (const radio of this.radios) radio.addEventListener("change", changed);
+    this.once = new OnceMore(this.radios);
   }
 
   get value() {
@@ -36,7 +38,7 @@ export class ChoiceForm {
   }
 
   compare() {
-    return [html("p", "", tr("Play the run. What do you see?"))];
+    return [html("p", "", tr("You said: “{said}”", { said: this.said }))];
   }
 }
 
@@ -72,6 +74,6 @@ export class WordsForm {
   }
 
   compare() {
-    return [html("p", "", tr("Play the run and compare it with what you wrote."))];
+    return [html("p", "", tr("Compare what you saw with what you wrote."))];
   }
 }
