@@ -38,7 +38,7 @@ KINDS = ("white", *CHAINS, "wander", "film-raw", "film-20", "film-8")
 STAGE = Stage(noise=3.0)
 RATE = 30.0  # frames per second of the made films, uneven
 SLOWEST = 0.25
-"""Of the drawn films' wander: lengths between this share of the recording and a tenth of it."""
+"""Longest sine of the wander, as a share of the recording; the shortest is a tenth."""
 
 
 def chain(count: int, rho: float, random: np.random.Generator) -> NDArray[np.float64]:
