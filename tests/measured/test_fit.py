@@ -22,7 +22,6 @@ from sim.measured.report import motion_report
 from sim.measured.tracks import Measured, between
 from sim.measured.words import of_balance
 from sim.scene import read_scene
-from tests.benchmarks.intervals import chain
 from tests.measured.makers import NOISE, TOLD, Truth, film, random_truth, truth
 
 FRICTION = ({"friction": {"coefficient": "0.005"}},)
@@ -225,21 +224,6 @@ def test_centimetres_taken_for_metres_are_noticed() -> None:
     assert any("really in the units" in one for one in said)
     said = motion_report(measured, fit(measured))["sentences"]
     assert not any("really in the units" in one for one in said)
-
-
-def test_noise_that_lasts_calls_for_no_effect() -> None:
-    called = 0
-    for seed in range(8):
-        measured = film(truth(v=(0.8, -0.3)), rate=60, noise=0.0)
-        random = np.random.default_rng(seed)
-        tracks = [
-            replace(one, value=tuple((np.array(one.value) + NOISE * off).tolist()))
-            for one in measured.tracks
-            for off in [chain(len(one.t), 0.6, random)]
-        ]
-        lasting = replace(measured, tracks=(tracks[0], tracks[1]))
-        called += called_for(compare(lasting, fit(lasting))) != "none"
-    assert called <= 1
 
 
 def parted() -> Measured:
