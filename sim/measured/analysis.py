@@ -1,9 +1,10 @@
 """One recording to one report: what happened, the fit that can be believed, or why there is none.
 
 The velocities beside the contact give every outcome's quantities (sim.measured.events). For a
-bounce the whole model is fitted too. Where its residuals are white, it is the sharper instrument,
-and its numbers are told; where they are not, its intervals would be too narrow, and those of the
-velocities stand. A scene comes from the model in both cases.
+bounce the whole model is fitted too. Where its residuals are white, or alike for a few readings
+only, it is the sharper instrument, and its numbers are told; where they are alike for long, its
+intervals would be too narrow, and those of the velocities stand. A scene comes from the model in
+both cases.
 """
 
 from __future__ import annotations
@@ -30,6 +31,10 @@ MOST_FITTED = 700
 
 MOST_SKETCHED = 120
 """The same where only a scene comes of it."""
+
+LASTING = 0.8
+"""Correlation of neighbouring residuals up to which the model's own intervals count what noise that
+lasts does to them (sim.measured.model.coloured). Above it a film holds too few that are apart."""
 
 ROUNDING = 1e-6
 """Noise as a share of the range below which residuals are rounding, and alike without harm."""
@@ -147,11 +152,11 @@ def _chosen(rows: list[Compared], wanted: Wanted) -> Fit | None:
 
 
 def _white(made: Fit, story: Story) -> bool:
-    """Whether the residuals are chance, or nothing but rounding."""
+    """Whether the residuals are chance that lasts a few readings at most, or mere rounding."""
     reach = max(max(track.value) - min(track.value) for track in story.measured.tracks)
     if made.noise < ROUNDING * reach:
         return True
-    return neighbours(made) <= ALIKE and not _smooth(story)
+    return neighbours(made) <= LASTING and not _smooth(story)
 
 
 def _same(story: Story, made: Fit, wanted: Wanted) -> bool:

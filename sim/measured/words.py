@@ -78,9 +78,10 @@ def of_fit(fit: Fit, names: tuple[str, str], compared: Sequence[Compared]) -> li
     row = next((one for one in compared if one.effect == fit.asked.effect), None)
     if row and row.alike > ALIKE:
         said.append(
-            "The residuals are not random: neighbours are alike. The model lacks something that "
-            "these carts do (friction, a tilt, a second contact, a hand), and the real uncertainty "
-            "is larger than printed."
+            "The residuals are not random: neighbours are alike. Either the readings err alike for "
+            "many frames, which the intervals count, or the model lacks something that these carts "
+            "do (friction, a tilt, a second contact, a hand), and the real uncertainty is larger "
+            "than printed."
         )
     if fit.asked.effect == "friction":
         for name, rests in zip(names, fit.parameters.rests, strict=True):

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
+
+from sim.measured.model.coloured import scatter
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,8 +26,12 @@ NEARLY_ZERO = 1e-5
 ALONG = 1e-2
 
 
-def covariance_of(jacobian: Floats, noise: float) -> tuple[tuple[float, ...], ...]:
+def covariance_of(
+    jacobian: Floats, residuals: Sequence[Floats], freedom: int
+) -> tuple[tuple[float, ...], ...]:
     """Of the unknowns; the variance of what the readings do not tell is infinite.
+
+    `residuals` in m, track by track, need not be white; `freedom`: readings less unknowns.
 
     An unknown that hardly moves any reading is not told. Of the others, columns are scaled to one
     size, and a direction in which no reading moves leaves all unknowns untold that lie along it.
@@ -32,13 +39,15 @@ def covariance_of(jacobian: Floats, noise: float) -> tuple[tuple[float, ...], ..
     import numpy as np
 
     count = jacobian.shape[1]
+    noise = math.sqrt(sum(float(one @ one) for one in residuals) / freedom)
     norms = np.linalg.norm(jacobian, axis=0)
     deaf = norms * UNTOLD_CHANGE < 1e-3 * noise
     told = np.flatnonzero(~deaf & (norms > 0.0))
-    _, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
+    directions, singular, axes = np.linalg.svd(jacobian[:, told] / norms[told], full_matrices=False)
     seen = singular > NEARLY_ZERO
     inverse = axes[seen].T / singular[seen]
-    part = noise**2 * (inverse @ inverse.T) / np.outer(norms[told], norms[told])
+    meat = scatter(directions[:, seen], residuals, freedom)
+    part = inverse @ meat @ inverse.T / np.outer(norms[told], norms[told])
     blind = np.any(np.abs(axes[~seen]) > ALONG, axis=0)
     part[np.diag_indices(len(told))] += np.where(blind, np.inf, 0.0)
     whole = np.zeros((count, count))

@@ -1,9 +1,10 @@
 """Which effects do these readings call for? The residuals say.
 
 The model is fitted without anything, with friction and with a tilt. An effect is called for when
-the sum of squares falls by more than chance would make it fall (F-test, 1 of 1000). Residuals that
-follow each other (neighbours alike) tell that something is still missing; then the intervals,
-which take the residuals for chance, are too narrow.
+the sum of squares falls by more than chance would make it fall (F-test, 1 of 1000; where noise
+lasts, what is gained is divided by how much more such noise gains). Residuals that follow each
+other (neighbours alike) tell that something may still be missing; then no interval that takes the
+residuals for chance, lasting or not, is wide enough.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from sim.measured.events.correlated import inflation
 from sim.measured.model.fit import Asked, Effect, Fit, fit
 from sim.measured.model.motion import Parameters
 from sim.measured.refusal import FitError
@@ -37,6 +39,7 @@ def compare(
     measured: Measured, plain: Fit, effects: Sequence[Effect] = ("friction", "tilt")
 ) -> list[Compared]:
     """The plain fit, and the same with each effect that can be fitted."""
+    import numpy as np
     from scipy.special import fdtrc
 
     rows = [Compared("none", plain.noise, None, neighbours(plain), plain)]
@@ -51,6 +54,9 @@ def compare(
         gained = (plain.squares - with_it.squares) / max(more, 1)
         variance = with_it.squares / with_it.freedom
         chance = 1.0
+        # Noise that lasts bends a track as friction does: it gains more by chance than white noise.
+        _, lasting = inflation([np.array(track) for track in with_it.residuals])
+        gained /= lasting
         if gained > 0.0 and variance > 0.0 and more > 0:
             chance = float(fdtrc(more, with_it.freedom, gained / variance))
         elif with_it.squares < plain.squares:

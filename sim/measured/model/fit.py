@@ -2,10 +2,11 @@
 
 Fitted are touch, x, distance, v of both, ln(mass ratio), e, ln(w0), and on request a constant
 deceleration for each cart or a tilt. Logarithms keep ratio and w0 positive and make their intervals
-honest. Every reading counts alike; the noise is estimated from the residuals, so
+honest. Every reading counts alike. Of white noise the covariance would be
 
-    covariance = s² (JᵀJ)⁻¹ ,   s² = sum of squares / (readings − unknowns) ,   Student's t.
+    s² (JᵀJ)⁻¹ ,   s² = sum of squares / (readings − unknowns) ,   with Student's t;
 
+`coloured` weighs by the residuals how far the noise is from white, and widens it by as much.
 A singular value of J near zero means that the readings do not tell one unknown: its variance
 becomes infinite, and `known` refuses to print it. numpy and scipy are imported inside.
 """
@@ -228,7 +229,7 @@ def _made(p: Parameters, jacobian: Any, asked: Asked, t: Any, x: Any) -> Fit:
         duration=motion.duration,
         unknowns=names,
         values=tuple(_READ[name](p) for name in names),
-        covariance=covariance_of(jacobian, noise),
+        covariance=covariance_of(jacobian, (residuals[:first], residuals[first:]), freedom),
         residuals=(tuple(residuals[:first].tolist()), tuple(residuals[first:].tolist())),
         noise=noise,
         freedom=freedom,
