@@ -15,6 +15,7 @@ from array import array
 from collections.abc import Mapping
 from typing import Any
 
+from sim.bridge.protocol import track_of
 from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.measure import exact_rows, row, ways
 from sim.dynamics.cost.report import row_object
@@ -75,11 +76,7 @@ def _run(scene: Scene, way: Way) -> tuple[dict[str, Any], array[float]]:
     header = {
         "until": scene.until,
         "bodies": [{"name": c.name, "mass": c.mass, "length": c.length} for c in scene.carts],
-        "track": {
-            "left": scene.track.left,
-            "right": scene.track.right,
-            "length": scene.track.length,
-        },
+        "track": track_of(scene),
         "steps": result.steps,
         "evaluations": result.evaluations,
         "v": {"stepped": _named(names, result.run.v), "exact": _named(names, solved.v)},

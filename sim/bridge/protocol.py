@@ -125,11 +125,7 @@ def wire(finished: Run, samples: Trajectory, told: dict[str, Any]) -> Answer:
         "until": scene.until,
         "gravity": scene.gravity,
         "bodies": _bodies(scene),
-        "track": {
-            "left": scene.track.left,
-            "right": scene.track.right,
-            "length": scene.track.length,
-        },
+        "track": track_of(scene),
         "contacts": _contacts(scene),
         "rows": samples.rows,
         "columns": [list(name) for name in samples.columns],
@@ -139,6 +135,12 @@ def wire(finished: Run, samples: Trajectory, told: dict[str, Any]) -> Answer:
         "warnings": [{**row, "message": said_by(row["message"])} for row in told["warnings"]],
     }
     return header, numbers
+
+
+def track_of(scene: Scene) -> dict[str, Any]:
+    """The track and its ends."""
+    track = scene.track
+    return {"left": track.left, "right": track.right, "length": track.length}
 
 
 def _bodies(scene: Scene) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ from array import array
 from collections.abc import Mapping
 from typing import Any
 
-from sim.bridge.protocol import effects_of, plain_of, wire
+from sim.bridge.protocol import effects_of, plain_of, track_of, wire
 from sim.scene import Problem, SceneError, read_scene
 from sim.scene.said import said
 from sim.scene.said import wire as said_by
@@ -37,14 +37,8 @@ def worlds_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[flo
         raise SceneError([problem])
     done = follow(scene, world)
     found = broken(done)
-    told = document(done, found)
-    told.pop("broken")
-    header, numbers = wire(done.run, done.samples, told)
-    header["track"] = {
-        "left": scene.track.left,
-        "right": scene.track.right,
-        "length": scene.track.length,
-    }
+    header, numbers = wire(done.run, done.samples, document(done, found))
+    header["track"] = track_of(scene)
     header["effects"] = effects_of(plain, scene)
     header["says"] = said_by(said(world.kind.says))
     header["broken"] = [said_by(sentence) for sentence in found.sentences]

@@ -38,8 +38,7 @@ class WorldField(Field):
         total = super()._total(t, v, push, links)
         extra = [-b * u for b, u in zip(self.resistance, v, strict=True)]
         for pair in self.pairs:
-            pushed = push[pair.gap]
-            pushed += sum(f for (_, gap), f in links.items() if gap == pair.gap and f > 0.0)
+            pushed = _apart(pair.gap, push, links)
             pulled = sum(f for (_, gap), f in links.items() if gap == pair.gap and f < 0.0)
             for side, (cart, size) in enumerate(self._sides(pair, t, v, pushed)):
                 self.on[pair.gap, side] = size + pulled
@@ -78,8 +77,7 @@ class WorldField(Field):
     def remember(self, t: float, push: Row, links: dict[tuple[str, int], float]) -> None:
         """A step ended at t with these forces: what comes later is looked up here."""
         for pair in self.pairs:
-            size = push[pair.gap]
-            size += sum(f for (_, gap), f in links.items() if gap == pair.gap and f > 0.0)
+            size = _apart(pair.gap, push, links)
             times, sizes = self.past.setdefault(pair.gap, ([], []))
             times.append(t)
             sizes.append(float(size))
@@ -103,3 +101,8 @@ class WorldField(Field):
 
     def _outside(self, t: float, v: Row) -> dict[tuple[str, int], float]:
         return super()._outside(t, v) | {(self.name, k): f for k, f in enumerate(self.nowhere)}
+
+
+def _apart(gap: int, push: Row, links: dict[tuple[str, int], float]) -> Any:
+    """N. What pushes the two of a gap apart by the scene's own laws."""
+    return push[gap] + sum(f for (_, place), f in links.items() if place == gap and f > 0.0)

@@ -40,9 +40,8 @@ def dropped_report(
         if told is not None and any(table.of_items for table in tables):
             told = None
             notes.append(f"Most marks: {TOTALS_ONLY}.")
-    within = any(table.groups for table in tables)
     lesson = PurePosixPath(tables[0].name).stem if tables else ""
-    found = judge(lesson, tables, lambda row: row.group if within else WHOLE, most=told)
+    found = judge(lesson, tables, lambda _: WHOLE, most=told)
     report = table_report(found, inference=inference)
     report["files"]["refused"] = [*bad, *report["files"]["refused"]]
     report["notes"] = [*notes, *report["notes"]]

@@ -35,12 +35,17 @@ class Judged:
 def judge(
     name: str,
     tables: Sequence[MarkTable],
-    group_of: Callable[[Taken], str],
+    elsewhere: Callable[[Taken], str],
     *,
     most: Exact | None = None,
 ) -> Judged:
-    """The sums of tables, which are read as one; `most`: the most marks of totals."""
+    """The sums of tables, which are read as one; `most`: the most marks of totals.
+
+    `elsewhere`: the group of a row where no table has a column of groups.
+    """
     everything = [row for table in tables for row in table.taken]
+    within = any(table.groups for table in tables)
+    group_of = (lambda row: row.group) if within else elsewhere
     counted, aside, flags, refused = judged(everything, group_of)
     groups = tuple(dict.fromkeys(row.group for row in counted))
     keys = {item: right for table in tables for item, right in table.keyed.items()}

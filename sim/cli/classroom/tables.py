@@ -39,11 +39,8 @@ def tables_of(
     told = _most(most)
     if told is not None and any(table.of_items for table in tables):
         raise click.UsageError(f"--max {TOTALS_ONLY}")
-    within = any(table.groups for table in tables)
 
     def group(row: Taken) -> str:
-        if within:
-            return row.group
         return group_of(names[row.place.rpartition(", line")[0]], groups) if groups else WHOLE
 
     return judge(lesson or "", tables, group, most=told), bad

@@ -4010,6 +4010,7 @@
   };
 
   // src/predict/arrow-parts.js
+  var ALIKE = 0.06;
   var LONG = 120;
   function asked2(element, contacts) {
     const { pair = "", on = "" } = element.dataset;
@@ -4478,7 +4479,6 @@
   }
 
   // src/predict/relative.js
-  var ALIKE = 0.06;
   var RelativeArrows = class {
     /** @type {Row[]} */
     #rows;
@@ -8265,10 +8265,10 @@ ${lines4.join("\n")}
       const { layout, view } = this;
       const told3 = [];
       for (const push of this.#pushes) {
-        const forces2 = push.bodies.map((name2) => {
-          const force2 = forceOn2(run, push.pair, name2, t3);
-          return Math.abs(force2) < NOISE * view.force ? 0 : force2;
-        });
+        const forces2 = forcesOn(run, push, t3).map(
+          (force2) => Math.abs(force2) < NOISE * view.force ? 0 : force2
+          // springs pull: below 0
+        );
         const sizes = forces2.map(Math.abs);
         const size = Math.max(...sizes);
         const y2 = layout.track - PUSH;
@@ -8368,12 +8368,13 @@ ${lines4.join("\n")}
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function forceOn2({ trajectory }, pair, name2, t3) {
+  function forcesOn({ trajectory }, { pair, bodies }, t3) {
     const { t: times2, F: F2, dF, on } = trajectory;
-    const own = on?.[`${pair} ${name2}`];
-    if (own) return valueAt(times2, own, null, t3);
+    const [left, right] = bodies.map((name2) => on?.[`${pair} ${name2}`]);
+    if (left && right) return [valueAt(times2, left, null, t3), valueAt(times2, right, null, t3)];
     const [column, slopes] = [F2[pair], dF[pair]];
-    return column && slopes ? valueAt(times2, column, slopes, t3) : 0;
+    const force2 = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
+    return [force2, force2];
   }
   function write3(text, label, x2, y2, anchor) {
     put(text, "x", px(x2));

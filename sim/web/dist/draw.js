@@ -14388,10 +14388,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const { layout, view } = this;
       const told3 = [];
       for (const push2 of this.#pushes) {
-        const forces2 = push2.bodies.map((name) => {
-          const force = forceOn2(run, push2.pair, name, t);
-          return Math.abs(force) < NOISE * view.force ? 0 : force;
-        });
+        const forces2 = forcesOn(run, push2, t).map(
+          (force) => Math.abs(force) < NOISE * view.force ? 0 : force
+          // springs pull: below 0
+        );
         const sizes = forces2.map(Math.abs);
         const size = Math.max(...sizes);
         const y = layout.track - PUSH;
@@ -14491,12 +14491,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function forceOn2({ trajectory }, pair, name, t) {
+  function forcesOn({ trajectory }, { pair, bodies }, t) {
     const { t: times2, F, dF, on } = trajectory;
-    const own = on?.[`${pair} ${name}`];
-    if (own) return valueAt2(times2, own, null, t);
+    const [left, right] = bodies.map((name) => on?.[`${pair} ${name}`]);
+    if (left && right) return [valueAt2(times2, left, null, t), valueAt2(times2, right, null, t)];
     const [column, slopes] = [F[pair], dF[pair]];
-    return column && slopes ? valueAt2(times2, column, slopes, t) : 0;
+    const force = column && slopes ? valueAt2(times2, column, slopes, t) : 0;
+    return [force, force];
   }
   function write(text3, label, x, y, anchor) {
     put(text3, "x", px(x));

@@ -178,6 +178,152 @@
     return String(rounded === 0 ? 0 : rounded);
   }
 
+  // ../view/bodies.js
+  function isWall(name) {
+    return name === "left" || name === "right";
+  }
+  function brief(name) {
+    if (name === "left") return tr("left wall");
+    return name === "right" ? tr("right wall") : name;
+  }
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = names.slice(0, -1).join(", ");
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
+  // ../view/shapes.js
+  var REFERENCE_HEIGHT = 38;
+  var TALLEST = 4;
+  var LANE = 20;
+  var ABOVE = 34;
+  var DOT = 2.5;
+  var RING = 1;
+  var SHORTEST = 0.5;
+  var LONGEST = 1.15;
+  var FASTEST = 2.2;
+  var EDGE = 5;
+  var TORN = 6;
+  var LINE = 12;
+  var NAMED = 34;
+  var SPRING = [2, 10];
+  var PUSH = 15.5;
+  var FACE = 22;
+  var WHEEL = 5.5;
+  var LIFT = -3;
+  var TURNS = 9;
+  var LEAD = 5;
+  var COIL = 7;
+  function box(body2, view, layout, lift) {
+    const width = bodyWidth(body2);
+    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
+    const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
+    const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
+    const named = height >= NAMED;
+    const mass = `${short(body2.mass)} kg`;
+    return {
+      x: -width * layout.scale / 2,
+      width: width * layout.scale,
+      height,
+      cut,
+      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+      label: named ? mass : `${body2.name}: ${mass}`,
+      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+    };
+  }
+  function wheels({ width }) {
+    const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
+    return `M-${x} ${LIFT}h0M${x} ${LIFT}h0`;
+  }
+  function bodyWidth(body2) {
+    return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
+  }
+  function lane(i, tallest, layout) {
+    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
+    return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
+  }
+  function spring(start, end) {
+    const low = (
+      /** @type {number} */
+      SPRING[0]
+    );
+    const high = (
+      /** @type {number} */
+      SPRING[1]
+    );
+    const step = (end - start) / 4;
+    let d = `M${px(start)} ${px(-(low + high) / 2)}`;
+    for (let k = 0; k < 4; k += 1) {
+      d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
+    }
+    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+  }
+  function coil(start, end, y, turns = TURNS, high = COIL) {
+    const span = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span / 4);
+    const step = (span - 2 * lead) / turns;
+    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+    for (let k = 0; k < turns; k += 1) {
+      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+    }
+    return `${d}L${px(start + span - lead)} ${px(y)}L${px(start + span)} ${px(y)}`;
+  }
+  function blockArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y);
+    const tip = x + length;
+    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
+    return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
+  }
+  function cutArrow(x, y, length) {
+    const half = length / 2 - Math.sign(length) * TORN / 2;
+    const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
+    return piece + blockArrow(x + length - half, y, half);
+  }
+  function lineArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
+    const tip = x + length;
+    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
+    return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
+  }
+  function dot(x, y, radius = DOT) {
+    const [r, d] = [px(radius), px(2 * radius)];
+    return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+  }
+  function arrowLength(value, full, length, longest = LONGEST) {
+    const exact = full ? value / full * length : 0;
+    return Math.max(-longest * length, Math.min(longest * length, exact));
+  }
+  function isCut(value, full, longest = LONGEST) {
+    return full > 0 && Math.abs(value) > longest * full;
+  }
+  function velocityText(x, length, width) {
+    const room = 62;
+    if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
+    return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+  }
+  function keptInside(x, length, width) {
+    if (x > EDGE && x < width - EDGE) {
+      if (x + length > width - EDGE) return width - EDGE - x;
+      if (x + length < EDGE) return EDGE - x;
+    }
+    return length;
+  }
+  function labelTop(box2) {
+    return box2.labelY - LINE;
+  }
+
+  // src/predict/arrow-parts.js
+  var ALIKE = 0.06;
+  function greatest(run, pair) {
+    const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
+    const peak = run.header.events.find(
+      (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
+    );
+    if (typeof peak?.force === "number") return peak.force;
+    return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
+  }
+
   // src/worlds/ends.js
   function ends(real, other, decimals) {
     const table = html("table", "carts-worlds-ends");
@@ -224,14 +370,9 @@
       { pair, on: b, by: a }
     ]);
   }
-  function greatestOn({ header, trajectory }, pair, on) {
-    const own = trajectory.on?.[`${pair} ${on}`];
-    if (own) return Math.max(0, ...Array.from(own));
-    const peaks = header.events.filter(
-      ({ kind, bodies }) => kind === "peak" && bodies.join("-") === pair
-    );
-    const sampled = Array.from(trajectory.F[pair] ?? []);
-    return Math.max(0, ...sampled, ...peaks.map(({ force }) => force ?? 0));
+  function greatestOn(run, pair, on) {
+    const own = run.trajectory.on?.[`${pair} ${on}`];
+    return own ? Math.max(0, ...Array.from(own)) : greatest(run, pair);
   }
   function last({ trajectory }, name) {
     return Number(trajectory.v[name]?.[trajectory.t.length - 1]);
@@ -242,21 +383,6 @@
       (sum, { name, mass }) => sum + mass * Number(trajectory.v[name]?.[k]),
       0
     );
-  }
-
-  // ../view/bodies.js
-  function isWall(name) {
-    return name === "left" || name === "right";
-  }
-  function brief(name) {
-    if (name === "left") return tr("left wall");
-    return name === "right" ? tr("right wall") : name;
-  }
-  function listed(names) {
-    const [first = "", second] = names;
-    if (second === void 0) return first;
-    const rest = names.slice(0, -1).join(", ");
-    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
   }
 
   // ../effects/drag/view.js
@@ -303,7 +429,7 @@
     const piece = { cls: "carts-rough", behind: true };
     if (carts.length < bodies.length) {
       return carts.map((name) => {
-        const length = (bodies.find((body) => body.name === name)?.length ?? 0) * layout.scale;
+        const length = (bodies.find((body2) => body2.name === name)?.length ?? 0) * layout.scale;
         const d2 = teeth(centre(name) - length / 2, length, layout.track);
         return { ...piece, key: `${key} ${name}`, d: d2 };
       });
@@ -402,126 +528,6 @@
     });
   }
 
-  // ../view/shapes.js
-  var REFERENCE_HEIGHT = 38;
-  var TALLEST = 4;
-  var LANE = 20;
-  var ABOVE = 34;
-  var DOT = 2.5;
-  var RING = 1;
-  var SHORTEST = 0.5;
-  var LONGEST = 1.15;
-  var FASTEST = 2.2;
-  var EDGE = 5;
-  var TORN = 6;
-  var LINE = 12;
-  var NAMED = 34;
-  var SPRING = [2, 10];
-  var PUSH = 15.5;
-  var FACE = 22;
-  var WHEEL = 5.5;
-  var LIFT = -3;
-  var TURNS = 9;
-  var LEAD = 5;
-  var COIL = 7;
-  function box(body, view, layout, lift) {
-    const width = bodyWidth(body);
-    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body.mass / width / view.perHeight);
-    const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
-    const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
-    const named = height >= NAMED;
-    const mass = `${short(body.mass)} kg`;
-    return {
-      x: -width * layout.scale / 2,
-      width: width * layout.scale,
-      height,
-      cut,
-      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
-      label: named ? mass : `${body.name}: ${mass}`,
-      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
-    };
-  }
-  function wheels({ width }) {
-    const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
-    return `M-${x} ${LIFT}h0M${x} ${LIFT}h0`;
-  }
-  function bodyWidth(body) {
-    return Math.max(body.length - 2 * body.bumper_length, 0.2 * body.length);
-  }
-  function lane(i, tallest, layout) {
-    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
-    return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
-  }
-  function spring(start, end) {
-    const low = (
-      /** @type {number} */
-      SPRING[0]
-    );
-    const high = (
-      /** @type {number} */
-      SPRING[1]
-    );
-    const step = (end - start) / 4;
-    let d = `M${px(start)} ${px(-(low + high) / 2)}`;
-    for (let k = 0; k < 4; k += 1) {
-      d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
-    }
-    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
-  }
-  function coil(start, end, y, turns = TURNS, high = COIL) {
-    const span = Math.max(0, end - start);
-    const lead = Math.min(LEAD, span / 4);
-    const step = (span - 2 * lead) / turns;
-    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
-    for (let k = 0; k < turns; k += 1) {
-      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
-    }
-    return `${d}L${px(start + span - lead)} ${px(y)}L${px(start + span)} ${px(y)}`;
-  }
-  function blockArrow(x, y, length) {
-    if (Math.abs(length) < SHORTEST) return dot(x, y);
-    const tip = x + length;
-    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
-    return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
-  }
-  function cutArrow(x, y, length) {
-    const half = length / 2 - Math.sign(length) * TORN / 2;
-    const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
-    return piece + blockArrow(x + length - half, y, half);
-  }
-  function lineArrow(x, y, length) {
-    if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
-    const tip = x + length;
-    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
-    return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
-  }
-  function dot(x, y, radius = DOT) {
-    const [r, d] = [px(radius), px(2 * radius)];
-    return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
-  }
-  function arrowLength(value, full, length, longest = LONGEST) {
-    const exact = full ? value / full * length : 0;
-    return Math.max(-longest * length, Math.min(longest * length, exact));
-  }
-  function isCut(value, full, longest = LONGEST) {
-    return full > 0 && Math.abs(value) > longest * full;
-  }
-  function velocityText(x, length, width) {
-    const room = 62;
-    if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
-    return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
-  }
-  function keptInside(x, length, width) {
-    if (x > EDGE && x < width - EDGE) {
-      if (x + length > width - EDGE) return width - EDGE - x;
-      if (x + length < EDGE) return EDGE - x;
-    }
-    return length;
-  }
-  function labelTop(box2) {
-    return box2.labelY - LINE;
-  }
-
   // ../effects/push/view.js
   var view_default5 = {
     name: tr("pushes from outside"),
@@ -537,8 +543,8 @@
     pieces({ carts: [name = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
       const y = layout.track;
       const way = force >= 0 ? 1 : -1;
-      const body = header.bodies.find((one) => one.name === name);
-      const x = centre(name) - way * ((body ? bodyWidth(body) * layout.scale : 0) / 2 + 3);
+      const body2 = header.bodies.find((one) => one.name === name);
+      const x = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
@@ -848,7 +854,7 @@
 ${ground(baked, layout, hatch)}
 <g data-part="effects-behind"></g>
 ${run.header.bodies.map(velocity)}
-${run.header.bodies.map((body, i) => cart(body.name, i, fence.skins[body.name] ?? "cart"))}
+${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
 ${forces && pushes(baked)}
 <g data-part="guess"></g>
@@ -871,7 +877,7 @@ ${legend(baked, layout)}
   function pushes({ run: { header } }) {
     const linked = linkedPairs(header);
     const style = (name) => {
-      const i = header.bodies.findIndex((body) => body.name === name);
+      const i = header.bodies.findIndex((body2) => body2.name === name);
       return i < 0 ? "wall" : styleOf(i);
     };
     return header.contacts.filter(({ stiffness, pair }) => stiffness || linked.has(pair)).flatMap(
@@ -1000,7 +1006,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         const own = acting.filter((effect) => effect.carts.includes(name));
         const column = trajectory.E[`${kind} ${name}`];
         if (!own.length || !column?.length) continue;
-        const peak = greatest(column);
+        const peak = greatest2(column);
         const on = own.some((effect) => actsAt(effect, t));
         const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
@@ -1021,7 +1027,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     ];
   }
   var known = /* @__PURE__ */ new WeakMap();
-  function greatest(column) {
+  function greatest2(column) {
     const before = known.get(column);
     if (before !== void 0) return before;
     let most = 0;
@@ -1194,10 +1200,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       const { layout, view } = this;
       const told2 = [];
       for (const push of this.#pushes) {
-        const forces = push.bodies.map((name) => {
-          const force = forceOn(run, push.pair, name, t);
-          return Math.abs(force) < NOISE * view.force ? 0 : force;
-        });
+        const forces = forcesOn(run, push, t).map(
+          (force) => Math.abs(force) < NOISE * view.force ? 0 : force
+          // springs pull: below 0
+        );
         const sizes = forces.map(Math.abs);
         const size = Math.max(...sizes);
         const y = layout.track - PUSH;
@@ -1297,12 +1303,13 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
     }
   };
-  function forceOn({ trajectory }, pair, name, t) {
+  function forcesOn({ trajectory }, { pair, bodies }, t) {
     const { t: times2, F, dF, on } = trajectory;
-    const own = on?.[`${pair} ${name}`];
-    if (own) return valueAt(times2, own, null, t);
+    const [left, right] = bodies.map((name) => on?.[`${pair} ${name}`]);
+    if (left && right) return [valueAt(times2, left, null, t), valueAt(times2, right, null, t)];
     const [column, slopes] = [F[pair], dF[pair]];
-    return column && slopes ? valueAt(times2, column, slopes, t) : 0;
+    const force = column && slopes ? valueAt(times2, column, slopes, t) : 0;
+    return [force, force];
   }
   function write(text, label, x, y, anchor) {
     put(text, "x", px(x));
@@ -1342,28 +1349,28 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       this.#run = run;
       const { layout, view } = this;
       const boxes = run.header.bodies.map(
-        (body, i) => box(body, view, layout, layout.stagger * (i % layout.ranks))
+        (body2, i) => box(body2, view, layout, layout.stagger * (i % layout.ranks))
       );
       this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));
-      this.#carts = run.header.bodies.map((body, i) => {
-        const group = need(this.root, `.carts-cart[data-body="${body.name}"]`);
+      this.#carts = run.header.bodies.map((body2, i) => {
+        const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
         const box2 = (
           /** @type {shapes.Box} */
           boxes[i]
         );
-        drawBox(group, body.name, box2);
+        drawBox(group, body2.name, box2);
         const skin = group.querySelector('[data-part="skin"]');
         const front = Number(this.starts[i]) < 0 ? -1 : 1;
-        if (skin) put(skin, "d", SKINS[this.skins[body.name] ?? ""]?.lines(box2, front) ?? "");
+        if (skin) put(skin, "d", SKINS[this.skins[body2.name] ?? ""]?.lines(box2, front) ?? "");
         return {
-          half: body.length * layout.scale / 2,
+          half: body2.length * layout.scale / 2,
           edge: -box2.x,
-          bumper: Math.max(0, body.length * layout.scale / 2 + box2.x),
+          bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
           top: layout.track + labelTop(box2),
           lane: lane(i, tallest, layout),
           group,
-          velocity: need(this.root, `.carts-velocity[data-body="${body.name}"]`)
+          velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
         };
       });
       this.#pushes.show(run, windows);
@@ -1378,11 +1385,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         "transform",
         `translate(${px(-shift * this.layout.scale)} 0)`
       );
-      const centres = header.bodies.map((body) => {
+      const centres = header.bodies.map((body2) => {
         const x = valueAt(
           trajectory.t,
-          trajectory.x[body.name] ?? [],
-          trajectory.v[body.name] ?? [],
+          trajectory.x[body2.name] ?? [],
+          trajectory.v[body2.name] ?? [],
           t
         );
         return this.layout.origin + (x - shift) * this.layout.scale;
@@ -1409,7 +1416,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         this.#velocity(cart2, header.bodies[i]?.name ?? "", centre, t);
       });
       const face = (name, side) => {
-        const i = header.bodies.findIndex((body) => body.name === name);
+        const i = header.bodies.findIndex((body2) => body2.name === name);
         if (i < 0) {
           const wall = name === "left" ? 0 : header.track.length ?? 0;
           return this.layout.origin + (wall - shift) * this.layout.scale;
@@ -1422,7 +1429,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       this.#effects.at(
         t,
         face,
-        (name) => Number(centres[header.bodies.findIndex((body) => body.name === name)])
+        (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
       );
     }
     /**
@@ -1435,11 +1442,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       const group = need(this.root, '[data-part="guess"]');
       const full = this.view.force || 10;
       const parts = guesses.flatMap(({ pair, on, side, size, slider }) => {
-        const i = header.bodies.findIndex((body2) => body2.name === on);
-        const body = header.bodies[i];
-        const half = (body?.length ?? 0) / 2;
+        const i = header.bodies.findIndex((body3) => body3.name === on);
+        const body2 = header.bodies[i];
+        const half = (body2?.length ?? 0) / 2;
         const wall = on === "left" ? 0 : header.track.length ?? 0;
-        const x = body ? body.position + (side === "left" ? half : -half) : wall;
+        const x = body2 ? body2.position + (side === "left" ? half : -half) : wall;
         const way = side === "left" ? -1 : 1;
         const length = way * arrowLength(size ?? 0, full, this.layout.force);
         const from = this.layout.origin + x * this.layout.scale;
@@ -2060,7 +2067,6 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
 
   // src/worlds/yours.js
-  var ALIKE = 0.06;
   async function isYours({ fence }, world) {
     if (fence.predict?.kind !== "arrows") return false;
     const { site, page } = place();

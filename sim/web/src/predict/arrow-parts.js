@@ -4,6 +4,7 @@ import { body, forceOn } from "../../../view/bodies.js";
 import { blockArrow, cutArrow } from "../../../view/shapes.js";
 import { need, svg } from "../shared/dom.js";
 
+export const ALIKE = 0.06; // of the longer arrow: nearer than this two were meant to be equal
 export const LONG = 120; // units of the comparison that stand for the full scale
 
 /**

@@ -5,12 +5,10 @@
 
 import { tr } from "../../../view/language.js";
 import { html, need, say } from "../shared/dom.js";
-import { asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
+import { ALIKE, asked, greatest, LONG, name, pulled } from "./arrow-parts.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {{pair: string, on: string, by: string, side: "left" | "right", style: string, share: number | null, slider: HTMLInputElement}} Row share: of the longest arrow */
-
-const ALIKE = 0.06; // of the longest arrow: nearer than this two arrows were meant to be equal
 
 export class RelativeArrows {
   /** @type {Row[]} */

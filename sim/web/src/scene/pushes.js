@@ -66,10 +66,9 @@ export class Pushes {
     /** @type {Told[]} */
     const told = [];
     for (const push of this.#pushes) {
-      const forces = push.bodies.map((name) => {
-        const force = forceOn(run, push.pair, name, t);
-        return Math.abs(force) < NOISE * view.force ? 0 : force; // springs pull: below 0
-      });
+      const forces = forcesOn(run, push, t).map(
+        (force) => (Math.abs(force) < NOISE * view.force ? 0 : force), // springs pull: below 0
+      );
       const sizes = forces.map(Math.abs);
       const size = Math.max(...sizes);
       const y = layout.track - PUSH;
@@ -177,15 +176,16 @@ export class Pushes {
 }
 
 /**
- * N, apart; one number for both bodies, but in a world that does not exist.
- * @param {Run} run @param {string} pair @param {string} name of the body it acts on @param {number} t in s
+ * N on the left and on the right body, apart: one number, but in a world that does not exist.
+ * @param {Run} run @param {Push} push @param {number} t in s @returns {[number, number]}
  */
-function forceOn({ trajectory }, pair, name, t) {
+function forcesOn({ trajectory }, { pair, bodies }, t) {
   const { t: times, F, dF, on } = trajectory;
-  const own = on?.[`${pair} ${name}`];
-  if (own) return valueAt(times, own, null, t);
+  const [left, right] = bodies.map((name) => on?.[`${pair} ${name}`]);
+  if (left && right) return [valueAt(times, left, null, t), valueAt(times, right, null, t)];
   const [column, slopes] = [F[pair], dF[pair]]; // none where the two never touch
-  return column && slopes ? valueAt(times, column, slopes, t) : 0;
+  const force = column && slopes ? valueAt(times, column, slopes, t) : 0;
+  return [force, force];
 }
 
 /** @param {Element} text @param {string} label @param {number} x @param {number} y @param {string} anchor */

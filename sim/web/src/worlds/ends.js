@@ -2,6 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
+import { greatest } from "../predict/arrow-parts.js";
 import { html } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
@@ -58,14 +59,9 @@ function pushed({ header }) {
 }
 
 /** N. The greatest push of a pair on one of the two. @param {Run} run @param {string} pair @param {string} on */
-export function greatestOn({ header, trajectory }, pair, on) {
-  const own = trajectory.on?.[`${pair} ${on}`];
-  if (own) return Math.max(0, ...Array.from(own));
-  const peaks = header.events.filter(
-    ({ kind, bodies }) => kind === "peak" && bodies.join("-") === pair,
-  );
-  const sampled = Array.from(trajectory.F[pair] ?? []);
-  return Math.max(0, ...sampled, ...peaks.map(({ force }) => force ?? 0));
+export function greatestOn(run, pair, on) {
+  const own = run.trajectory.on?.[`${pair} ${on}`];
+  return own ? Math.max(0, ...Array.from(own)) : greatest(run, pair);
 }
 
 /** @param {Run} run @param {string} name */

@@ -1,11 +1,10 @@
 /** Whether a reader's arrows belong to a world: the same one of the two is longer, and not in ours. */
 
+import { ALIKE } from "../predict/arrow-parts.js";
 import { openStore, place } from "../shared/storage.js";
 import { greatestOn } from "./ends.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
-
-const ALIKE = 0.06; // of the longer arrow: nearer than this two were meant to be equal
 
 /** @param {import("../../../view/types.js").Baked} baked @param {Run} world */
 export async function isYours({ fence }, world) {
