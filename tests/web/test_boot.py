@@ -142,7 +142,7 @@ def test_a_truncated_file_is_named_as_damaged(
     result = booted(open_page(broken_site / "index.html"))
     assert result["reason"] == "payload-damaged"
     assert "damaged" in result["message"]
-    assert result["ms"] < TOLD_WITHIN
+    assert result["waited"] < TOLD_WITHIN
 
 
 @pytest.mark.parametrize("name", ["index", "pyodide.js", "pyodide.asm.wasm", "python.zip"])
@@ -155,7 +155,7 @@ def test_a_missing_file_is_named_as_missing(
     result = booted(open_page(broken_site / "index.html"))
     assert result["reason"] == "payload-missing"
     assert "missing" in result["message"]
-    assert result["ms"] < TOLD_WITHIN
+    assert result["waited"] < TOLD_WITHIN
 
 
 def test_a_page_whose_package_was_not_packed_says_so(open_page: OpenPage, boot_site: Path) -> None:
@@ -169,14 +169,14 @@ def test_wasm_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path
     page = write_page(boot_site, name="refused.html", csp=STRICT.replace(" 'wasm-unsafe-eval'", ""))
     result = booted(open_page(page))
     assert result["reason"] == "wasm-refused"
-    assert result["ms"] < TOLD_WITHIN
+    assert result["waited"] < TOLD_WITHIN
 
 
 def test_a_worker_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: Path) -> None:
     csp = STRICT.replace("worker-src blob:", "worker-src 'none'")
     result = booted(open_page(write_page(boot_site, name="no-worker.html", csp=csp)))
     assert result["reason"] == "worker-refused"
-    assert result["ms"] < TOLD_WITHIN
+    assert result["waited"] < TOLD_WITHIN
 
 
 @pytest.mark.parametrize(
@@ -189,7 +189,7 @@ def test_an_older_browser_is_told(
     page = write_page(boot_site, name="older.html", before='<script src="older.js"></script>')
     result = booted(open_page(page))
     assert result["reason"] == reason
-    assert result["ms"] < TOLD_WITHIN
+    assert result["waited"] < TOLD_WITHIN
 
 
 def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_site: Path) -> None:
@@ -202,7 +202,7 @@ def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_si
     page = write_page(boot_site, name="dying.html", before='<script src="dying.js"></script>')
     result = booted(open_page(page))
     assert result["reason"] == "stalled"
-    assert result["ms"] < TOLD_WITHIN
+    assert result["waited"] < TOLD_WITHIN
 
 
 def test_a_worker_killed_later_is_told_and_can_be_replaced(
@@ -213,14 +213,14 @@ def test_a_worker_killed_later_is_told_and_can_be_replaced(
     lost = page.evaluate(
         """async () => {
              const told = new Promise((resolve) => { runtime.onlost = resolve; });
-             const before = performance.now();
+             const before = waited;
              runtime.worker.terminate();
              const reason = await runtime.request({ kind: "run" }).catch((e) => e.reason);
-             return { reason, told: (await told).reason, ms: performance.now() - before };
+             return { reason, told: (await told).reason, waited: waited - before };
            }"""
     )
     assert lost["reason"] == lost["told"] == "worker-lost"
-    assert lost["ms"] < TOLD_WITHIN
+    assert lost["waited"] < TOLD_WITHIN
     again = page.evaluate(
         """async () => {
              const runtime = await startRuntime({ base: runtimeBase });
@@ -235,14 +235,14 @@ def test_an_endless_run_is_ended(open_page: OpenPage, free_site: Path) -> None:
     booted(page)
     lost = page.evaluate(
         """async () => {
-             const before = performance.now();
+             const before = waited;
              const request = { run: "[0 for i in iter(int, 1)]" };
              const reason = await runtime.request(request).catch((e) => e.reason);
-             return { reason, ms: performance.now() - before };
+             return { reason, waited: waited - before };
            }"""
     )
     assert lost["reason"] == "worker-lost"
-    assert lost["ms"] < TOLD_WITHIN
+    assert lost["waited"] < TOLD_WITHIN
 
 
 def test_an_error_in_python_leaves_python_alive(open_page: OpenPage, free_site: Path) -> None:
@@ -274,6 +274,25 @@ def test_a_scipy_page_has_scipy(open_page: OpenPage, free_site: Path) -> None:
     header = booted(open_page(page))["header"]
     assert header["versions"][0] == "1.18.0"
     assert header["result"] == pytest.approx(9, rel=1e-12)
+
+
+@pytest.mark.one_browser
+def test_imports_that_take_long_on_a_slow_laptop_are_waited_for(
+    open_page: OpenPage, free_site: Path
+) -> None:
+    page = open_page(free_site / "index.html")
+    booted(page)
+    names = page.evaluate(
+        """async () => {
+             const write = `[open(f'/home/pyodide/slow{i}.py', 'w').write(
+               'import time; time.sleep(2)') for i in range(4)] and [__import__('sys').path.append(
+               '/home/pyodide')] and None`;
+             await runtime.request({ run: write });
+             const names = ["slow0", "slow1", "slow2", "slow3"]; // 8 s: lost, if none were told
+             return (await runtime.request({ import: names })).header.versions;
+           }"""
+    )
+    assert names == [""] * 4
 
 
 @pytest.mark.one_browser

@@ -36,10 +36,10 @@ from .teacher import own_files
 SETS: tuple[frozenset[str], ...] = (
     frozenset(),
     frozenset({TEACHER}),
+    frozenset({WORLDS, TEACHER}),
     frozenset({"numpy", TEACHER}),
     frozenset({"numpy", "scipy", TEACHER}),
     frozenset({"numpy", "scipy", MEASURED, TEACHER}),
-    frozenset({WORLDS, TEACHER}),
     frozenset({"numpy", "scipy", CLASSROOM, MEASURED, WORLDS, TEACHER}),
 )
 """From small to large. A site takes the first that has all it needs."""

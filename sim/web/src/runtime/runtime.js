@@ -99,6 +99,7 @@ export class Runtime {
   hear(data) {
     const current = this.queue[0];
     if (data.number !== current?.number) return;
+    if (data.tell === "alive") return void this.watch?.progress();
     this.watch?.stop();
     if (data.tell === "begun") {
       this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));

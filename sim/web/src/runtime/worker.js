@@ -20,6 +20,10 @@ const files = new Map();
 let python;
 /** @type {(request: string) => [string, Float64Array]} */
 let answer;
+/** Of the request under way, 0 while Python starts. */
+let current = 0;
+/** When the page last heard that modules are being imported, in ms. */
+let seen = 0;
 
 /** @param {object} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => scope.postMessage(message, transfer);
@@ -127,6 +131,7 @@ async function boot({ lock, snapshot, tableAt, load, modules, entry }) {
     python._api.config._loadSnapshot = undefined; // 31 MB that nothing needs any more
     progress("python");
     if (snapshot) reseed();
+    tellOfImports();
   } catch (error) {
     return fail(snapshot ? "snapshot-refused" : "python-failed", error);
   }
@@ -153,6 +158,31 @@ if "random" in sys.modules:
 `);
 }
 
+/**
+ * A slow laptop may import scipy's modules for longer than a page waits for an answer: each module is
+ * a sign of life, told once a second at most.
+ */
+function tellOfImports() {
+  const alive = () => {
+    if (Date.now() - seen < 1000) return;
+    seen = Date.now();
+    if (current) tell({ tell: "alive", number: current });
+    else progress("packages");
+  };
+  const locals = python.toPy({ alive });
+  python.runPython(
+    `
+import sys
+class Alive:
+    @staticmethod
+    def find_spec(name, path=None, target=None, alive=alive):
+        alive()
+sys.meta_path.insert(0, Alive)
+`,
+    { globals: locals },
+  );
+}
+
 /** @param {string[]} names */
 async function loadPackages(names) {
   const alive = setInterval(() => progress("packages"), 1000);
@@ -176,6 +206,7 @@ function importIfPossible(name) {
 /** @param {{number: number, text: string}} request */
 function respond({ number, text }) {
   tell({ tell: "begun", number });
+  current = number;
   try {
     const [header, numbers] = answer(text);
     tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);
