@@ -15,6 +15,7 @@ from array import array
 from collections.abc import Mapping
 from typing import Any
 
+from sim.bridge.alive import alive
 from sim.bridge.protocol import track_of
 from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.measure import exact_rows, row, ways
@@ -49,6 +50,7 @@ def cost_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float
 def _row(scene: Scene, number: int) -> dict[str, Any]:
     listed = ways(scene, finest=FINEST)
     truth = exact(scene)
+    alive()
     if number <= 0 or number > len(listed):
         rows = exact_rows(scene, truth)
     else:

@@ -23,6 +23,7 @@ from array import array
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sim.bridge.alive import alive
 from sim.bridge.end_state import read
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite, report
@@ -69,6 +70,7 @@ def step_of(scene: Scene) -> float:
 
 def _stepped(scene: Scene, method: str, wanted: Wanted, solved: Run) -> dict[str, Any]:
     """One method: numbers, verdict, and the energy that it made, as a part of all there is."""
+    alive()
     tried: dict[str, Any] = {"method": method, "step": step_of(scene)}
     lost = {"got": [None for _ in wanted], "verdict": "blows-up", "made": None}
     try:

@@ -16,6 +16,7 @@ from array import array
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from sim.bridge.alive import alive
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
 from sim.dynamics.loop.run import is_of_the_numbers, run
 from sim.dynamics.report.document import finite
@@ -134,6 +135,7 @@ def seconds(call: Callable[[], object]) -> float:
     """Of one call: the best of some tries, each long enough for a coarse clock."""
     best = math.inf
     for _ in range(TRIES):
+        alive()
         many, spent, start = 0, 0.0, time.perf_counter()
         while spent < LONG_ENOUGH:
             call()

@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from sim.bridge.alive import listen
 from sim.bridge.protocol import answer as plain_answer
+
+__all__ = ["answer", "listen"]
 
 
 def answer(request_json: str) -> Any:

@@ -57,9 +57,20 @@ def packages_of(header: Mapping[str, Any]) -> frozenset[str]:
 
 def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     """Run the scene (plain YAML values) with its defaults, or say why it cannot run."""
+    run = bake_with(scene, {})
+    if run.header["ok"]:
+        return run
+    return [
+        Problem(tuple(row["path"]), row["code"], row["message"], row.get("hint", ""))
+        for row in run.header["problems"]
+    ]
+
+
+def bake_with(scene: Mapping[str, Any], changes: Mapping[str, Any]) -> Run:
+    """The run of the scene with other values, or the header that says why there is none."""
     from sim.bridge.protocol import answer  # pulls the numerics: only when something is computed
 
-    request = {"id": 0, "kind": "run", "scene": scene}
+    request: dict[str, Any] = {"id": 0, "kind": "run", "scene": scene, "set": changes}
     carts = scene.get("carts")
     if isinstance(carts, Mapping) and len(carts) > FEW_CARTS:
         request["samples"] = SAMPLES_OF_MANY
@@ -71,9 +82,4 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
             header, numbers = answer(request | {"samples": fewer})
         elif header["rows"] > MANY_ROWS:
             header, numbers = answer(request | {"samples": SAMPLES_OF_MANY})
-    if header["ok"]:
-        return Run(header, numbers)
-    return [
-        Problem(tuple(row["path"]), row["code"], row["message"], row.get("hint", ""))
-        for row in header["problems"]
-    ]
+    return Run(header, numbers)

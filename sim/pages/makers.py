@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from html import escape
 
 from sim.pages.bake import bake
 from sim.pages.drawing import DrawingError
@@ -30,6 +32,8 @@ class Page:
     items: PageItems = field(default_factory=PageItems)
     language: str = ENGLISH
     late: dict[str, str] | None = None  # what is to be put in after the theme's work; None: nothing
+    prepares: bool = False  # whether runs are prepared for its sliders
+    prepared: dict[str, str] = field(default_factory=dict)  # scripts that hold them, by name
 
 
 def made(block: Block, page: Page) -> str:
@@ -148,6 +152,7 @@ MAKERS: dict[str, Callable[[Block, Page], str]] = {
 
 def _widget(block: SceneBlock, page: Page) -> str:
     """The live scene as HTML, with its default run; raises `AuthorError` if it cannot run."""
+    from sim.pages.prepared import prepare
     from sim.pages.widget import render  # Jinja2 and its templates: only where a scene is drawn
     from sim.pages.widget.worlds import WORLDS
 
@@ -161,6 +166,10 @@ def _widget(block: SceneBlock, page: Page) -> str:
     own = {WORLDS} if block.fence.worlds else set()
     page.packages |= run.packages | set(block.fence.packages) | own
     made = render(block.fence, run.header, run.numbers)
+    if page.prepares and (found := prepare(block.fence, run)):
+        page.prepared.update(found.scripts)
+        told = escape(json.dumps({"parts": found.parts, "stops": found.stops}))
+        made = made.replace("<carts-scene", f'<carts-scene data-prepared="{told}"', 1)
     # Readings of a run are no words to search for, and must not give an answer away. The theme
     # leaves out an element with this mark; it must be one that does not occur inside itself.
     return made.replace("<carts-scene", "<carts-scene data-search-exclude", 1)

@@ -30,6 +30,7 @@ from sim.pages.language import (
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
+from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_text import language_findings, lesson_order
@@ -67,6 +68,7 @@ class SiteBuild:
     doors: Doors = field(init=False)
     hosting: Hosting | None = None  # for a web server
     lessons: Path | None = None  # the folder of lessons: scenes in there are watched first
+    prepared: dict[str, str] = field(default_factory=dict)  # scripts with runs, by name
 
     def __post_init__(self) -> None:
         self.doors = Doors(self.root)
@@ -93,6 +95,7 @@ class SiteBuild:
         lesson = Lesson(shown.as_posix(), *folders, watch=watch)
         self.ids.forget(lesson.file)  # a preview makes a page again
         page = Page(lesson, first_line, self.ids, self.report, late={})
+        page.prepares = self.audience != "preview" and bool(watch or path.name == "index.md")
         try:
             page.language = of_page(stated, lesson.file, theme)
         except UnknownLanguageError:
@@ -128,6 +131,7 @@ class SiteBuild:
         self.doors.note(name, page.lesson.file, page.language)
         if key := practice_key(self.site_id, lesson, page.items):
             self.keys[name] = key
+        self.prepared |= page.prepared
         self.asked[name] = frozenset(page.packages) | _own_packages(self.needs[name])
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
@@ -175,6 +179,10 @@ class SiteBuild:
         for language in {needs.language for needs in self.needs.values()} - {ENGLISH}:
             script = site / site_files.ASSETS / f"words.{language}.js"
             script.write_text(words_script(language), encoding="utf-8")
+        for address, text in self.prepared.items():
+            script = site / site_files.ASSETS / PREPARED / address
+            script.parent.mkdir(parents=True, exist_ok=True)
+            script.write_text(text, encoding="ascii", newline="\n")
         needed = self.needs.values()
         scenes = any(needs.scenes or needs.classroom or needs.measured for needs in needed)
         before = self.done

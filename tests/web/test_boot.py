@@ -296,6 +296,19 @@ def test_imports_that_take_long_on_a_slow_laptop_are_waited_for(
 
 
 @pytest.mark.one_browser
+def test_an_answer_that_tells_of_its_parts_may_take_longer_than_a_page_waits(
+    open_page: OpenPage, free_site: Path
+) -> None:
+    page = open_page(free_site / "index.html")
+    booted(page)
+    told = page.evaluate(
+        """(run) => runtime.request({ run }).then(({ header }) => header.result)""",
+        "[__import__('time').sleep(2) or told[0]() for _ in range(4)] and 7",
+    )
+    assert told == 7
+
+
+@pytest.mark.one_browser
 def test_a_numpy_page_starts_the_plain_way_too(open_page: OpenPage, free_site: Path) -> None:
     index = read_index(free_site)
     parts = index["files"].pop("memory.snapshot")

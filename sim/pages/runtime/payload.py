@@ -49,18 +49,25 @@ def payload_from_json(name: str, entry: dict[str, Any]) -> Payload:
 
 def write_payload(name: str, data: bytes, folder: Path) -> Payload:
     """Write `data` as scripts into `folder`."""
+    payload, scripts = make_payload(name, data)
+    for src, text in scripts.items():
+        (folder / src).write_text(text, encoding="ascii", newline="\n")
+    return payload
+
+
+def make_payload(name: str, data: bytes) -> tuple[Payload, dict[str, str]]:
+    """The payload of `data`, and its scripts by file name."""
     packed = gzipped(data)
-    parts = []
+    parts, scripts = [], {}
     for number, start in enumerate(range(0, len(packed), PART_BYTES)):
         chunk = packed[start : start + PART_BYTES]
         digest = sha256(chunk)
         key = f"{name}.{number}"
         src = f"{key}.{digest[:12]}.js"
         text = base64.b64encode(chunk).decode("ascii")
-        line = f'(self.__cartsParts??={{}})[{json.dumps(key)}]="{text}";\n'
-        (folder / src).write_text(line, encoding="ascii", newline="\n")
+        scripts[src] = f'(self.__cartsParts??={{}})[{json.dumps(key)}]="{text}";\n'
         parts.append(Part(src, digest, len(chunk)))
-    return Payload(name, len(data), tuple(parts))
+    return Payload(name, len(data), tuple(parts)), scripts
 
 
 def write_index(index: dict[str, object], folder: Path) -> None:

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import base64
 import html
+import json
 import mimetypes
 import re
 from collections.abc import Iterable
 from pathlib import Path
 from urllib.parse import unquote
 
+from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.single.all_inside import INSIDE, policy
 from sim.pages.site_files import ASSETS, FILM
 
@@ -62,7 +64,7 @@ def single_lesson(page: Path, site: Path, runtime: Iterable[str]) -> str:
         src for src in dict.fromkeys(ours) if "iframe-worker" not in src and "teacher" not in src
     ]
     live = any(src.endswith(_WITH_PYTHON) for src in sources)
-    scripts = [_DARK, INSIDE, *(runtime if live else ())]
+    scripts = [_DARK, INSIDE, *(runtime if live else ()), *_prepared(text, site)]
     for src in sources:
         if src.endswith("/measured.js"):  # in one file nothing can be asked for later
             scripts.append(_beside(page, src).with_name(FILM).read_text(encoding="utf-8"))
@@ -81,6 +83,13 @@ def single_lesson(page: Path, site: Path, runtime: Iterable[str]) -> str:
         data="\n".join(data),
         scripts="\n".join(f"<script>{_closed(script)}</script>" for script in scripts),
     )
+
+
+def _prepared(text: str, site: Path) -> list[str]:
+    """The scripts with the runs that were prepared for the scenes of the page."""
+    tables = re.findall(r'<carts-scene[^>]* data-prepared="([^"]*)"', text)
+    names = [part["src"] for table in tables for part in json.loads(html.unescape(table))["parts"]]
+    return [(site / ASSETS / PREPARED / name).read_text(encoding="ascii") for name in names]
 
 
 def _article(text: str, page: Path) -> str:

@@ -1690,18 +1690,19 @@
   }
 
   // src/scene/controls.js
+  var KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 3, PageDown: -3 };
   var Controls = class {
     /** @type {Map<string, ControlView>} */
     #views = /* @__PURE__ */ new Map();
-    /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("../../../view/types.js").Fence["switches"]} switches */
-    constructor(root, controls, change2, switches = []) {
+    /** @param {HTMLElement} root @param {Control[]} controls @param {{change: Change, stops?: Stops}} acts @param {import("../../../view/types.js").Fence["switches"]} switches */
+    constructor(root, controls, { change: change2, stops = () => void 0 }, switches = []) {
       this.switches = new Switches(root, switches, change2);
       for (const control of controls) {
         const element = (
           /** @type {HTMLElement | null} */
           root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
         );
-        if (element) this.#views.set(control.set, new ControlView(element, control, change2));
+        if (element) this.#views.set(control.set, new ControlView(element, control, change2, stops));
       }
     }
     /** @param {boolean} on */
@@ -1731,8 +1732,8 @@
   var ControlView = class {
     #sent = "";
     // the text in the box that a run was asked for with
-    /** @param {HTMLElement} root @param {Control} control @param {Change} change */
-    constructor(root, control, change2) {
+    /** @param {HTMLElement} root @param {Control} control @param {Change} change @param {Stops} stops */
+    constructor(root, control, change2, stops) {
       this.root = root;
       this.control = control;
       this.slider = /** @type {HTMLInputElement} */
@@ -1745,7 +1746,20 @@
       );
       this.change = change2;
       this.slider.addEventListener("input", (event) => {
-        this.take(this.slider.valueAsNumber, event.timeStamp);
+        const to = this.slider.valueAsNumber;
+        const values = stops(control.set);
+        this.take(values?.[nearest(values, to)] ?? to, event.timeStamp);
+      });
+      this.slider.addEventListener("keydown", (event) => {
+        const by = KEYS[
+          /** @type {keyof typeof KEYS} */
+          event.key
+        ];
+        const values = stops(control.set);
+        if (!by || !values) return;
+        event.preventDefault();
+        const to = nearest(values, this.slider.valueAsNumber) + by;
+        this.take(values[Math.max(0, Math.min(to, values.length - 1))] ?? 0, event.timeStamp);
       });
       this.box.addEventListener("change", (event) => this.#typed(change2, event.timeStamp));
       this.box.addEventListener("keydown", (event) => {
@@ -1827,6 +1841,10 @@
       return fixed(value, Math.max(this.decimals, decimalsOf(value)));
     }
   };
+  function nearest(values, asked3) {
+    const far = (x2) => Math.abs(x2 - asked3);
+    return values.reduce((best, x2, k) => far(x2) < far(values[best] ?? 0) ? k : best, 0);
+  }
   function valueIn(header, target) {
     const [owner, key] = target.split(".");
     const body2 = header.bodies.find(({ name: name2 }) => name2 === owner);
@@ -2300,10 +2318,12 @@
             (place3) => this.#choose(this.#places.map((old, other) => other === k ? place3 : old))
           );
         });
-        this.#controls = new Controls(this, facts.controls, (target, value, at3) => {
-          this.set({ [target]: value }, at3).catch((error) => {
-            this.#controls?.complain(target, error.message);
-          });
+        this.#controls = new Controls(this, facts.controls, {
+          change: (target, value, at3) => {
+            this.set({ [target]: value }, at3).catch((error) => {
+              this.#controls?.complain(target, error.message);
+            });
+          }
         });
         this.#figure.mark(facts.here, facts.at ?? Number.NaN);
         for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
@@ -2844,7 +2864,7 @@
   }
 
   // as-text:src/runtime/worker.js
-  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      answer = python.pyimport(entry).answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function tellOfImports() {\n    const alive = () => {\n      if (Date.now() - seen < 1e3) return;\n      seen = Date.now();\n      if (current) tell({ tell: "alive", number: current });\n      else progress("packages");\n    };\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    const alive = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (Date.now() - seen < 1e3) return;\n    seen = Date.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
   var SNAPSHOT = "memory.snapshot";
@@ -3106,15 +3126,18 @@
 
   // src/runtime/page-python.js
   function pagePython(packages2) {
+    const base = besideScript("runtime/");
+    const client2 = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
+    client2.addEventListener("state", () => tell(client2.state));
+    return client2;
+  }
+  function besideScript(folder) {
     const script = (
       /** @type {HTMLScriptElement | null} */
       document.currentScript
     );
     const own = new URL(script?.src || document.baseURI);
-    const base = new URL(`runtime/${own.search}`, own).href;
-    const client2 = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
-    client2.addEventListener("state", () => tell(client2.state));
-    return client2;
+    return new URL(`${folder}${own.search}`, own).href;
   }
   function startWhenIdle(client2) {
     tell("starting");
@@ -3725,7 +3748,12 @@
   var NOT_STARTED = tr("Python could not start.");
   var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
   var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
+  var STEPWISE = tr("The scene still works: its sliders go from one prepared run to the next.");
   var PREDICTION_KEPT = tr("Your prediction is kept.");
+  function without(told3, stepwise) {
+    if (stepwise) return STEPWISE;
+    return told3 ? STILL_PLAYS : NOT_SHOWN;
+  }
   function note(scene, message) {
     const place3 = need(scene, ".carts-note");
     place3.hidden = !message;
@@ -6321,7 +6349,7 @@ ${lines4.join("\n")}
       button.addEventListener("click", () => acts.preset(baked.fence.presets[name2] ?? {}));
     }
     const { scene, controls, switches } = baked.fence;
-    const sliders = new Controls(element, controls, acts.change, switches);
+    const sliders = new Controls(element, controls, acts, switches);
     view.draggable({
       ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
       value: (target) => valueIn(view.run.header, target),
@@ -6405,6 +6433,13 @@ ${lines4.join("\n")}
     get ready() {
       return this.#waiting.promise;
     }
+    /** The picture stands: Python starts at the first touch at the latest. */
+    still() {
+      for (const kind of ["pointerdown", "keydown", "focusin"]) {
+        this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
+      }
+      requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+    }
     /** Follows the page's worker. */
     follow() {
       const { state } = this.client;
@@ -6443,11 +6478,95 @@ ${lines4.join("\n")}
       this.acts.failed();
       const note2 = need(this.element, ".carts-note");
       note2.hidden = false;
-      say(note2, `${error.message} ${this.acts.told() ? STILL_PLAYS : NOT_SHOWN}`);
+      say(note2, `${error.message} ${without(this.acts.told(), this.acts.stepwise())}`);
       this.#waiting.reject(error);
       this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
     }
   };
+
+  // src/scene/prepared.js
+  var TEXT_AT = 8;
+  var Prepared = class {
+    /** @type {Promise<Table> | null} */
+    #loading = null;
+    /**
+     * @param {HTMLElement} scene @param {import("../../../view/types.js").Control[]} controls
+     * @param {string} folder address of the scripts, with a slash at its end
+     */
+    constructor(scene, controls, folder) {
+      const { parts: parts2 = [], stops = {} } = JSON.parse(scene.dataset.prepared ?? "{}");
+      this.parts = parts2;
+      this.stops = stops;
+      this.name = scene.id;
+      this.controls = controls;
+      this.folder = folder;
+    }
+    /** Whether there are any that this browser can read. */
+    get there() {
+      return this.parts.length > 0 && typeof DecompressionStream === "function";
+    }
+    /**
+     * The prepared run whose values are nearest. Rejects with a sentence for the reader where the
+     * change is of another kind, and where the runs cannot be loaded.
+     * @param {Settings} wanted @returns {Promise<Found>}
+     */
+    async nearest(wanted) {
+      this.#loading ??= this.#load();
+      const table = await this.#loading;
+      const place3 = presetOf(table, wanted) ?? this.#onGrid(table, wanted);
+      return { ...runAt(table, place3.number), set: place3.set };
+    }
+    /** @param {Table} table @param {Settings} wanted */
+    #onGrid({ axes }, wanted) {
+      if (Object.keys(wanted).some((key) => !axes.some((axis2) => axis2.set === key))) {
+        throw new Error(tr("This change needs Python, which does not run here."));
+      }
+      const set = {};
+      let number = 0;
+      for (const axis2 of axes) {
+        const asked3 = wanted[axis2.set];
+        const place3 = nearest(axis2.numbers, this.#number(axis2, asked3));
+        number = number * axis2.values.length + place3;
+        if (asked3 !== void 0) set[axis2.set] = axis2.values[place3] ?? asked3;
+      }
+      return { number, set };
+    }
+    /** @param {Axis} axis @param {number | string | boolean | undefined} asked @returns {number} SI */
+    #number(axis2, asked3) {
+      const control = this.controls.find(({ set }) => set === axis2.set);
+      if (asked3 === void 0 && control) return control.value * control.per;
+      if (typeof asked3 !== "string") return Number(asked3);
+      const text = asked3.trim();
+      const number = control && text.endsWith(control.unit) ? text.slice(0, -control.unit.length) : "";
+      if (!control || number.trim() === "" || Number.isNaN(Number(number))) {
+        throw new Error(tr("A number without a unit, please: Python does not run here."));
+      }
+      return Number(number) * control.per;
+    }
+    /** @returns {Promise<Table>} */
+    async #load() {
+      const parts2 = await Promise.all(
+        this.parts.map((part, k) => loadPart(this.folder, this.name, k, part))
+      );
+      const bytes = await gunzip(parts2);
+      const length = new DataView(bytes).getUint32(0, true);
+      const text = new TextDecoder().decode(new Uint8Array(bytes, TEXT_AT, length));
+      return { ...JSON.parse(text), numbers: new Float64Array(bytes, TEXT_AT + length) };
+    }
+  };
+  function presetOf({ axes, presets }, wanted) {
+    const k = presets.findIndex((preset) => plain3(preset) === plain3(wanted));
+    if (k < 0) return null;
+    const before = axes.reduce((product, axis2) => product * axis2.values.length, 1);
+    return { number: before + k, set: wanted };
+  }
+  var plain3 = (settings) => JSON.stringify(Object.entries(settings).sort());
+  function runAt({ headers, numbers }, place3) {
+    const sizeOf = (header2) => header2.ok ? header2.rows * header2.columns.length : 0;
+    const start = headers.slice(0, place3).reduce((sum, header2) => sum + sizeOf(header2), 0);
+    const header = headers[place3];
+    return { header, numbers: numbers.subarray(start, start + sizeOf(header)) };
+  }
 
   // src/scene/values.js
   var ONE_CHANGE = 1e3;
@@ -6463,6 +6582,7 @@ ${lines4.join("\n")}
     /** @param {Settings} changes */
     ask(changes2) {
       const target = Object.keys(changes2).join();
+      if (!target) return;
       const now = performance.now();
       if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
         this.#before.push({ ...this.wanted });
@@ -6509,8 +6629,12 @@ ${lines4.join("\n")}
   // src/scene/runs.js
   var Runs = class {
     values = new Values();
+    /** @type {import("./prepared.js").Prepared | null} */
+    prepared = null;
     #generation = 0;
     // of resets: what was asked for before one is not shown after it
+    #asked = 0;
+    // changes so far: a prepared run is shown for the newest only, and before the exact one
     /**
      * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
      * @param {{scene: () => object | undefined, draw: (run: Run) => unknown, say: (message: string) => void}} acts
@@ -6521,10 +6645,21 @@ ${lines4.join("\n")}
       this.client = client2;
       this.acts = acts;
     }
+    /** Whether there are runs that need no Python. */
+    get stepwise() {
+      return Boolean(this.prepared?.there);
+    }
+    /** The values that a slider can take where there is no Python. @param {string} target @returns {number[] | undefined} in its unit */
+    stops(target) {
+      return this.client.state === "failed" ? this.prepared?.stops[target] : void 0;
+    }
     /** Draws the run of changed values. @param {Settings} changes to be given up if they are refused @param {number} at time of the input, for the measure */
     async compute(changes2, at3) {
+      this.#asked += 1;
+      if (this.client.state === "idle" || this.client.state === "starting") void this.#meanwhile();
       const run = await this.ask(changes2);
       if (!run) return;
+      this.#asked += 1;
       await this.acts.draw(run);
       await drawn(this.owner, at3, { ...this.values.good });
     }
@@ -6540,16 +6675,40 @@ ${lines4.join("\n")}
     /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
     async ask(changes2 = {}) {
       const generation = this.#generation;
-      const { header, numbers, sent } = await this.client.ask(this.owner, () => {
-        return { kind: "run", scene: this.acts.scene(), set: { ...this.values.wanted } };
+      const { header, numbers, set } = await this.#answer().catch((error) => {
+        this.values.giveUp(changes2);
+        throw error;
       });
       if (!header.ok) {
         this.values.giveUp(changes2);
         throw refusal(header.problems ?? []);
       }
       if (generation !== this.#generation) return null;
-      this.values.good = sent.set;
+      this.values.good = set;
+      if (this.client.state === "failed") this.values.wanted = { ...set };
       return { header, trajectory: fromWire(header, numbers) };
+    }
+    /** Python's answer, or where it has failed the nearest of the prepared runs. */
+    async #answer() {
+      try {
+        const { header, numbers, sent } = await this.client.ask(this.owner, () => {
+          return { kind: "run", scene: this.acts.scene(), set: { ...this.values.wanted } };
+        });
+        return { header, numbers, set: sent.set };
+      } catch (error) {
+        if (this.client.state !== "failed" || !this.prepared?.there) throw error;
+        return this.prepared.nearest(this.values.wanted);
+      }
+    }
+    /** Shows the nearest prepared run if nothing newer has come before it. */
+    async #meanwhile() {
+      if (!this.prepared?.there) return;
+      const [asked3, generation] = [this.#asked, this.#generation];
+      const found2 = await this.prepared.nearest(this.values.wanted).catch(() => null);
+      if (!found2?.header.ok || asked3 !== this.#asked || generation !== this.#generation) return;
+      this.values.good = found2.set;
+      const { header, numbers } = found2;
+      await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
     }
     /** Back to the values that the scene came with. */
     reset() {
@@ -9367,7 +9526,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   }
 
   // src/scene/element.js
-  function sceneElement(client2) {
+  function sceneElement(client2, folder) {
     return class CartsScene extends HTMLElement {
       /** @type {SceneView | null} */
       #view = null;
@@ -9392,7 +9551,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         first: () => this.#first(),
         told: () => this.#told,
         live: () => this.#told && void followLink(this, this.id, (text) => note(this, text)),
-        failed: () => this.#inside?.controls.enable(false)
+        failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
+        stepwise: () => this.#runs.stepwise
       });
       #leaving = new AbortController();
       // ends what the element hears of page and worker
@@ -9403,10 +9563,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         if (this.#view) return;
         if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
         this.#adopt();
-        for (const kind of ["pointerdown", "keydown", "focusin"]) {
-          this.addEventListener(kind, () => client2.wake(), { once: true, passive: true });
-        }
-        requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+        this.#live.still();
       }
       disconnectedCallback() {
         this.#leaving.abort();
@@ -9424,6 +9581,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         const view = new SceneView(this, baked);
         this.#baked = baked;
         this.#view = view;
+        this.#runs.prepared ??= new Prepared(this, baked.fence.controls, folder);
         const inside = wireInside(this, baked, view, client2, {
           reset: () => this.#reset(),
           undo: () => this.#runs.undo(),
@@ -9434,7 +9592,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
           },
           found: () => void this.#showForces(),
           settings: () => this.#values.good,
-          told: () => this.#told && this.#free,
+          stops: (target) => this.#runs.stops(target),
+          told: () => this.#free,
           change: (target, value, at3) => void this.set({ [target]: value }, at3).catch((error) => this.#complain(target, error))
         });
         this.#inside = inside;
@@ -9474,9 +9633,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#adopt();
         await this.#restored;
         if (!this.#told) return;
-        if (Object.keys(values).length)
-          await this.#runs.compute({}, performance.now()).catch(() => {
-          });
+        if (Object.keys(values).length) await this.set({}).catch(() => {
+        });
         this.time = t3;
       }
       /** Resolves when Python has answered for this scene; rejects when it cannot start. */
@@ -9484,7 +9642,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         return this.#live.ready;
       }
       get trajectory() {
-        return this.#told ? this.#view?.run.trajectory ?? null : null;
+        return this.#told && this.#view?.run.trajectory || null;
       }
       get plan() {
         return this.#told ? planOf(this.#view?.run) : [];
@@ -9515,7 +9673,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       /** Whether the reader may change values: after a prediction its run is watched first. */
       get #free() {
-        return !this.#predict || Boolean(this.#watch?.over);
+        return this.#told && (!this.#predict || Boolean(this.#watch?.over));
       }
       /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */
       #draw(run) {
@@ -9591,7 +9749,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     return [...new Set(names.filter(Boolean))];
   }
   var client = pagePython(packages);
-  customElements.define("carts-scene", sceneElement(client));
+  customElements.define("carts-scene", sceneElement(client, besideScript("prepared/")));
   customElements.define("carts-map", mapElement(client));
   customElements.define("carts-cost", costElement(client));
   customElements.define("carts-hard", hardElement(client));

@@ -4,7 +4,7 @@ import "./shared/older.js";
 import { costElement } from "./cost/element.js";
 import { hardElement } from "./hard/element.js";
 import { mapElement } from "./map/element.js";
-import { pagePython, startWhenIdle } from "./runtime/page-python.js";
+import { besideScript, pagePython, startWhenIdle } from "./runtime/page-python.js";
 import { sceneElement } from "./scene/element.js";
 
 /** @returns {string[]} what the scenes of this page need besides bare Python */
@@ -15,7 +15,7 @@ function packages() {
 }
 
 const client = pagePython(packages);
-customElements.define("carts-scene", sceneElement(client));
+customElements.define("carts-scene", sceneElement(client, besideScript("prepared/")));
 customElements.define("carts-map", mapElement(client));
 customElements.define("carts-cost", costElement(client));
 customElements.define("carts-hard", hardElement(client));

@@ -58,10 +58,12 @@ export function mapElement(client) {
           this.#choose(this.#places.map((old, other) => (other === k ? place : old))),
         );
       });
-      this.#controls = new Controls(this, facts.controls, (target, value, at) => {
-        this.set({ [target]: value }, at).catch((error) => {
-          this.#controls?.complain(target, error.message);
-        });
+      this.#controls = new Controls(this, facts.controls, {
+        change: (target, value, at) => {
+          this.set({ [target]: value }, at).catch((error) => {
+            this.#controls?.complain(target, error.message);
+          });
+        },
       });
       this.#figure.mark(facts.here, facts.at ?? Number.NaN);
       for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;

@@ -8,12 +8,20 @@ import { startRuntime } from "./runtime.js";
  * @param {() => string[]} packages what the page's elements need beside bare Python, asked at the start
  */
 export function pagePython(packages) {
-  const script = /** @type {HTMLScriptElement | null} */ (document.currentScript);
-  const own = new URL(script?.src || document.baseURI); // in a page that is one file it has no address
-  const base = new URL(`runtime/${own.search}`, own).href;
+  const base = besideScript("runtime/");
   const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
   client.addEventListener("state", () => tell(client.state));
   return client;
+}
+
+/**
+ * The address of a folder beside the page's script, which runs for the first time now.
+ * @param {string} folder with a slash at its end
+ */
+export function besideScript(folder) {
+  const script = /** @type {HTMLScriptElement | null} */ (document.currentScript);
+  const own = new URL(script?.src || document.baseURI); // in a page that is one file it has no address
+  return new URL(`${folder}${own.search}`, own).href;
 }
 
 /** Starts Python as soon as the page has nothing else to do. @param {Client} client */

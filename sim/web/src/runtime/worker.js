@@ -22,7 +22,7 @@ let python;
 let answer;
 /** Of the request under way, 0 while Python starts. */
 let current = 0;
-/** When the page last heard that modules are being imported, in ms. */
+/** When the page last heard of `alive`, in ms. */
 let seen = 0;
 
 /** @param {object} message @param {Transferable[]} [transfer] */
@@ -141,7 +141,9 @@ async function boot({ lock, snapshot, tableAt, load, modules, entry }) {
       importIfPossible(name);
       progress(name);
     }
-    answer = python.pyimport(entry).answer;
+    const module = python.pyimport(entry);
+    module.listen?.(alive);
+    answer = module.answer;
   } catch (error) {
     return fail("python-failed", error);
   }
@@ -158,17 +160,16 @@ if "random" in sys.modules:
 `);
 }
 
-/**
- * A slow laptop may import scipy's modules for longer than a page waits for an answer: each module is
- * a sign of life, told once a second at most.
- */
+/** A sign of life while an answer or an import takes long, told once a second at most. */
+function alive() {
+  if (Date.now() - seen < 1000) return;
+  seen = Date.now();
+  if (current) tell({ tell: "alive", number: current });
+  else progress("packages");
+}
+
+/** A slow laptop may import scipy's modules for longer than a page waits: each is a sign of life. */
 function tellOfImports() {
-  const alive = () => {
-    if (Date.now() - seen < 1000) return;
-    seen = Date.now();
-    if (current) tell({ tell: "alive", number: current });
-    else progress("packages");
-  };
   const locals = python.toPy({ alive });
   python.runPython(
     `

@@ -8,19 +8,22 @@ import { effectValue, Switches } from "./switches.js";
 
 /** @typedef {import("../../../view/types.js").Control} Control */
 /** @typedef {(target: string, value: any, at: number) => void} Change `value`: SI number, text with a unit, or whether an effect acts; `at`: time of the input */
+/** @typedef {(target: string) => number[] | undefined} Stops the only values that a slider can take now, in its unit, if there are such */
+
+const KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 3, PageDown: -3 };
 
 export class Controls {
   /** @type {Map<string, ControlView>} */
   #views = new Map();
 
-  /** @param {HTMLElement} root @param {Control[]} controls @param {Change} change @param {import("../../../view/types.js").Fence["switches"]} switches */
-  constructor(root, controls, change, switches = []) {
+  /** @param {HTMLElement} root @param {Control[]} controls @param {{change: Change, stops?: Stops}} acts @param {import("../../../view/types.js").Fence["switches"]} switches */
+  constructor(root, controls, { change, stops = () => undefined }, switches = []) {
     this.switches = new Switches(root, switches, change);
     for (const control of controls) {
       const element = /** @type {HTMLElement | null} */ (
         root.querySelector(`.carts-control[data-set="${CSS.escape(control.set)}"]`)
       );
-      if (element) this.#views.set(control.set, new ControlView(element, control, change));
+      if (element) this.#views.set(control.set, new ControlView(element, control, change, stops));
     }
   }
 
@@ -55,8 +58,8 @@ export class Controls {
 class ControlView {
   #sent = ""; // the text in the box that a run was asked for with
 
-  /** @param {HTMLElement} root @param {Control} control @param {Change} change */
-  constructor(root, control, change) {
+  /** @param {HTMLElement} root @param {Control} control @param {Change} change @param {Stops} stops */
+  constructor(root, control, change, stops) {
     this.root = root;
     this.control = control;
     this.slider = /** @type {HTMLInputElement} */ (need(root, ".carts-slider"));
@@ -67,7 +70,17 @@ class ControlView {
     );
     this.change = change;
     this.slider.addEventListener("input", (event) => {
-      this.take(this.slider.valueAsNumber, event.timeStamp);
+      const to = this.slider.valueAsNumber;
+      const values = stops(control.set);
+      this.take(values?.[nearest(values, to)] ?? to, event.timeStamp);
+    });
+    this.slider.addEventListener("keydown", (event) => {
+      const by = KEYS[/** @type {keyof typeof KEYS} */ (event.key)];
+      const values = stops(control.set);
+      if (!by || !values) return;
+      event.preventDefault(); // a step of its own could be too small to reach the next value
+      const to = nearest(values, this.slider.valueAsNumber) + by;
+      this.take(values[Math.max(0, Math.min(to, values.length - 1))] ?? 0, event.timeStamp);
     });
     this.box.addEventListener("change", (event) => this.#typed(change, event.timeStamp));
     this.box.addEventListener("keydown", (event) => {
@@ -159,6 +172,12 @@ class ControlView {
   #text(value) {
     return fixed(value, Math.max(this.decimals, decimalsOf(value)));
   }
+}
+
+/** @param {number[]} values @param {number} asked @returns {number} place of the nearest; of two alike the lower */
+export function nearest(values, asked) {
+  const far = (/** @type {number} */ x) => Math.abs(x - asked);
+  return values.reduce((best, x, k) => (far(x) < far(values[best] ?? 0) ? k : best), 0);
 }
 
 /** What a run says about a control's target; null where the header has no such number. */

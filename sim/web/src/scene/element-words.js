@@ -6,9 +6,16 @@ import { need, say } from "../shared/dom.js";
 export const ASK_FIRST = tr("Make your prediction and lock it first.");
 export const LIVE = tr("live: Python computes in this page");
 export const NOT_STARTED = tr("Python could not start.");
-export const STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
-export const NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
+const STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
+const NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
+const STEPWISE = tr("The scene still works: its sliders go from one prepared run to the next.");
 export const PREDICTION_KEPT = tr("Your prediction is kept.");
+
+/** What still works where Python does not. @param {boolean} told no prediction is waited for @param {boolean} stepwise there are prepared runs */
+export function without(told, stepwise) {
+  if (stepwise) return STEPWISE;
+  return told ? STILL_PLAYS : NOT_SHOWN;
+}
 
 /** Says something above the picture. @param {HTMLElement} scene @param {string} message for the reader; empty: none */
 export function note(scene, message) {

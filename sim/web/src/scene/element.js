@@ -6,6 +6,7 @@ import { readBaked } from "./baked.js";
 import * as words from "./element-words.js";
 import { askFirst, wireInside } from "./inside.js";
 import { Live } from "./live.js";
+import { Prepared } from "./prepared.js";
 import { Runs } from "./runs.js";
 import { SceneView } from "./scene-view.js";
 import { followLink } from "./take-along/share.js";
@@ -14,8 +15,8 @@ import { Watch } from "./time/watch.js";
 /** @typedef {import("../../../view/types.js").Run} Run */
 /** @typedef {import("./values.js").Settings} Settings */
 
-/** The element class for a client. @param {import("../runtime/client.js").Client} client */
-export function sceneElement(client) {
+/** The element class. @param {import("../runtime/client.js").Client} client @param {string} folder address of prepared runs */
+export function sceneElement(client, folder) {
   return class CartsScene extends HTMLElement {
     /** @type {SceneView | null} */
     #view = null;
@@ -39,7 +40,8 @@ export function sceneElement(client) {
       first: () => this.#first(),
       told: () => this.#told,
       live: () => this.#told && void followLink(this, this.id, (text) => words.note(this, text)),
-      failed: () => this.#inside?.controls.enable(false),
+      failed: () => this.#inside?.controls.enable(this.#runs.stepwise && this.#free),
+      stepwise: () => this.#runs.stepwise,
     });
     #leaving = new AbortController(); // ends what the element hears of page and worker
     #restored = Promise.resolve(); // when the reader's earlier prediction is back
@@ -49,10 +51,7 @@ export function sceneElement(client) {
       if (this.#view) return;
       if (this.querySelector(".carts-predict")) this.#asBaked = this.innerHTML;
       this.#adopt();
-      for (const kind of ["pointerdown", "keydown", "focusin"]) {
-        this.addEventListener(kind, () => client.wake(), { once: true, passive: true });
-      }
-      requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+      this.#live.still();
     }
 
     disconnectedCallback() {
@@ -73,6 +72,7 @@ export function sceneElement(client) {
       const view = new SceneView(this, baked);
       this.#baked = baked;
       this.#view = view;
+      this.#runs.prepared ??= new Prepared(this, baked.fence.controls, folder);
       const inside = wireInside(this, baked, view, client, {
         reset: () => this.#reset(),
         undo: () => this.#runs.undo(),
@@ -83,7 +83,8 @@ export function sceneElement(client) {
         },
         found: () => void this.#showForces(),
         settings: () => this.#values.good,
-        told: () => this.#told && this.#free,
+        stops: (target) => this.#runs.stops(target),
+        told: () => this.#free,
         change: (target, value, at) =>
           void this.set({ [target]: value }, at).catch((error) => this.#complain(target, error)),
       });
@@ -126,8 +127,7 @@ export function sceneElement(client) {
       this.#adopt();
       await this.#restored;
       if (!this.#told) return;
-      if (Object.keys(values).length)
-        await this.#runs.compute({}, performance.now()).catch(() => {});
+      if (Object.keys(values).length) await this.set({}).catch(() => {});
       this.time = t;
     }
 
@@ -137,7 +137,7 @@ export function sceneElement(client) {
     }
 
     get trajectory() {
-      return this.#told ? (this.#view?.run.trajectory ?? null) : null;
+      return (this.#told && this.#view?.run.trajectory) || null;
     }
 
     get plan() {
@@ -175,7 +175,7 @@ export function sceneElement(client) {
 
     /** Whether the reader may change values: after a prediction its run is watched first. */
     get #free() {
-      return !this.#predict || Boolean(this.#watch?.over);
+      return this.#told && (!this.#predict || Boolean(this.#watch?.over));
     }
 
     /** Resolves when it is drawn: as it is, or step by step if the reader wants that. @param {Run} run */

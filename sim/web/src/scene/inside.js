@@ -15,7 +15,8 @@ import { TakeAlong } from "./take-along/take-along.js";
 /** @typedef {import("./values.js").Settings} Settings */
 /**
  * @typedef {{reset: () => void, undo: () => void, preset: (changes: Settings) => void,
- *   found: () => void, settings: () => Settings, told: () => boolean, change: import("./controls.js").Change}} Acts
+ *   found: () => void, settings: () => Settings, told: () => boolean, change: import("./controls.js").Change,
+ *   stops: import("./controls.js").Stops}} Acts
  *   `told`: no prediction is waited for
  */
 
@@ -32,7 +33,7 @@ export function wireInside(element, baked, view, client, acts) {
     button.addEventListener("click", () => acts.preset(baked.fence.presets[name] ?? {}));
   }
   const { scene, controls, switches } = baked.fence;
-  const sliders = new Controls(element, controls, acts.change, switches);
+  const sliders = new Controls(element, controls, acts, switches);
   view.draggable({
     ready: () => acts.told() && view.player.time === 0 && !view.player.playing,
     value: (target) => valueIn(view.run.header, target),

@@ -5,8 +5,9 @@ import { deferred, frame } from "../shared/waiting.js";
 import * as words from "./element-words.js";
 
 /**
- * @typedef {{first: () => Promise<void>, told: () => boolean, live: () => void, failed: () => void}} Acts
- *   `first` asks for the first run and shows it; `told`: no prediction is waited for
+ * @typedef {{first: () => Promise<void>, told: () => boolean, stepwise: () => boolean, live: () => void,
+ *   failed: () => void}} Acts `first` asks for the first run and shows it; `told`: no prediction is
+ *   waited for; `stepwise`: there are runs that need no Python
  */
 
 export class Live {
@@ -23,6 +24,14 @@ export class Live {
   /** Resolves when Python has answered for this scene; rejects when it cannot start. */
   get ready() {
     return this.#waiting.promise;
+  }
+
+  /** The picture stands: Python starts at the first touch at the latest. */
+  still() {
+    for (const kind of ["pointerdown", "keydown", "focusin"]) {
+      this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
+    }
+    requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
   }
 
   /** Follows the page's worker. */
@@ -63,7 +72,7 @@ export class Live {
     this.acts.failed();
     const note = need(this.element, ".carts-note");
     note.hidden = false;
-    say(note, `${error.message} ${this.acts.told() ? words.STILL_PLAYS : words.NOT_SHOWN}`);
+    say(note, `${error.message} ${words.without(this.acts.told(), this.acts.stepwise())}`);
     this.#waiting.reject(error);
     this.element.dispatchEvent(new CustomEvent("carts-error", { bubbles: true, detail: error }));
   }

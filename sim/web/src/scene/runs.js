@@ -1,4 +1,7 @@
-/** The runs that a reader asks for: values go to Python, a run comes back. */
+/**
+ * The runs that a reader asks for: values go to Python, a run comes back. While Python starts, the
+ * nearest run that was prepared is shown meanwhile; where it cannot start, those are the runs.
+ */
 
 import { fromWire } from "../../../view/trajectory.js";
 import { drawn, refusal } from "../shared/waiting.js";
@@ -9,7 +12,10 @@ import { Values } from "./values.js";
 
 export class Runs {
   values = new Values();
+  /** @type {import("./prepared.js").Prepared | null} */
+  prepared = null;
   #generation = 0; // of resets: what was asked for before one is not shown after it
+  #asked = 0; // changes so far: a prepared run is shown for the newest only, and before the exact one
 
   /**
    * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
@@ -22,10 +28,23 @@ export class Runs {
     this.acts = acts;
   }
 
+  /** Whether there are runs that need no Python. */
+  get stepwise() {
+    return Boolean(this.prepared?.there);
+  }
+
+  /** The values that a slider can take where there is no Python. @param {string} target @returns {number[] | undefined} in its unit */
+  stops(target) {
+    return this.client.state === "failed" ? this.prepared?.stops[target] : undefined;
+  }
+
   /** Draws the run of changed values. @param {Settings} changes to be given up if they are refused @param {number} at time of the input, for the measure */
   async compute(changes, at) {
+    this.#asked += 1;
+    if (this.client.state === "idle" || this.client.state === "starting") void this.#meanwhile();
     const run = await this.ask(changes);
     if (!run) return;
+    this.#asked += 1;
     await this.acts.draw(run);
     await drawn(this.owner, at, { ...this.values.good });
   }
@@ -44,16 +63,42 @@ export class Runs {
   /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
   async ask(changes = {}) {
     const generation = this.#generation;
-    const { header, numbers, sent } = await this.client.ask(this.owner, () => {
-      return { kind: "run", scene: this.acts.scene(), set: { ...this.values.wanted } };
+    const { header, numbers, set } = await this.#answer().catch((error) => {
+      this.values.giveUp(changes);
+      throw error;
     });
     if (!header.ok) {
       this.values.giveUp(changes);
       throw refusal(header.problems ?? []);
     }
     if (generation !== this.#generation) return null;
-    this.values.good = sent.set;
+    this.values.good = set;
+    if (this.client.state === "failed") this.values.wanted = { ...set };
     return { header, trajectory: fromWire(header, numbers) };
+  }
+
+  /** Python's answer, or where it has failed the nearest of the prepared runs. */
+  async #answer() {
+    try {
+      const { header, numbers, sent } = await this.client.ask(this.owner, () => {
+        return { kind: "run", scene: this.acts.scene(), set: { ...this.values.wanted } };
+      });
+      return { header, numbers, set: sent.set };
+    } catch (error) {
+      if (this.client.state !== "failed" || !this.prepared?.there) throw error;
+      return this.prepared.nearest(this.values.wanted);
+    }
+  }
+
+  /** Shows the nearest prepared run if nothing newer has come before it. */
+  async #meanwhile() {
+    if (!this.prepared?.there) return;
+    const [asked, generation] = [this.#asked, this.#generation];
+    const found = await this.prepared.nearest(this.values.wanted).catch(() => null); // Python will say
+    if (!found?.header.ok || asked !== this.#asked || generation !== this.#generation) return;
+    this.values.good = found.set;
+    const { header, numbers } = found;
+    await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
   }
 
   /** Back to the values that the scene came with. */

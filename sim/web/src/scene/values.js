@@ -20,6 +20,7 @@ export class Values {
   /** @param {Settings} changes */
   ask(changes) {
     const target = Object.keys(changes).join();
+    if (!target) return;
     const now = performance.now();
     if (target !== this.#last.target || now - this.#last.at > ONE_CHANGE) {
       this.#before.push({ ...this.wanted });

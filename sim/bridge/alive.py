@@ -1,0 +1,23 @@
+"""A sign of life while an answer takes long.
+
+A page waits some seconds for a sign of Python, then it takes it for lost and starts another. An
+answer that has several parts tells after each that it is at work: on a slow laptop one part may
+take as long as all of them elsewhere. Outside a page nobody listens.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+_listeners: list[Callable[[], object]] = []
+
+
+def listen(call: Callable[[], object]) -> None:
+    """From now on `call` is told, and nobody else."""
+    _listeners[:] = [call]
+
+
+def alive() -> None:
+    """Tell that the answer is at work."""
+    for call in _listeners:
+        call()

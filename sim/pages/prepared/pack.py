@@ -1,0 +1,91 @@
+"""Prepared runs as a script: gzip as base64, which a page on file:// can load and check.
+
+bytes   = length of the text [8 bytes, little end first] + text + numbers
+text    = JSON: the axes of the grid, the presets, and the header of each run, or why there is
+          none; filled up with spaces to a multiple of 8 bytes
+numbers = float64 [SI], the columns of one run after those of the other
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from array import array
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sim.pages.bake import Run, bake_with
+from sim.pages.prepared.grid import Grid, grid_of
+from sim.pages.runtime.payload import make_payload
+from sim.scene import Fence
+
+FOLDER = "prepared/"
+"""Beside the page's script."""
+
+MOST_BYTES = 120_000
+"""Of gzip, for one scene: less than a picture, so that a lesson stays a light one."""
+
+MOST_RUNS = 243
+"""Three values of five sliders; of two sliders fifteen each. A built lesson takes a second more."""
+
+PACKED = 2
+"""Bytes of gzip that one number of a run becomes, at least: for the first guess of how many fit."""
+
+MOST_STEPS = 20_000
+"""Of integrators in all runs of a scene: where one run is dear, few are prepared."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prepared:
+    """What the page has to know, and the scripts by their names in `FOLDER`."""
+
+    parts: tuple[Mapping[str, Any], ...]
+    stops: Mapping[str, Sequence[float]]  # the values of each slider, in its own unit
+    scripts: Mapping[str, str]
+    runs: int
+    size: int  # bytes of gzip
+
+
+def prepare(fence: Fence, lesson_run: Run) -> Prepared | None:
+    """The runs of `fence`, as many as fit; None where no grid fits. `lesson_run`: the default."""
+    steps = 1 + lesson_run.header["evaluations"]["solvers"].get("adaptive", 0)
+    fit = MOST_BYTES // (PACKED * len(lesson_run.numbers))
+    most = min(MOST_RUNS, MOST_STEPS // steps, fit)
+    while (grid := grid_of(fence, most)) is not None:
+        found = _packed(fence, grid)
+        if found.size <= MOST_BYTES:
+            return found
+        most = most * MOST_BYTES * 9 // (10 * found.size)
+    return None
+
+
+def _packed(fence: Fence, grid: Grid) -> Prepared:
+    runs = [bake_with(fence.plain, changes) for changes in grid.settings()]
+    payload, scripts = make_payload(fence.id, _bytes(grid, runs))
+    parts = tuple(dict(vars(part)) for part in payload.parts)
+    sliders = {one.set: one for one in fence.controls}
+    stops = {
+        axis.set: [sliders[axis.set].shown(x) for x in axis.numbers]
+        for axis in grid.axes
+        if axis.set in sliders
+    }
+    return Prepared(parts, stops, scripts, len(runs), sum(part["size"] for part in parts))
+
+
+def _bytes(grid: Grid, runs: Sequence[Run]) -> bytes:
+    numbers = array("d")
+    for run in runs:
+        numbers.extend(run.numbers if run.header["ok"] else ())
+    if sys.byteorder == "big":
+        numbers.byteswap()
+    plain = {
+        "axes": [
+            {"set": axis.set, "values": axis.values, "numbers": axis.numbers} for axis in grid.axes
+        ],
+        "presets": list(grid.presets),
+        "headers": [run.header for run in runs],
+    }
+    text = json.dumps(plain, ensure_ascii=False, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 8)
+    return len(text).to_bytes(8, "little") + text + numbers.tobytes()
