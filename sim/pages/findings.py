@@ -54,6 +54,10 @@ def _value(text: str) -> str:
     return _plain(text).replace(":", "%3A").replace(",", "%2C")
 
 
+class SiteError(RuntimeError):
+    """The site cannot be built; the message is for the person who builds it."""
+
+
 class AuthorError(Exception):
     """Everything that is wrong with one block of a lesson, never an empty list."""
 

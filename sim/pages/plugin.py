@@ -30,15 +30,16 @@ from mkdocs.utils import CountHandler, get_relative_url
 
 from sim.pages import effect_pages, lessons_only
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
-from sim.pages.findings import Finding
+from sim.pages.findings import Finding, SiteError
 from sim.pages.joined_files import add_effect_pages, put_ready_pages
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting
 from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
-from sim.pages.site_build import SiteBuild, SiteError, lessons_in, with_lessons
+from sim.pages.site_build import SiteBuild
 from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
 from sim.pages.teach.doors import Doors
+from sim.pages.text.lesson_list import lessons_in, with_lessons
 
 log = logging.getLogger("mkdocs.plugins.carts")
 

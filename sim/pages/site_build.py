@@ -7,7 +7,7 @@ over what came out, lets it finish the HTML and calls `complete` when all pages 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -18,12 +18,10 @@ from sim.pages.check import bank_folders, scene_folders
 from sim.pages.classroom import practice_keys
 from sim.pages.classroom.practice_keys import practice_key
 from sim.pages.extension import Page
-from sim.pages.findings import Finding
+from sim.pages.findings import Finding, SiteError
 from sim.pages.language import (
     ENGLISH,
-    LANGUAGES,
     UnknownLanguageError,
-    language_folder,
     of_page,
     words_script,
 )
@@ -32,8 +30,9 @@ from sim.pages.own_files import strangers
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.single import to_download
 from sim.pages.teach.doors import Doors
-from sim.pages.text.lesson_text import language_findings, lesson_order
+from sim.pages.text.lesson_text import language_findings
 
 _SITE_ID = re.compile(r"[a-z0-9][a-z0-9-]{2,39}")
 _SITE_ID_HELP = """\
@@ -45,10 +44,6 @@ mkdocs.yml: error: extra.carts.site_id is missing or not allowed
 
 
 _STATISTICS = {"numpy", "scipy"}
-
-
-class SiteError(RuntimeError):
-    """The site cannot be built; the message is for the person who builds it."""
 
 
 @dataclass(slots=True)
@@ -112,7 +107,7 @@ class SiteBuild:
         challenge, worlds = "<carts-challenge" in html, "<carts-worlds" in html
         self.needs[name] = Needs(
             page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
-            page.language, challenge, worlds,
+            page.language, challenge, worlds, self._to_download(name),
         )  # fmt: skip
         kinds = "scene|map|cost|hard|measured|question|quiz|challenge"
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
@@ -139,6 +134,8 @@ class SiteBuild:
         needs = self.needs.get(name, Needs()) if name else Needs()
         if any(other.scenes for other in self.needs.values()):  # else there is no Python to do it
             html = self.doors.with_door(html, name, assets, self.ids.used)
+        if name and needs.download:
+            html = to_download.with_place(html, name, assets)
         page = finish(
             html,
             audience=self.audience,
@@ -195,7 +192,14 @@ class SiteBuild:
         works = licences.notices(modules, scenes=scenes, packages=packages)
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
         if self.hosting:
+            lessons = {name: self.asked[name] for name in self.needs if self._to_download(name)}
+            to_download.write_shells(site, lessons, self.root, report)
             self.hosting.write(site, self.site_id)  # the last: it lists all files
+
+    def _to_download(self, name: str) -> bool:
+        """Whether the page is a lesson on a web server: it can be had as one file."""
+        folder = self.lessons.name if self.lessons else None
+        return self.hosting is not None and bool(folder) and name.startswith(f"{folder}/")
 
     def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:
         from sim.pages import runtime  # only where a page has a scene
@@ -209,7 +213,7 @@ class SiteBuild:
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
-            for name in ("challenge", "worlds"):
+            for name in ("challenge", "worlds", "download"):
                 if any(getattr(needs, name) for needs in self.needs.values()):
                     (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             if any(needs.measured for needs in self.needs.values()):
@@ -234,25 +238,3 @@ def _own_packages(needs: Needs) -> frozenset[str]:
 
     own = {runtime.CLASSROOM: needs.classroom, runtime.MEASURED: needs.measured}
     return frozenset({*_STATISTICS, *(name for name, asked in own.items() if asked)})
-
-
-def lessons_in(folder: Path) -> list[Path]:
-    """The lessons of a site in their order, then those in the folders of other languages."""
-    folders = [folder, *(folder / language for language in sorted(LANGUAGES))]
-    return [path for one in folders for path in sorted(one.glob("*.md"), key=lesson_order)]
-
-
-def with_lessons(nav: list[Any], folder: Path, lessons: Iterable[Path]) -> list[Any]:
-    """The navigation with `folder/` replaced by all lessons in it; each language has a part."""
-    pages: list[Any] = []
-    others: dict[str, list[str]] = {}
-    for path in lessons:
-        address = path.relative_to(folder.parent).as_posix()
-        language = language_folder(address)
-        (others.setdefault(LANGUAGES[language], []) if language else pages).append(address)
-    pages += [{name: listed} for name, listed in others.items()]
-
-    def stands_for_them(item: Any) -> bool:
-        return isinstance(item, dict) and list(item.values()) == [f"{folder.name}/"]
-
-    return [dict.fromkeys(item, pages) if stands_for_them(item) else item for item in nav]

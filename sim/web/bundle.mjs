@@ -12,6 +12,7 @@ const ENTRIES = {
   "dist/answers.js": "src/answers-main.js",
   "dist/challenge.js": "src/challenge-main.js",
   "dist/class.js": "src/class-main.js",
+  "dist/download.js": "src/download-main.js",
   "dist/teacher.js": "src/teacher-main.js",
   "dist/measured.js": "src/measured-main.js",
   "dist/worlds.js": "src/worlds-main.js",

@@ -11,8 +11,12 @@ from tests.web.boot_site import ROOT, bundle
 DIST = ROOT / "sim" / "web" / "dist"
 ENTRIES = {"carts.js": "main.js", "answers.js": "answers-main.js", "class.js": "class-main.js"}
 ENTRIES |= {"measured.js": "measured-main.js", "teacher.js": "teacher-main.js"}
-ENTRIES |= {"challenge.js": "challenge-main.js", "film.js": "film-main.js"}
-ENTRIES |= {"draw.js": "draw-main.js"}
+ENTRIES |= {
+    "challenge.js": "challenge-main.js",
+    "film.js": "film-main.js",
+    "download.js": "download-main.js",
+}
+ENTRIES |= {"draw.js": "draw-main.js", "worlds.js": "worlds-main.js"}
 
 
 @pytest.mark.parametrize("name", ENTRIES)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Page
 
-from sim.pages.site_build import lessons_in
+from sim.pages.text.lesson_list import lessons_in
 from tests.conftest import ROOT
 from tests.web.conftest import OpenPage
 from tests.web.widget_site import LIVE

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
     """Build the site and write its lessons, one file each, into the zip `out`."""
     from sim.cli.site.pack import size_of, write_zip
+    from sim.pages.findings import SiteError
     from sim.pages.single.all_inside import runtime_scripts
     from sim.pages.single.of_lesson import single_lesson
-    from sim.pages.site_build import SiteError
 
     builds: list[SiteBuild] = []
     files: dict[str, bytes] = {}

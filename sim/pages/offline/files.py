@@ -12,7 +12,7 @@ WORKER = "sw.js"
 LEFT_OUT = re.compile(r"sw\.js|sitemap\.xml(\.gz)?|.*\.map|CNAME|\.nojekyll")
 FEW = re.compile(
     r"assets/carts/(?:runtime/(?:numpy|scipy|python-more|newtons_carts_)"
-    r"|lessons/|prepared/|teacher\.|class|film|measured)"
+    r"|lessons/|prepared/|download/|teacher\.|class|film|measured)"
 )
 """What few pages load: kept when a page loads it. The rest of the site is kept at once."""
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from sim.pages import runtime
-from sim.pages.site_build import SiteError
+from sim.pages.findings import SiteError
 
 INSIDE = "self.__cartsInside = true;"
 """Stands before the runtime's scripts: they are not to be asked for by address."""
@@ -20,6 +20,13 @@ def runtime_scripts(
     packages: frozenset[str], root: Path, report: Callable[[str], None]
 ) -> list[str]:
     """The runtime's table of contents and every part that it names; raises SiteError."""
+    return list(runtime_files(packages, root, report).values())
+
+
+def runtime_files(
+    packages: frozenset[str], root: Path, report: Callable[[str], None]
+) -> dict[str, str]:
+    """The same by file name."""
     with tempfile.TemporaryDirectory() as folder:
         cache = runtime.default_cache(root)
         try:
@@ -28,8 +35,8 @@ def runtime_scripts(
             raise SiteError(str(error)) from error
         if packed.missing:
             raise SiteError(packed.missing)
-        parts = (packed.folder / name for name in sorted(packed.files))
-        return [part.read_text(encoding="utf-8") for part in parts]
+        names = sorted(packed.files)
+        return {name: (packed.folder / name).read_text(encoding="utf-8") for name in names}
 
 
 def policy(

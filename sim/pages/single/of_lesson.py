@@ -31,6 +31,7 @@ const follow = () => { document.body.dataset.mdColorScheme = dark.matches ? "sla
 dark.addEventListener("change", follow);
 follow();
 """
+_ONLY_IN_A_SITE = ("iframe-worker", "teacher", "download.js", "offline.js")
 _WITH_PYTHON = ("/carts.js", "/measured.js")
 _PAGE = """\
 <!doctype html>
@@ -61,7 +62,7 @@ def single_lesson(page: Path, site: Path, runtime: Iterable[str]) -> str:
     styles = [_LOOK, *(_with_files(sheet) for sheet in sheets)]
     ours = re.findall(rf'<script src="([^"]*{ASSETS}[^"]+)"', text)
     sources = [
-        src for src in dict.fromkeys(ours) if "iframe-worker" not in src and "teacher" not in src
+        src for src in dict.fromkeys(ours) if not any(name in src for name in _ONLY_IN_A_SITE)
     ]
     live = any(src.endswith(_WITH_PYTHON) for src in sources)
     scripts = [_DARK, INSIDE, *(runtime if live else ()), *_prepared(text, site)]
@@ -95,7 +96,9 @@ def _prepared(text: str, site: Path) -> list[str]:
 def _article(text: str, page: Path) -> str:
     """The text of the page, its pictures inside; links to other pages are only words here."""
     start, end = text.index("<article"), text.rindex("</article>") + len("</article>")
-    article = re.sub(r'<p class="carts-teach-door".*?</p>', "", text[start:end], flags=re.S)
+    article = re.sub(
+        r'<p class="carts-(?:teach-door|download)".*?</p>', "", text[start:end], flags=re.S
+    )
     article = re.sub(r"<a [^>]*md-content__button.*?</a>", "", article, flags=re.S)
 
     def picture(match: re.Match[str]) -> str:

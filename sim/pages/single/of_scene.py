@@ -13,10 +13,9 @@ from pathlib import Path
 from sim.pages import licences, site_files
 from sim.pages.bake import bake
 from sim.pages.carried import node_modules
-from sim.pages.findings import AuthorError
+from sim.pages.findings import AuthorError, SiteError
 from sim.pages.scene_block import SceneBlock
 from sim.pages.single.all_inside import INSIDE, policy, runtime_scripts
-from sim.pages.site_build import SiteError
 from sim.pages.widget import render
 from sim.pages.widget.worlds import WORLDS
 

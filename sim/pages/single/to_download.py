@@ -1,0 +1,56 @@
+"""“Download this lesson” on a web server: one file, put together in the reader's browser.
+
+A whole file for each lesson would hold Python once a lesson. So the site has a shell of it: the
+file as `of_lesson` writes it, with a mark in the place of each script that the site has anyway. The
+page's script (`download-main.js`) fetches them, most of them out of its cache, and puts them in.
+The policy of the file names every script by its hash: one that is not as it was will not run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from sim.pages.single.all_inside import runtime_files
+from sim.pages.single.of_lesson import single_lesson
+from sim.pages.site_files import ASSETS
+
+FOLDER = "download/"
+"""Beside the page's scripts. The shells are text there, no pages to be opened or listed."""
+
+_END = "</article>"
+
+
+def with_place(html: str, name: str, assets: str) -> str:
+    """The page with the place of the button at its foot; the script fills and shows it."""
+    place = f'<p class="carts-download" data-shell="{assets}{FOLDER}{_file(name)}" hidden></p>'
+    return html.replace(_END, f"{place}\n{_END}", 1)
+
+
+def write_shells(
+    site: Path, lessons: Mapping[str, frozenset[str]], root: Path, report: Callable[[str], None]
+) -> None:
+    """Write the shells of `lessons` (packages by page) into the built site; raises SiteError."""
+    folder = site / ASSETS / FOLDER
+    folder.mkdir(parents=True, exist_ok=True)
+    runtimes: dict[frozenset[str], dict[str, str]] = {}
+    for name, packages in sorted(lessons.items()):
+        if packages not in runtimes:
+            runtimes[packages] = runtime_files(packages, root, report)
+        page = (site / name).with_suffix(".html")
+        text = _shell(page, site, runtimes[packages])
+        (folder / _file(name)).write_text(text, encoding="utf-8", newline="\n")
+
+
+def _shell(page: Path, site: Path, runtime: Mapping[str, str]) -> str:
+    whole = single_lesson(page, site, runtime.values())
+    assets = site / ASSETS
+    for path in sorted(assets.rglob("*.js")):
+        script = f"<script>{path.read_text(encoding='utf-8')}</script>"
+        mark = f'<script data-from="{path.relative_to(assets).as_posix()}"></script>'
+        whole = whole.replace(script, mark)
+    return whole
+
+
+def _file(name: str) -> str:
+    return name.rpartition(".")[0].replace("/", "-") + ".txt"

@@ -1,0 +1,92 @@
+"use strict";
+(() => {
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
+  }
+
+  // src/shared/dom.js
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+
+  // src/shared/download.js
+  var FORGOTTEN_AFTER = 6e4;
+  function downloadBlob(name, blob) {
+    const link = document.createElement("a");
+    const address = URL.createObjectURL(blob);
+    link.href = address;
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
+  }
+
+  // src/download-main.js
+  var assets = new URL(
+    ".",
+    /** @type {HTMLScriptElement} */
+    document.currentScript.src
+  );
+  var place = (
+    /** @type {HTMLElement | null} */
+    document.querySelector(".carts-download")
+  );
+  async function textOf(address) {
+    const answer = await fetch(address);
+    if (!answer.ok) throw new Error(String(answer.status));
+    return answer.text();
+  }
+  async function whole(shell, tell) {
+    const pieces = (await textOf(shell)).split(/<script data-from="([\w./-]+)"><\/script>/);
+    const names = pieces.filter((_, k) => k % 2 === 1);
+    let done = 0;
+    const scripts = await Promise.all(
+      names.map(async (name) => {
+        const text = await textOf(new URL(name, assets));
+        done += 1;
+        tell(done, names.length);
+        return `<script>${text}<\/script>`;
+      })
+    );
+    const parts = pieces.map((piece, k) => k % 2 ? scripts[(k - 1) / 2] ?? "" : piece);
+    return new Blob(parts, { type: "text/html" });
+  }
+  function offer(root) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "md-button";
+    button.textContent = tr("Download this lesson");
+    const said = document.createElement("span");
+    said.setAttribute("role", "status");
+    said.textContent = tr("One file that opens by double click, without a network.");
+    const shell = new URL(root.dataset.shell ?? "", document.baseURI);
+    button.addEventListener("click", async () => {
+      button.disabled = true;
+      try {
+        const file = await whole(
+          shell,
+          (done, all) => say(said, tr("{done} of {all}", { done, all }))
+        );
+        const name = location.pathname.split("/").pop()?.replace(/(\.html)?$/, ".html");
+        downloadBlob(name ?? "lesson.html", file);
+        say(said, tr("Saved: {size} MB.", { size: Math.ceil(file.size / 1e6) }));
+      } catch {
+        say(said, tr("The lesson could not be fetched. Try again with a network."));
+      } finally {
+        button.disabled = false;
+      }
+    });
+    root.append(button, " ", said);
+    root.hidden = false;
+  }
+  if (place) offer(place);
+})();

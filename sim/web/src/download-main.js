@@ -1,0 +1,72 @@
+/**
+ * “Download this lesson”, on pages of a web server: the lesson as one file that opens by double click.
+ * The site has a shell of it (`sim/pages/single/to_download.py`); what it names is fetched and put in.
+ */
+
+import { tr } from "../../view/language.js";
+import { say } from "./shared/dom.js";
+import { downloadBlob } from "./shared/download.js";
+
+const assets = new URL(".", /** @type {HTMLScriptElement} */ (document.currentScript).src);
+const place = /** @type {HTMLElement | null} */ (document.querySelector(".carts-download"));
+
+/** @param {URL} address @returns {Promise<string>} */
+async function textOf(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(String(answer.status));
+  return answer.text();
+}
+
+/**
+ * @param {URL} shell @param {(done: number, all: number) => void} tell
+ * @returns {Promise<Blob>} the whole file
+ */
+async function whole(shell, tell) {
+  const pieces = (await textOf(shell)).split(/<script data-from="([\w./-]+)"><\/script>/);
+  const names = pieces.filter((_, k) => k % 2 === 1);
+  let done = 0;
+  const scripts = await Promise.all(
+    names.map(async (name) => {
+      const text = await textOf(new URL(name, assets));
+      done += 1;
+      tell(done, names.length);
+      return `<script>${text}</script>`;
+    }),
+  );
+  const parts = pieces.map((piece, k) => (k % 2 ? (scripts[(k - 1) / 2] ?? "") : piece));
+  return new Blob(parts, { type: "text/html" });
+}
+
+/** @param {HTMLElement} root */
+function offer(root) {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "md-button";
+  button.textContent = tr("Download this lesson");
+  const said = document.createElement("span");
+  said.setAttribute("role", "status");
+  said.textContent = tr("One file that opens by double click, without a network.");
+  const shell = new URL(root.dataset.shell ?? "", document.baseURI);
+  button.addEventListener("click", async () => {
+    button.disabled = true;
+    try {
+      const file = await whole(shell, (done, all) =>
+        say(said, tr("{done} of {all}", { done, all })),
+      );
+      const name = location.pathname
+        .split("/")
+        .pop()
+        ?.replace(/(\.html)?$/, ".html");
+      downloadBlob(name ?? "lesson.html", file);
+      say(said, tr("Saved: {size} MB.", { size: Math.ceil(file.size / 1e6) }));
+    } catch {
+      say(said, tr("The lesson could not be fetched. Try again with a network."));
+    } finally {
+      button.disabled = false;
+    }
+  });
+  root.append(button, " ", said);
+  root.hidden = false;
+}
+
+if (place) offer(place);
