@@ -42,7 +42,7 @@ SLOW_CASES = (
 SLOW_CASES = (*SLOW_CASES, "a-million-seconds", "rest-on-a-soft-wall", "resting-on-a-slope")
 """Hundreds of events and more: too long for a test, with the oracle."""
 
-SEEDS = range(30)
+SEEDS = range(20)
 ULPS = 8
 """Doubles between the bounds of a pair, at the median: what an issue asked for."""
 

@@ -132,7 +132,11 @@ def test_a_snapshot_of_another_pyodide_means_the_plain_way(
     assert result["header"]["ok"] is True
 
 
-@pytest.mark.parametrize("name", ["pyodide.js", "pyodide.asm.wasm", "python.zip"])
+AGAIN = pytest.mark.one_browser  # the same code as for the first of them
+LOADED = ["pyodide.js", *(pytest.param(n, marks=AGAIN) for n in ("pyodide.asm.wasm", "python.zip"))]
+
+
+@pytest.mark.parametrize("name", LOADED)
 def test_a_truncated_file_is_named_as_damaged(
     open_page: OpenPage, broken_site: Path, name: str
 ) -> None:
@@ -145,7 +149,7 @@ def test_a_truncated_file_is_named_as_damaged(
     assert result["waited"] < TOLD_WITHIN
 
 
-@pytest.mark.parametrize("name", ["index", "pyodide.js", "pyodide.asm.wasm", "python.zip"])
+@pytest.mark.parametrize("name", ["index", *LOADED])
 def test_a_missing_file_is_named_as_missing(
     open_page: OpenPage, broken_site: Path, name: str
 ) -> None:

@@ -27,20 +27,24 @@ def test_no_page_breaks_its_policy_from_disk(
     assert heard == []
 
 
-@pytest.mark.parametrize(
-    "built", [pytest.param("site", marks=pytest.mark.one_browser), "hosted_site"]
-)
 def test_no_page_breaks_its_policy_from_a_server(
-    built: str,
-    open_page: OpenPage,
-    site_server: Callable[[Path], str],
-    request: pytest.FixtureRequest,
+    hosted_site: Path, open_page: OpenPage, site_server: Callable[[Path], str]
 ) -> None:
-    folder = request.getfixturevalue(built)
-    address = site_server(folder)
+    assert heard_from(site_server(hosted_site), one_of_each_kind(hosted_site), open_page) == []
+
+
+@pytest.mark.one_browser
+def test_a_site_made_for_disks_works_from_a_server_too(
+    site: Path, open_page: OpenPage, site_server: Callable[[Path], str]
+) -> None:
+    names = ["index.html", "sandbox.html", "worksheets/newtons-third-law.html"]
+    assert heard_from(site_server(site), names, open_page) == []
+
+
+def heard_from(address: str, names: list[str], open_page: OpenPage) -> list[str]:
     page = open_page(f"{address}/index.html")
     heard = listen(page)
-    for name in one_of_each_kind(folder):
+    for name in names:
         page.goto(f"{address}/{name}")
         settle(page)
-    assert heard == []
+    return heard

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.pages.bake import Run, bake_with
+from sim.pages.gzipped import gzipped
 from sim.pages.prepared.grid import Grid, grid_of
 from sim.pages.runtime.payload import make_payload
 from sim.scene import Fence
@@ -26,14 +27,11 @@ FOLDER = "prepared/"
 MOST_BYTES = 120_000
 """Of gzip, for one scene: less than a picture, so that a lesson stays a light one."""
 
-MOST_RUNS = 243
-"""Three values of five sliders; of two sliders fifteen each. A built lesson takes a second more."""
+MOST_RUNS = 125
+"""Three values of four sliders, eleven each of two. The whole site is built a tenth more slowly."""
 
-PACKED = 2
-"""Bytes of gzip that one number of a run becomes, at least: for the first guess of how many fit."""
-
-MOST_STEPS = 20_000
-"""Of integrators in all runs of a scene: where one run is dear, few are prepared."""
+MOST_NUMBERS = 150_000
+"""In all runs of a scene: where one run is long, and so dear, few are prepared."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,9 +47,9 @@ class Prepared:
 
 def prepare(fence: Fence, lesson_run: Run) -> Prepared | None:
     """The runs of `fence`, as many as fit; None where no grid fits. `lesson_run`: the default."""
-    steps = 1 + lesson_run.header["evaluations"]["solvers"].get("adaptive", 0)
-    fit = MOST_BYTES // (PACKED * len(lesson_run.numbers))
-    most = min(MOST_RUNS, MOST_STEPS // steps, fit)
+    numbers = lesson_run.numbers
+    fit = 2 * MOST_BYTES // len(gzipped(numbers.tobytes()))  # together they are smaller
+    most = min(MOST_RUNS, MOST_NUMBERS // len(numbers), fit)
     while (grid := grid_of(fence, most)) is not None:
         found = _packed(fence, grid)
         if found.size <= MOST_BYTES:

@@ -993,6 +993,7 @@
   }
 
   // src/hard/element.js
+  var PATIENCE = 60;
   function hardElement(client2) {
     return class CartsHard extends HTMLElement {
       /** @type {Record<string, Case> | null} */
@@ -1041,7 +1042,8 @@
               await client2.need(one.packages);
             }
             if (this.#turn !== turn) return;
-            const { header } = await client2.ask(this, () => ({ kind: "hard", ...asked(one) }));
+            const message = { kind: "hard", patience: PATIENCE, ...asked(one) };
+            const { header } = await client2.ask(this, () => message);
             if (this.#turn !== turn) return;
             if (!header.ok) throw refusal(header.problems ?? []);
             this.#live();
@@ -2735,7 +2737,7 @@
 
   // src/runtime/watch.js
   var SECOND = 1e3;
-  var PATIENCE = 8;
+  var PATIENCE2 = 8;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -2779,7 +2781,7 @@
   }
   function patiently(promise) {
     return new Promise((resolve, reject) => {
-      const waiting2 = watch(PATIENCE, () => reject(new RuntimeFailure("stalled", "index.js")));
+      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
       promise.then(resolve, reject).finally(waiting2.stop);
     });
   }
@@ -2915,7 +2917,7 @@
       const failed = new Promise((_2, no) => {
         reject = no;
       });
-      this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts2 = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
         return await Promise.race([failed, this.boot(parts2, reject)]);
@@ -3069,14 +3071,17 @@
     }
     /**
      * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {object} message
+     * @param {{patience?: number}} message `patience`: seconds without a sign until it is lost, where a
+     *   reader knows that it takes long and can stop it
      * @returns {Promise<Answer>}
      */
     request(message) {
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
+        const { patience = PATIENCE2 } = message;
+        const text = JSON.stringify(message);
+        this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();
       });
     }
@@ -3097,7 +3102,8 @@
       if (data.tell === "alive") return void this.watch?.progress();
       this.watch?.stop();
       if (data.tell === "begun") {
-        this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        const { patience } = current;
+        this.watch = watch(patience - PICK_UP, () => this.lose("worker-lost", "no answer"));
         return;
       }
       this.queue.shift();
@@ -3327,7 +3333,7 @@
   // src/shared/indexed-store.js
   var SETTLED = "settled";
   var STORE = "answers";
-  var PATIENCE2 = 2e4;
+  var PATIENCE3 = 2e4;
   var SETTLE_AFTER = 400;
   function open(name2) {
     return new Promise((resolve, reject) => {
@@ -3339,7 +3345,7 @@
       };
       request.onerror = () => reject(request.error);
       request.onblocked = () => reject(new Error("another page holds an older version"));
-      setTimeout(() => reject(new Error("no answer")), PATIENCE2);
+      setTimeout(() => reject(new Error("no answer")), PATIENCE3);
     });
   }
   async function reopening(name2) {

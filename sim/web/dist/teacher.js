@@ -585,14 +585,17 @@
     }
     /**
      * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {object} message
+     * @param {{patience?: number}} message `patience`: seconds without a sign until it is lost, where a
+     *   reader knows that it takes long and can stop it
      * @returns {Promise<Answer>}
      */
     request(message) {
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
+        const { patience = PATIENCE } = message;
+        const text2 = JSON.stringify(message);
+        this.queue.push({ number: this.number, text: text2, patience, resolve, reject });
         if (this.queue.length === 1) this.send();
       });
     }
@@ -613,7 +616,8 @@
       if (data.tell === "alive") return void this.watch?.progress();
       this.watch?.stop();
       if (data.tell === "begun") {
-        this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        const { patience } = current;
+        this.watch = watch(patience - PICK_UP, () => this.lose("worker-lost", "no answer"));
         return;
       }
       this.queue.shift();

@@ -59,7 +59,7 @@ export class Runtime {
     /** @type {Reason | ""} */
     this.gone = "";
     this.number = 0;
-    /** @type {{number: number, text: string, resolve: (answer: Answer) => void,
+    /** @type {{number: number, text: string, patience: number, resolve: (answer: Answer) => void,
      *   reject: (error: Error) => void}[]} */
     this.queue = [];
     worker.onmessage = ({ data }) => this.hear(data);
@@ -71,14 +71,17 @@ export class Runtime {
 
   /**
    * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-   * @param {object} message
+   * @param {{patience?: number}} message `patience`: seconds without a sign until it is lost, where a
+   *   reader knows that it takes long and can stop it
    * @returns {Promise<Answer>}
    */
   request(message) {
     if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
     return new Promise((resolve, reject) => {
       this.number += 1;
-      this.queue.push({ number: this.number, text: JSON.stringify(message), resolve, reject });
+      const { patience = PATIENCE } = message;
+      const text = JSON.stringify(message);
+      this.queue.push({ number: this.number, text, patience, resolve, reject });
       if (this.queue.length === 1) this.send();
     });
   }
@@ -102,7 +105,8 @@ export class Runtime {
     if (data.tell === "alive") return void this.watch?.progress();
     this.watch?.stop();
     if (data.tell === "begun") {
-      this.watch = watch(PATIENCE - PICK_UP, () => this.lose("worker-lost", "no answer"));
+      const { patience } = current;
+      this.watch = watch(patience - PICK_UP, () => this.lose("worker-lost", "no answer"));
       return;
     }
     this.queue.shift();
