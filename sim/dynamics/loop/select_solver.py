@@ -70,9 +70,14 @@ def _solver(
     if len(row) == 1:
         return _flight(row[0], now, end, forces) if loaded else None
     law = gaps[0].law
-    closed = law is not None and law.linear
-    if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
-        return pair_contact(gaps[0], now)
+    if len(gaps) == 1 and not loaded and not gaps[0].links and law is not None:
+        if law.linear:
+            return pair_contact(gaps[0], now)
+        from sim.dynamics.motion.curved_pair import curved_pair  # where a scene calls for it
+
+        alone = curved_pair(row, gaps[0], now, max(elapsed(now, end), 0.0))
+        if alone is not None:
+            return alone
     if len(gaps) == 1 and _is_linear(row, gaps[0]):
         phase = linear_pair(row, gaps[0], now, max(elapsed(now, end), 0.0))
         if phase is not None:
