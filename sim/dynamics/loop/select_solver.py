@@ -87,9 +87,14 @@ def _solver(
 
 
 def _is_linear(row: list[Body], gap: Gap) -> bool:
-    """Constant forces on both, springs between, and a law with linear branches that moves."""
+    """Constant forces on both, springs between, and a law with linear branches that moves.
+
+    Beside a wall drag that is linear too: it is one damper more.
+    """
     loads = [body.load for body in row]
-    if any(load.linear or load.quadratic or load.static or load.kinetic for load in loads):
+    if any(load.quadratic or load.static or load.kinetic for load in loads):
+        return False
+    if any(load.linear for load in loads) and all(body.mass < math.inf for body in row):
         return False
     if gap.touching is not None and (
         gap.law is None or not gap.law.linear or branch_of(gap).locked

@@ -147,7 +147,8 @@ class Simulation:
         if gap.law is not None:
             flips.note(gap, now, self.instant)
             contacts.touch(gap, now, self.record, self.ledger)
-        elif gap.rate <= 0.0:  # the search met them, but they part: no impact pulls
+        elif gap.rate <= impacts.AT_REST * self.fastest:  # faster ones part: no impact pulls
+            gap.rate = min(gap.rate, 0.0)
             bodies = self.strike(gap, bodies, gaps, now, in_contact=in_contact)
         self.form_again(bodies, gaps, now)
 
