@@ -56,6 +56,9 @@ class Course(Protocol):
     def deepest(self) -> tuple[float, float]:
         """s and m."""
 
+    def marks(self, end: float) -> list[float]:
+        """Times up to `end` between which it can be drawn."""
+
     def greatest_force(self) -> float:
         """s."""
 
@@ -102,8 +105,8 @@ class CurvedPair:
         return (self.gap,)
 
     def marks(self, end: float) -> list[float]:
-        """Where it is deepest."""
-        return [t for t in (self.course.deepest()[0],) if 0.0 < t < end]
+        """Between which it can be drawn."""
+        return self.course.marks(end)
 
     def time_left(self, now: Time) -> float:
         """s to the end of the contact."""

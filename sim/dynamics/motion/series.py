@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from operator import mul
 
 from sim.dynamics.motion.polynomial import Poly
 from sim.effects.forces import PairForce
@@ -173,7 +174,7 @@ def _add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None
     for i, v in enumerate(speed):
         drag = row.linear[i] * v[n]
         if row.quadratic[i]:
-            drag += row.quadratic[i] * sum([v[j] * v[n - j] for j in range(n + 1)])
+            drag += row.quadratic[i] * sum(map(mul, v, v[n::-1]))
         outside[i] -= drag
 
 

@@ -12,6 +12,12 @@ from dataclasses import dataclass
 
 from sim.laws.hertz.course import Creeping, Swinging, creeping, swinging
 
+UNDAMPED, DAMPED = 4, 7
+"""Powers of ten: the force goes with t^(3/2) at first, that of a damper with t^(1/4)."""
+
+AT_TOUCH = 1e-9
+"""Of a contact's overlap. There the force has no slope that could be drawn."""
+
 DEEPEST = 0.0
 """r, where y is greatest."""
 
@@ -25,6 +31,7 @@ class Alone:
     damper: float  # C
     e: float
     zeta: float
+    mu: float
     d0: float
     u: float
 
@@ -53,8 +60,29 @@ class Alone:
             return 0.0, 0.0
         root = math.sqrt(d)
         quarter = math.sqrt(root)
+        if d <= AT_TOUCH * self.d_scale:
+            return self.stiffness * d * root + self.damper * quarter * v, 0.0
         growth = 1.5 * self.stiffness * root * v + 0.25 * self.damper * v * v * quarter / d
         return self.stiffness * d * root + self.damper * quarter * v, growth
+
+    @property
+    def d_scale(self) -> float:
+        """m. An overlap of the size of those that occur, or more."""
+        moving = 1.25 * self.mu * self.u * self.u / self.stiffness
+        return float(max(self.d0, moving**0.4))
+
+    def marks(self, end: float) -> list[float]:
+        """Times up to `end` between which it can be drawn: ever shorter stretches towards touch
+        and end, ever longer ones in a tail."""
+        top, last = self.deepest()[0], self.duration
+        found = [top]
+        near = range(1, DAMPED if self.damper else UNDAMPED)
+        found += [top * 10.0**-k for k in near]
+        if last < math.inf:
+            found += [last - (last - top) * 10.0**-k for k in near]
+        while last == math.inf and found[0] > 0.0 and max(found) < end:
+            found.append(3.0 * max(found))
+        return sorted(t for t in found if 0.0 < t < end)
 
     def damping(self, d: float) -> float:
         """N s/m just now."""
@@ -103,4 +131,4 @@ def alone(
     else:
         c = -math.log(e) / math.pi
         course = swinging(y, rate, w / math.sqrt(1.0 + c * c), c)
-    return None if course is None else Alone(course, stiffness, damper, e, zeta, d, v)
+    return None if course is None else Alone(course, stiffness, damper, e, zeta, mu, d, v)
