@@ -100,9 +100,19 @@ def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: floa
         first = next((n for n, c in enumerate(terms) if c != 0.0), len(terms))
         for n in (len(terms) - 2, len(terms) - 1):
             if n > first and terms[n] != 0.0:
-                radius = (abs(terms[first]) / abs(terms[n])) ** (1.0 / (n - first))
+                radius = _root(abs(terms[first]) / abs(terms[n]), n - first)
                 step = min(step, CONVERGED * radius)
     return step
+
+
+def _root(x: float, n: int) -> float:
+    """The n-th root of x > 0; of x 2^(kn) it is 2^k times that, to the last bit.
+
+    So a step is as long in other units, powers of 2, as it is in these.
+    """
+    part, power = math.frexp(x)
+    whole, rest = divmod(power, n)
+    return math.ldexp(math.ldexp(part, rest) ** (1.0 / n), whole)
 
 
 def expand(row: Row) -> Expansion:
