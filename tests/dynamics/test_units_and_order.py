@@ -21,8 +21,6 @@ EFFECTS: dict[str, list[dict[str, Any]]] = {
     "friction": [{"friction": {"coefficient": 0.02, "static": 0.03}}],
     "release": [{"release": {"between": ["B", "C"], "energy": 0.4, "at": 0.3}}],
 }
-ROUNDING = 1e-4
-"""Of a velocity after some thousand contacts of two that run downhill side by side."""
 LAWS = ("bumper", "paper", "push-only", "push-only-uncorrected", "instant", "velcro")
 
 
@@ -54,9 +52,6 @@ def test_in_units_that_are_powers_of_two_the_run_is_the_same_to_the_last_bit(
     plain = scene_with(EFFECTS[what], law)
     m, length, s = 2.0**-11, 2.0**9, 2.0**-6
     one, two = run(read_scene(plain)), run(read_scene(scaled(plain, m, length, s)))
-    if what == "driven drag":  # its two courses differ in the last bit, and each bounce adds to it
-        assert two.v == pytest.approx([v * length / s for v in one.v], rel=ROUNDING)
-        return
     assert two.v == tuple(v * length / s for v in one.v)
     assert two.ledger.warmed == one.ledger.warmed * m * length**2 / s**2
     assert [e.t for e in two.record.events] == [e.t * s for e in one.record.events]

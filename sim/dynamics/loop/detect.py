@@ -108,7 +108,7 @@ def _open_from(gap: Gap, now: Time, rest: float, horizon: float) -> float:
 
     inf where its sign is not known up to the horizon.
     """
-    fastest = max(abs(velocity(gap.left, now)), abs(velocity(gap.right, now)))
+    fastest = max(abs(v) for body in (gap.left, gap.right) for v in _speeds(body, now, horizon))
     noise = KNOWN * fastest * horizon
     opened = 0.0
     for probe in PROBES:

@@ -70,9 +70,14 @@ def _solver(
     if len(row) == 1:
         return _flight(row[0], now, end, forces) if loaded else None
     law = gaps[0].law
-    closed = law is not None and law.linear
-    if len(gaps) == 1 and not loaded and not gaps[0].links and closed:
-        return pair_contact(gaps[0], now)
+    if len(gaps) == 1 and not loaded and not gaps[0].links and law is not None:
+        if law.linear:
+            return pair_contact(gaps[0], now)
+        from sim.dynamics.motion.curved_pair import curved_pair  # where a scene calls for it
+
+        alone = curved_pair(row, gaps[0], now, max(elapsed(now, end), 0.0))
+        if alone is not None:
+            return alone
     if len(gaps) == 1 and _is_linear(row, gaps[0]):
         phase = linear_pair(row, gaps[0], now, max(elapsed(now, end), 0.0))
         if phase is not None:
@@ -82,9 +87,14 @@ def _solver(
 
 
 def _is_linear(row: list[Body], gap: Gap) -> bool:
-    """Constant forces on both, springs between, and a law with linear branches that moves."""
+    """Constant forces on both, springs between, and a law with linear branches that moves.
+
+    Beside a wall drag that is linear too: it is one damper more.
+    """
     loads = [body.load for body in row]
-    if any(load.linear or load.quadratic or load.static or load.kinetic for load in loads):
+    if any(load.quadratic or load.static or load.kinetic for load in loads):
+        return False
+    if any(load.linear for load in loads) and all(body.mass < math.inf for body in row):
         return False
     if gap.touching is not None and (
         gap.law is None or not gap.law.linear or branch_of(gap).locked

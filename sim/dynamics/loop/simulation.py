@@ -20,13 +20,13 @@ from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
-from sim.dynamics.state.chain import Chain, component, moved, velocity
+from sim.dynamics.state.chain import Chain, component, length_of, moved, velocity
 from sim.dynamics.state.clock import ZERO, Time, elapsed
 from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
 
-MISSED = 1e-9
-"""m. A touch is found to 1e-16 m; where that much room is left, the search ran out of steps."""
+MISSED = 5e-9
+"""Of the longest cart. Touches are found to rounding; with so much room left the search gave up."""
 
 
 class Simulation:
@@ -44,15 +44,15 @@ class Simulation:
         self.fastest = 0.0  # m/s, greatest approach so far
         self.instant = flips.AT_ONE_INSTANT * scene.until
         self.hits = collapse.Hits()
-        self.happened = 0
-        self.steps = 0
+        self.missed = MISSED * length_of(scene)  # m
+        self.happened = self.steps = 0
 
     def at_gap(self, gap: Gap, now: Time) -> None:
         """What was predicted for a gap happens."""
         if gap.solver is None:
             moving = gap.left.motion is not None or gap.right.motion is not None
             self.chain.advance(gap, now)
-            if moving and gap.room + resting(gap) > MISSED and not transitions.is_push(gap):
+            if moving and gap.room + resting(gap) > self.missed and not transitions.is_push(gap):
                 gap.rate = velocity(gap.right, now) - velocity(gap.left, now)
                 self.predictions.gap(gap, now)  # the search came this far: they do not touch yet
                 return
@@ -147,7 +147,8 @@ class Simulation:
         if gap.law is not None:
             flips.note(gap, now, self.instant)
             contacts.touch(gap, now, self.record, self.ledger)
-        elif gap.rate <= 0.0:  # the search met them, but they part: no impact pulls
+        elif gap.rate <= impacts.AT_REST * self.fastest:  # faster ones part: no impact pulls
+            gap.rate = min(gap.rate, 0.0)
             bodies = self.strike(gap, bodies, gaps, now, in_contact=in_contact)
         self.form_again(bodies, gaps, now)
 

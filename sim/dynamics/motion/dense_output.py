@@ -5,6 +5,7 @@ Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 from sim.dynamics.motion.polynomial import Poly
@@ -35,14 +36,21 @@ def polynomials(solver: Any) -> list[Poly]:
     import numpy
 
     dense = solver.dense_output()
-    total = numpy.zeros((len(dense.y_old), 1))
-    for place, term in enumerate(reversed(dense.F)):
-        total[:, 0] += term
-        longer = numpy.zeros((len(total), total.shape[1] + 1))
-        longer[:, 1:] = total if place % 2 == 0 else -total
-        if place % 2:
-            longer[:, :-1] += total
-        total = longer
+    total = dense.F.T @ numpy.array(_basis(len(dense.F)))
     total[:, 0] += dense.y_old
-    scale = dense.h ** -numpy.arange(total.shape[1], dtype=float)
-    return [[float(c) for c in row] for row in total * scale]
+    scaled = total * dense.h ** -numpy.arange(total.shape[1], dtype=float)
+    return [list(row) for row in scaled.tolist()]
+
+
+@lru_cache(maxsize=4)
+def _basis(count: int) -> tuple[tuple[float, ...], ...]:
+    """x, x (1 − x), x² (1 − x) … by their coefficients: whole numbers."""
+    found = []
+    product = [0.0, 1.0]
+    for place in range(count):
+        found.append((*product, *(0.0 for _ in range(count + 1 - len(product)))))
+        longer = [0.0, *product]
+        if place % 2 == 0:  # times 1 − x
+            longer = [a - b for a, b in zip([*product, 0.0], longer, strict=True)]
+        product = longer
+    return tuple(found)

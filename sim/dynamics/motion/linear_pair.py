@@ -4,6 +4,8 @@
     o'' + 2 beta o' + w0² (o − centre) = 0      a_A, a_B: constant forces on each, per mass
     V = V0 + A t                                of the common centre of mass
 
+Beside a wall linear drag of the cart is a part of beta.
+
 It lasts as long as one branch of the contact law does, and ends as a step of the power series does
 (`guards`). A cart that rests against a wall on an incline, or that swings on a spring, takes one
 such phase however long it lasts. A wall has infinite mass: V = 0.
@@ -43,6 +45,7 @@ class LinearPair:
     pull: float  # m/s², a_A − a_B
     touched: list[bool]
     loads: list[Load]
+    drag: float = 0.0  # N s/m, linear, of the one body beside a wall
     name: str = "pair-phase"
     tier: int = 1
     parabolic: ClassVar[bool] = False
@@ -108,8 +111,9 @@ class LinearPair:
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt, of contact and springs: what moves the two besides constant forces."""
-        _, _, a, jerk = self.between.at(tau)
-        return self.mu * (self.pull - a), -self.mu * jerk
+        _, rate, a, jerk = self.between.at(tau)
+        force, growth = self.mu * (self.pull - a), -self.mu * jerk
+        return (force - self.drag * rate, growth - self.drag * a) if self.drag else (force, growth)
 
     def _impulse(self, t: float) -> float:
         """N s. Of the contact."""
@@ -141,14 +145,16 @@ class LinearPair:
         for body in self.bodies:
             if body.carts and body.mass < math.inf and body.load.forces:
                 way = self.state(self.side(body), t)[0]
-                book_body_forces(accounts, body.load, t, way, (0.0, 0.0, 0.0))
+                square = self.between.damped(t) if self.drag else 0.0
+                book_body_forces(accounts, body.load, t, way, (square, 0.0, 0.0))
         gap = self.members[0]
         for link in gap.links:
             if link.damping():
                 accounts.work(link.kind, -link.damping() * self.between.damped(t))
         if gap.links:
-            u, v = self.between.u, self.between.over(t)[1]
+            u, (o, v) = self.between.u, self.between.over(t)
             total = self.mu * (u - v) + self.mu * self.pull * t
+            total -= self.drag * (o - self.between.o0)
             book_from_wall(accounts, gap, total - self._impulse(t))
 
 
@@ -163,7 +169,8 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
     bounds = [link.bounds(gap.room) for link in gap.links]
     stiff = branch.kappa + math.fsum(k for k, _ in bounds)
     damp = branch.gamma + math.fsum(c for _, c in bounds)
-    rate = rate_of(stiff, damp, mu)
+    drag = a.load.linear + b.load.linear  # one of them is a wall, or there is none
+    rate = rate_of(stiff, damp + drag, mu)
     if rate.w0 * limit <= REACH:
         return None
     own = a.load.steady / a.mass
@@ -182,7 +189,7 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
     ends, duration = _first_ends(gap, branch, between, limit)
     touched, loads = [gap.touching is not None], [a.load, b.load]
     return LinearPair(
-        bodies, [gap], now, duration, ends, branch, between, mu, drift, pull, touched, loads
+        bodies, [gap], now, duration, ends, branch, between, mu, drift, pull, touched, loads, drag
     )
 
 
@@ -205,6 +212,11 @@ def _first_ends(
     return ends, duration
 
 
+GRAZES = 2e-15
+"""Of a bumper's greatest overlap. A cart that hops on its steep line comes just as deep every
+time: what rounding adds to that is no pressing further, which would take two phases more."""
+
+
 def _happens(
     gap: Gap, branch: Branch, between: Oscillation, guard: Guard, part: float = 0.0
 ) -> float:
@@ -217,6 +229,8 @@ def _happens(
         return between.falls(branch.kappa, branch.gamma, branch.kappa * (branch.rest - c) - by)
     if guard.of == "rate":
         return between.falls(0.0, 1.0, -room * w)
+    if guard.cause == "climb":
+        room = max(room, GRAZES * guard.level)
     if guard.of == "overlap":
         return between.falls(sign, 0.0, sign * (guard.level - c) - room)
     assert gap.law is not None

@@ -14,6 +14,8 @@ __all__ = ["Poly"]
 
 def value(p: Poly, t: float) -> float:
     """p(t) by Horner's rule."""
+    if t == 0.0:
+        return p[0] if p else 0.0
     total = 0.0
     for c in reversed(p):
         total = total * t + c

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from operator import mul
 
 from sim.dynamics.motion.polynomial import Poly
 from sim.effects.forces import PairForce
@@ -99,9 +100,19 @@ def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: floa
         first = next((n for n, c in enumerate(terms) if c != 0.0), len(terms))
         for n in (len(terms) - 2, len(terms) - 1):
             if n > first and terms[n] != 0.0:
-                radius = (abs(terms[first]) / abs(terms[n])) ** (1.0 / (n - first))
+                radius = _root(abs(terms[first]) / abs(terms[n]), n - first)
                 step = min(step, CONVERGED * radius)
     return step
+
+
+def _root(x: float, n: int) -> float:
+    """The n-th root of x > 0; of x 2^(kn) it is 2^k times that, to the last bit.
+
+    So a step is as long in other units, powers of 2, as it is in these.
+    """
+    part, power = math.frexp(x)
+    whole, rest = divmod(power, n)
+    return math.ldexp(math.ldexp(part, rest) ** (1.0 / n), whole)
 
 
 def expand(row: Row) -> Expansion:
@@ -173,7 +184,7 @@ def _add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None
     for i, v in enumerate(speed):
         drag = row.linear[i] * v[n]
         if row.quadratic[i]:
-            drag += row.quadratic[i] * sum([v[j] * v[n - j] for j in range(n + 1)])
+            drag += row.quadratic[i] * sum(map(mul, v, v[n::-1]))
         outside[i] -= drag
 
 

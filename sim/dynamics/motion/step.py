@@ -62,6 +62,8 @@ class Step:
 
     def impulse(self, k: int, t: float) -> float:
         """N s. Of the contact."""
+        if t == 0.0:
+            return 0.0
         return value(integral(self.contact[k]), t)
 
     def dissipated(self, k: int, t: float) -> float:

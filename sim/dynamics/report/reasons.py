@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, cast
 from sim.dynamics.motion.courses import Fading, Slowing
 from sim.dynamics.motion.drag_course import Driven
 from sim.dynamics.motion.flight import Flight
-from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.record import Solved
 from sim.dynamics.state.body import Motion
 from sim.effects.forces import FRICTION
@@ -41,10 +40,10 @@ PARABOLA = said("constant forces, x = x₀ + v t + ½ a t² is exact")
 
 def why(scene: Scene, parts: list[Solved], used: frozenset[str]) -> str:
     """One sentence per kind of solver at work; `used` are the names of all solvers of the run."""
-    rows = [p.solver for p in parts if not isinstance(p.solver, (Flight, PairContact))]
+    rows = [p.solver for p in parts if p.solver.name != ALONE and not isinstance(p.solver, Flight)]
     sentences = [
         *_clusters(scene, [cast("InRows", s) for s in rows]),
-        *_pairs(scene, [p.solver for p in parts if isinstance(p.solver, PairContact)]),
+        *_pairs(scene, [p.solver.gaps[0] for p in parts if p.solver.name == ALONE]),
         *_flights(scene, [p.solver for p in parts if isinstance(p.solver, Flight)]),
     ]
     if sentences:
@@ -63,10 +62,13 @@ def _one_after_the_other(sentences: Sequence[str]) -> str:
     return said("{first}; {last}", first=_one_after_the_other(first), last=last)
 
 
-def _pairs(scene: Scene, solvers: list[PairContact]) -> list[str]:
-    if not solvers:
+ALONE = "pair-contact"
+
+
+def _pairs(scene: Scene, gaps: list[int]) -> list[str]:
+    if not gaps:
         return []
-    gaps = sorted(solver.gap for solver in solvers)
+    gaps = sorted(gaps)
     laws = sorted({contact.law for gap in gaps if (contact := scene.contacts[gap]) is not None})
     return [
         said(

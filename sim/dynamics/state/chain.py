@@ -92,3 +92,9 @@ def moved(body: Body, start: Time, end: Time) -> float:
 def velocity(body: Body, now: Time) -> float:
     """m/s at `now`."""
     return body.v if body.motion is None else body.motion.velocity(body, now)
+
+
+def length_of(scene: Scene) -> float:
+    """m. Of the longest cart; of carts without a length the least room, 0.2 m where all touch."""
+    rooms = [room for room in scene.gaps if 0.0 < room < math.inf]
+    return max(cart.length for cart in scene.carts) or min(rooms, default=0.2)

@@ -8,8 +8,9 @@ e = 1 is Hertz's own law. Energy (2/5) K d^(5/2). With the approach speed u and 
 
     greatest overlap (5 mu u²/(4 K))^(2/5)      duration 3.21806545972 (mu²/(K² u))^(1/5)
 
-There is no closed form for d(t): this law is integrated (an adaptive method). Sources: Hertz,
-J. reine angew. Math. 92 (1882) 156; the mapping: Antypov & Elliott, EPL 94 (2011) 50004.
+A pair by itself has a closed form up to one integral (`course`); where others push too the law is
+integrated (an adaptive method). Sources: Hertz, J. reine angew. Math. 92 (1882) 156; the mapping:
+Antypov & Elliott, EPL 94 (2011) 50004.
 """
 
 from __future__ import annotations
@@ -24,12 +25,13 @@ from sim.laws.damped_oscillation import Swing
 from sim.laws.dashpot import damping_to_zero_overlap
 
 if TYPE_CHECKING:
+    from sim.laws.hertz.alone import Alone
     from sim.laws.stepping import SteppedContact
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hertz:
-    """A force law without a closed form in time."""
+    """Two spheres."""
 
     linear: ClassVar[bool] = False
     recontacts: ClassVar[bool] = False
@@ -68,6 +70,12 @@ class Hertz:
     def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
         """No closed form."""
         raise NotImplementedError
+
+    def alone(self, mu: float, d: float, v: float) -> Alone | None:
+        """The course of a pair that nobody else touches, from overlap d [m] and rate v [m/s]."""
+        from sim.laws.hertz.alone import alone  # where a scene calls for it
+
+        return alone(self.stiffness, self.damper(mu), self.e, self.zeta, mu, d, v)
 
     def resting_overlap(self, memory: Memory) -> float:
         """Nothing is remembered."""

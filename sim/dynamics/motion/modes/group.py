@@ -211,9 +211,15 @@ def modal_group(
     contact, across = forces
     rest = _to_rest(state, step)
     duration = min(limit, rest)
-    for quantity in guarded(bodies, gaps, row, state, contact, across):
-        if duration < WORTH * step or not quantity.value(0.0) > CLEAR * quantity.size:
+    if duration < WORTH * step:
+        return None
+    positive = list(guarded(bodies, gaps, row, state, contact, across))
+    for quantity in positive:  # whether it is worth while costs little; how far it goes, much more
+        if not quantity.value(0.0) > CLEAR * quantity.size:
             return None
+        if clear_until(quantity, WORTH * step, step, LOOKS) < WORTH * step:
+            return None
+    for quantity in positive:
         duration = clear_until(quantity, duration, step, LOOKS)
     if duration < WORTH * step:
         return None
