@@ -17,7 +17,7 @@ from .node import RuntimePackError
 from .ours import TEACHER, Ours, text_bytes
 
 LAYERS = (
-    *("lesson", "measured", "worlds"),
+    *("lesson", "measured", "mine", "worlds"),
     *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach", "text")),
 )
 MODULES = ("__init__", "bake", "effect_pages", "findings", "map_block", "scene_block", "templates")
