@@ -31,6 +31,9 @@ FORMLESS = ("hertz",)
 INTEGRATED = {"numpy", "scipy"}
 """Contact laws without a closed form or a power series, and what integrates them."""
 
+OWN_LAW = "newtons-carts-law"
+"""The package of the runtime that follows laws which somebody wrote."""
+
 
 @dataclass(frozen=True, slots=True)
 class Run:
@@ -52,7 +55,8 @@ def packages_of(header: Mapping[str, Any]) -> frozenset[str]:
     """
     planned = {name for phase in header["plan"] for name in phase["packages"]}
     formless = any(contact["law"] in FORMLESS for contact in header["contacts"])
-    return frozenset(planned | (INTEGRATED if formless else set()))
+    written = {OWN_LAW} if "laws" in header else set()
+    return frozenset(planned | written | (INTEGRATED if formless else set()))
 
 
 def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:

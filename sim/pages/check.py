@@ -11,6 +11,7 @@ from sim.pages.cost.block import read_cost_block
 from sim.pages.effect_pages import SCENES
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
+from sim.pages.law.block import LawBlock, read_law_block
 from sim.pages.law_files import with_law_files
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
@@ -52,6 +53,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
                 evidence_block(block, lesson, first_line=1)
             elif block.name == "measured":
                 read_measured_block(block, lesson, ids, first_line=1)
+            elif block.name == "law":
+                _check_law(read_law_block(block, lesson, ids, first_line=1))
             else:
                 findings += _read(block, lesson, ids, items, hints=hints)
         except AuthorError as error:
@@ -83,6 +86,13 @@ def _read(
 def _check_map(block: MapBlock) -> None:
     """A map must have values; raises `AuthorError`."""
     run = bake_map(block.map, block.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(block.places.finding, run))
+
+
+def _check_law(block: LawBlock) -> None:
+    """What a reader begins with must run; raises `AuthorError`."""
+    run = bake(block.fence.plain)
     if isinstance(run, list):
         raise AuthorError(map(block.places.finding, run))
 

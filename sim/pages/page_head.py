@@ -65,6 +65,7 @@ class Needs:
     language: str = ENGLISH  # of the interface words
     challenge: bool = False  # a goal for the runs of a scene
     worlds: bool = False  # impossible ones, beside a scene
+    law: bool = False  # a law that a reader writes
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -159,6 +160,7 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     names += ["carts.js"] if needs.scenes else []
     names += ["challenge.js"] if needs.challenge else []
     names += ["worlds.js"] if needs.worlds else []
+    names += ["law.js"] if needs.law else []
     names += ["measured.js"] if needs.measured else []
     names += ["class-keys.js", "class.js"] if needs.classroom else []
     yield from (f'<script src="{assets}{name}"></script>' for name in names)

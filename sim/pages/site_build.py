@@ -109,9 +109,9 @@ class SiteBuild:
         challenge, worlds = "<carts-challenge" in html, "<carts-worlds" in html
         self.needs[name] = Needs(
             page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
-            page.language, challenge, worlds,
+            page.language, challenge, worlds, "<carts-law" in html,
         )  # fmt: skip
-        kinds = "scene|map|cost|hard|measured|question|quiz|challenge"
+        kinds = "scene|map|cost|hard|measured|law|question|quiz|challenge"
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
@@ -176,7 +176,7 @@ class SiteBuild:
             script = site / site_files.ASSETS / f"words.{language}.js"
             script.write_text(words_script(language), encoding="utf-8")
         needed = self.needs.values()
-        scenes = any(needs.scenes or needs.classroom or needs.measured for needs in needed)
+        scenes = any(n.scenes or n.classroom or n.measured or n.law for n in needed)
         before = self.done
         if scenes:
             self._add_runtime(site, report)
@@ -201,7 +201,7 @@ class SiteBuild:
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
-            for name in ("challenge", "worlds"):
+            for name in ("challenge", "worlds", "law"):
                 if any(getattr(needs, name) for needs in self.needs.values()):
                     (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             if any(needs.measured for needs in self.needs.values()):
