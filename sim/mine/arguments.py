@@ -11,22 +11,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from sim.scene.said import template
-
 ARGUMENTS: Mapping[str, str] = {
-    "overlap": template("m, how far the two are pressed into each other, never below 0"),
-    "rate": template("m/s, how fast the overlap grows; below 0 while they move apart"),
-    "mass_self": template("kg, of the body that asks"),
-    "mass_other": template("kg, of the other body; inf for a wall"),
-    "reduced_mass": template("kg, of the pair; at a wall the mass of the cart"),
-    "velocity_self": template("m/s, of the body that asks; + is to the right"),
-    "velocity_other": template("m/s, of the other body"),
-    "time": template("s, since the start of the run"),
-    "stiffness": template("the number of that name in the scene's contact"),
-    "restitution": template("the number of that name in the scene's contact"),
-    "name_self": template("the name of the body that asks, a text"),
-    "name_other": template("the name of the other body"),
-    "side": template('where the body that asks stands: "left" or "right" of the other'),
+    "overlap": "m, how far the two are pressed into each other, never below 0",
+    "rate": "m/s, how fast the overlap grows; below 0 while they move apart",
+    "mass_self": "kg, of the body that asks",
+    "mass_other": "kg, of the other body; inf for a wall",
+    "reduced_mass": "kg, of the pair; at a wall the mass of the cart",
+    "velocity_self": "m/s, of the body that asks; + is to the right",
+    "velocity_other": "m/s, of the other body",
+    "time": "s, since the start of the run",
+    "stiffness": "the number of that name in the scene's contact",
+    "restitution": "the number of that name in the scene's contact",
+    "name_self": "the name of the body that asks, a text",
+    "name_other": "the name of the other body",
+    "side": 'where the body that asks stands: "left" or "right" of the other',
 }
 """Names of arguments, with their unit and what they are; numbers are in SI."""
 

@@ -1,4 +1,4 @@
-"""A page with a block in which a law is written, and one without, made by the generator's own parts."""
+"""A page on which a law is written, made by the generator's own parts."""
 
 from __future__ import annotations
 

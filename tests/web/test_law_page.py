@@ -1,4 +1,4 @@
-"""A law written in a page: run, judged, ended where it does not end, kept; from a folder on the disk."""
+"""A law written in a page: run, judged, ended where it does not end, kept; from a folder."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from typing import Any
 from sim.mine.judge.as_yaml import as_yaml
 from sim.mine.judge.checks import CHECKS
 from sim.mine.judge.verdict import Judgement, Verdict
-from sim.scene.said import said, wire
+from sim.scene.said import Said, wire
 
 FORMAT = 1
 
@@ -56,7 +56,7 @@ def _said(told: Any) -> str:
     if not isinstance(told, Mapping):
         return str(told)
     values = {name: _said(value) for name, value in told["values"].items()}
-    return said(told["code"], **values)
+    return Said(told["code"], values)
 
 
 def judged_so_far(told: Mapping[str, Any], laws: Mapping[str, str]) -> Judgement:

@@ -1,4 +1,4 @@
-"""From a `law` block to `<carts-law>`. Without a script, and on paper, the law is printed as code."""
+"""From a `law` block to `<carts-law>`. Without a script, and on paper, the law is code."""
 
 from __future__ import annotations
 
