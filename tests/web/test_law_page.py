@@ -55,7 +55,7 @@ def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown
 ) -> None:
     page = opened(open_page, bench)
     rows = page.locator(".carts-law-shown tr")
-    expect(rows.filter(has_text="velocity of B at the end")).to_contain_text("0.64 m/s")
+    expect(rows.filter(has_text="velocity of B at the end")).to_contain_text("0.640 m/s")
     write(page, HEAVY)
     press(page, "Run")
     expect(page.locator(".carts-law-note")).to_contain_text("do not push each other equally hard")

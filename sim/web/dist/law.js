@@ -2682,7 +2682,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
 
   // src/law/own-python.js
   var PACKAGES = ["newtons-carts-law"];
-  var LIMIT = 7;
+  var LIMIT = 4;
   var OwnPython = class {
     /** @type {Promise<Runtime> | null} */
     #runtime = null;

@@ -11,7 +11,7 @@ import { refusal } from "../shared/waiting.js";
 /** @typedef {import("../runtime/runtime.js").Runtime} Runtime */
 
 const PACKAGES = ["newtons-carts-law"];
-const LIMIT = 7; // s of one answer: shorter than the page's own patience, which would start it again
+const LIMIT = 4; // s of one answer, in which the page was awake; a usual law takes a tenth of that
 
 export class OwnPython {
   /** @type {Promise<Runtime> | null} */
