@@ -170,3 +170,14 @@ def test_on_paper_and_without_a_script_the_law_is_code(open_page: OpenPage, benc
     expect(page.locator(".carts-law-paper code")).to_have_text(HEAVY)
     expect(page.locator(".carts-law-paper")).to_be_visible()
     expect(page.locator("carts-law textarea")).to_be_hidden()
+
+
+@pytest.mark.one_browser
+def test_only_pages_with_a_law_carry_what_runs_it(site: Path) -> None:
+    laws = 0
+    for path in site.rglob("*.html"):
+        text = path.read_text(encoding="utf-8")
+        named = "<carts-law " in text
+        laws += named
+        assert ("carts/law.js" in text) == named, path
+    assert laws == 1

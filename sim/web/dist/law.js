@@ -2713,8 +2713,8 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       const late = new Promise((_, reject) => {
         this.#end = reject;
         timer = watch(LIMIT, () => {
-          this.stop();
           reject(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+          this.stop();
         });
       });
       try {

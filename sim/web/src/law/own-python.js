@@ -44,8 +44,8 @@ export class OwnPython {
     const late = new Promise((_, reject) => {
       this.#end = reject;
       timer = watch(LIMIT, () => {
-        this.stop();
         reject(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+        this.stop();
       });
     });
     try {
