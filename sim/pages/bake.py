@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.scene import Problem
+from sim.scene.said import from_wire
 
 FEW_CARTS = 3
 SAMPLES_OF_MANY = 7
@@ -78,6 +79,11 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     if header["ok"]:
         return Run(header, numbers)
     return [
-        Problem(tuple(row["path"]), row["code"], row["message"], row.get("hint", ""))
+        Problem(
+            tuple(row["path"]),
+            row["code"],
+            from_wire(row["message"]),
+            from_wire(row.get("hint", "")),
+        )
         for row in header["problems"]
     ]

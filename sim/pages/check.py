@@ -94,7 +94,7 @@ def _check_law(block: LawBlock) -> None:
     """What a reader begins with must run; raises `AuthorError`."""
     run = bake(block.fence.plain)
     if isinstance(run, list):
-        raise AuthorError(map(block.places.finding, run))
+        raise AuthorError(map(block.finding, run))
 
 
 def check_bank(text: str, file: str) -> list[Finding]:

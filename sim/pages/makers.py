@@ -141,7 +141,7 @@ def _law(block: Block, page: Page) -> str:
     read = read_law_block(block, page.lesson, page.ids, first_line=page.first_line)
     run = bake(read.fence.plain)
     if isinstance(run, list):
-        raise AuthorError(map(read.places.finding, run))
+        raise AuthorError(map(read.finding, run))
     page.items.laws.append((read.id, read.hash))
     page.packages |= run.packages
     return render_law(read, run).replace("<carts-law", "<carts-law data-search-exclude", 1)

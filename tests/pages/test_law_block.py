@@ -101,15 +101,11 @@ def test_a_scene_with_such_a_law_carries_its_text_and_its_package() -> None:
 @pytest.mark.parametrize(
     ("change", "line", "words"),
     [
-        (
-            ("  def force(overlap, rate):", "  def force(overlap, rate)"),
-            None,
-            "line 1: this is not",
-        ),
-        (("      return 100 * overlap", "      return 100 * x"), None, "line 2: NameError"),
+        ((":\n      return", "\n      return"), 7, "line 1: this is not"),
+        (("100 * overlap", "100 * x"), 8, "line 2: NameError"),
         ((START, ""), None, "begins with"),
         (("id: my-law\n", ""), None, "id is missing"),
-        (("ask: Let", "ask: 7 #"), 5, "ask is a text"),
+        (("ask: Let the heavier one push harder.", "ask: 7"), 5, "ask is a text"),
         (("until: 3 s", "unti: 3 s"), 12, "unti"),
     ],
 )

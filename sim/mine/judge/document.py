@@ -9,7 +9,7 @@ from typing import Any
 from sim.mine.judge.as_yaml import as_yaml
 from sim.mine.judge.checks import CHECKS
 from sim.mine.judge.verdict import Judgement, Verdict
-from sim.scene.said import Said, wire
+from sim.scene.said import from_wire, wire
 
 FORMAT = 1
 
@@ -51,14 +51,6 @@ def for_page(judged: Judgement) -> dict[str, Any]:
     }
 
 
-def _said(told: Any) -> str:
-    """The sentence that `wire` has taken apart."""
-    if not isinstance(told, Mapping):
-        return str(told)
-    values = {name: _said(value) for name, value in told["values"].items()}
-    return Said(told["code"], values)
-
-
 def judged_so_far(told: Mapping[str, Any], laws: Mapping[str, str]) -> Judgement:
     """What `for_page` has told, as the page sends it back; `laws`: the law as it is now."""
     return Judgement(
@@ -73,7 +65,7 @@ def judged_so_far(told: Mapping[str, Any], laws: Mapping[str, str]) -> Judgement
                 bool(row["holds"]),
                 math.inf if row["amount"] is None else float(row["amount"]),
                 CHECKS[row["check"]].limit,
-                _said(row["sentence"]),
+                from_wire(row["sentence"]),
                 {**row["scene"], "laws": dict(laws)} if row["scene"] else None,
             )
             for row in told["verdicts"]

@@ -56,6 +56,14 @@ class LawBlock:
         text = json.dumps([self.ask, plain], ensure_ascii=False, sort_keys=True)
         return hashlib.sha256(text.encode("utf-8")).hexdigest()[:12]
 
+    def finding(self, problem: Problem) -> Finding:
+        """With its place: a line of the law is one of the lesson, where the law stands in it."""
+        if problem.path[:1] == ("laws",) and "start" in self.places.source.plain:
+            line, _ = self.places.source.place(("start",))
+            row = line + int(problem.path[-1])
+            return Finding(self.places.file, row, 1, problem.code, problem.message, problem.hint)
+        return self.places.finding(problem)
+
 
 def read_law_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: int) -> LawBlock:
     """Read it; raises `AuthorError` with everything that is wrong."""

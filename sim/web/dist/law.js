@@ -2811,7 +2811,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         live.append(this.editor.root, bar, this.fault, this.note, this.shown, this.found);
         live.hidden = false;
         this.classList.add("carts-law-ready");
-        this.#show(this.#baked.run, this.#baked, tr("The law that you begin with"));
+        this.#first();
         this.complete = this.#restore();
       }
       disconnectedCallback() {
@@ -2877,7 +2877,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#typed(this.editor.text);
         this.#tell("");
         this.found?.replaceChildren();
-        this.#show(this.#baked.run, this.#baked, tr("The law that you begin with"));
+        this.#first();
         this.editor.box.focus();
       }
       #save() {
@@ -2972,10 +2972,22 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       /** @param {Run} run @param {Baked} baked @param {string} caption */
       #show(run, baked, caption) {
+        this.#picture(run, baked, caption);
+        this.shown?.append(ends([{ label: caption, run }], baked.view.decimals));
+      }
+      /** @param {Run} run @param {Baked} baked @param {string} caption */
+      #picture(run, baked, caption) {
         this.#pictures?.leave();
         this.#pictures = new Pictures(baked, [{ run, caption }]);
-        const table = ends([{ label: caption, run }], baked.view.decimals);
-        this.shown?.replaceChildren(this.#pictures.root, table);
+        this.shown?.replaceChildren(this.#pictures.root);
+      }
+      /** What the reader begins with, without its numbers: a lesson may ask for them first. */
+      #first() {
+        const baked = (
+          /** @type {Baked} */
+          this.#baked
+        );
+        this.#picture(baked.run, baked, tr("The law that you begin with"));
       }
       /** @param {string} message */
       #tell(message) {

@@ -55,7 +55,7 @@ export function lawElement(base) {
       live.append(this.editor.root, bar, this.fault, this.note, this.shown, this.found);
       live.hidden = false;
       this.classList.add("carts-law-ready");
-      this.#show(this.#baked.run, this.#baked, tr("The law that you begin with"));
+      this.#first();
       this.complete = this.#restore();
     }
 
@@ -120,7 +120,7 @@ export function lawElement(base) {
       this.#typed(this.editor.text);
       this.#tell("");
       this.found?.replaceChildren();
-      this.#show(this.#baked.run, this.#baked, tr("The law that you begin with"));
+      this.#first();
       this.editor.box.focus();
     }
 
@@ -194,10 +194,21 @@ export function lawElement(base) {
 
     /** @param {Run} run @param {Baked} baked @param {string} caption */
     #show(run, baked, caption) {
+      this.#picture(run, baked, caption);
+      this.shown?.append(ends([{ label: caption, run }], baked.view.decimals));
+    }
+
+    /** @param {Run} run @param {Baked} baked @param {string} caption */
+    #picture(run, baked, caption) {
       this.#pictures?.leave();
       this.#pictures = new Pictures(baked, [{ run, caption }]);
-      const table = ends([{ label: caption, run }], baked.view.decimals);
-      this.shown?.replaceChildren(this.#pictures.root, table);
+      this.shown?.replaceChildren(this.#pictures.root);
+    }
+
+    /** What the reader begins with, without its numbers: a lesson may ask for them first. */
+    #first() {
+      const baked = /** @type {Baked} */ (this.#baked);
+      this.#picture(baked.run, baked, tr("The law that you begin with"));
     }
 
     /** @param {string} message */
