@@ -2704,18 +2704,19 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
      */
     async ask(message) {
       const started = this.wake();
-      const runtime = await started.catch((error) => {
+      const late = new Promise((_, reject) => {
+        this.#end = reject;
+      });
+      late.catch(() => {
+      });
+      const failed = started.catch((error) => {
         if (this.#runtime === started) this.#runtime = null;
         throw error;
       });
-      let timer = { stop: () => {
-      } };
-      const late = new Promise((_, reject) => {
-        this.#end = reject;
-        timer = watch(LIMIT, () => {
-          reject(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
-          this.stop();
-        });
+      const runtime = await Promise.race([failed, late]);
+      const timer = watch(LIMIT, () => {
+        this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+        this.stop();
       });
       try {
         const answer = runtime.request({ kind: "law", ...message });

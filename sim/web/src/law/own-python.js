@@ -36,17 +36,19 @@ export class OwnPython {
    */
   async ask(message) {
     const started = this.wake();
-    const runtime = await started.catch((error) => {
+    /** @type {Promise<never>} */
+    const late = new Promise((_, reject) => {
+      this.#end = reject; // from now on: also while Python still starts
+    });
+    late.catch(() => {});
+    const failed = started.catch((error) => {
       if (this.#runtime === started) this.#runtime = null;
       throw error;
     });
-    let timer = { stop: () => {} };
-    const late = new Promise((_, reject) => {
-      this.#end = reject;
-      timer = watch(LIMIT, () => {
-        reject(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
-        this.stop();
-      });
+    const runtime = await Promise.race([failed, late]);
+    const timer = watch(LIMIT, () => {
+      this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+      this.stop();
     });
     try {
       const answer = runtime.request({ kind: "law", ...message });
