@@ -27,12 +27,13 @@ MAY_IMPORT = {
     "laws": {"laws", "scene"},
     "dynamics": {"dynamics", "effects", "laws", "scene"},
     "worlds": {"worlds", "dynamics", "effects", "laws", "scene"},
+    "mine": {"mine", "dynamics", "effects", "laws", "scene"},
     "certify": {"certify", "scene"},  # nothing of the run that it proves
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
     "measured": {"measured", "dynamics", "effects", "laws", "scene"},
     "bridge": {
-        *("bridge", "classroom", "measured", "lesson", "worlds"),
+        *("bridge", "classroom", "measured", "lesson", "mine", "worlds"),
         *("dynamics", "effects", "laws", "scene"),
     },
     "pages": {
@@ -53,6 +54,7 @@ MAY_IMPORT = {
         "classroom",
         "certify",
         "measured",
+        "mine",
         "worlds",
         "lesson",
         "dynamics",
@@ -60,7 +62,7 @@ MAY_IMPORT = {
         "scene",
     },
 }
-STANDARD_LIBRARY_ONLY = ("scene", "effects", "lesson", "worlds", "bridge")
+STANDARD_LIBRARY_ONLY = ("scene", "effects", "lesson", "mine", "worlds", "bridge")
 ONLY_IN = {"js": "bridge/pyodide_entry.py", "pyodide": "bridge/pyodide_entry.py"}
 
 

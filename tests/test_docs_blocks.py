@@ -30,6 +30,7 @@ OURS = {
     "evidence",
     "measured",
     "challenge",
+    "law",
 }
 SHOWN_AS_IT_IS = {"text", "markdown", "csv", "html"}  # output, lessons (their blocks are found too)
 PROGRAMS = re.compile(r"^(?:\.venv/bin/)?(carts|make|pip|cd|python|mkdocs) ?(.*)$")

@@ -46,9 +46,10 @@ OTHERS = {
     "class": "sim.bridge.class_answer",
     "measured": "sim.bridge.measured_answer",
     "worlds": "sim.bridge.worlds_answer",
+    "law": "sim.bridge.law_answer",
     "teach": "sim.pages.teach.answer",
 }
-"""Module of each other kind of request; it holds a function KIND_answer. The last four are in
+"""Module of each other kind of request; it holds a function KIND_answer. The last five are in
 packages of their own, which only the pages load that ask for them."""
 
 Answer = tuple[dict[str, Any], "array[float]"]
@@ -64,7 +65,11 @@ def answer(request: Mapping[str, Any]) -> Answer:
         return refusal(identity, [problem])
     try:
         plain = plain_of(request)
-        finished = run(read_scene(plain), max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
+        scene = read_scene(plain)
+        if scene.written:
+            header, numbers = import_module(OTHERS["law"]).run_written(plain, scene)
+            return {"id": identity, "ok": True, **header}, numbers
+        finished = run(scene, max_events=MOST_EVENTS_DRAWN, max_steps=MOST_STEPS_DRAWN)
     except SceneError as error:
         return refusal(identity, error.problems)
     except UnsolvedError as error:

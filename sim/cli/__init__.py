@@ -22,6 +22,7 @@ COMMANDS = {
     "completion": ("sim.cli.completion", "Let the Tab key finish words."),
     "cost": ("sim.cli.cost", "Compare stepping methods: error against time."),
     "doctor": ("sim.cli.doctor", "Say what is here, what is missing, how to get it."),
+    "law": ("sim.cli.law", "Judge a law of your own, written in Python."),
     "pack": ("sim.cli.site.pack", "Pack the site into one zip, also as SCORM."),
     "plan": ("sim.cli.plan", "Say how a scene would be solved, and why."),
     "serve": ("sim.cli.site.serve", "Show the site while you write it."),

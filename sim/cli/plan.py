@@ -38,6 +38,11 @@ def command(scene: str, as_json: bool, relevance: bool) -> None:
     carts plan --relevance my-scene.yml
     """
     description = scene_file.read(scene)
+    if description.written:
+        if relevance:
+            raise click.UsageError("--relevance does not go with a law of your own.")
+        _written(description, as_json=as_json)
+        return
     if relevance:
         _relevance(scene, description, as_json=as_json)
         return
@@ -50,6 +55,19 @@ def command(scene: str, as_json: bool, relevance: bool) -> None:
     left_out = not_simulated(description)
     if left_out:
         click.echo(f"\nNot simulated: {', '.join(left_out)}.")
+
+
+def _written(description: Scene, *, as_json: bool) -> None:
+    """A law in a file: one solver for the whole run, whatever happens in it."""
+    from sim.mine.document import plan_of
+
+    (phase,) = phases = plan_of(description)
+    if as_json:
+        click.echo(json.dumps(phases, ensure_ascii=False))
+        return
+    row = (f"{phase[key]:.6g}" for key in ("from", "until"))
+    cells = (*row, str(phase["tier"]), phase["solver"], phase["why"])
+    click.echo(table(("from s", "until s", "tier", "solver", "why"), [cells]))
 
 
 def _relevance(name: str, description: Scene, *, as_json: bool) -> None:

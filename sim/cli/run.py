@@ -100,6 +100,11 @@ def command(
         _world(scene, world, as_json=as_json, as_csv=as_csv)
         return
     description = scene_file.read(scene)
+    if description.written:
+        if certified or method != "exact":
+            raise click.UsageError("A law of your own goes with no method and no certificate.")
+        _written(scene, description, as_json=as_json, as_csv=as_csv)
+        return
     if method != "exact":
         from sim.dynamics.stepping.stepped_report import stepped_report
 
@@ -166,6 +171,32 @@ def _world(name: str, wanted: str, *, as_json: bool, as_csv: bool) -> None:
         return
     click.echo(f"{label}\n\n{run_as_text(done.run)}\n")
     click.echo("\n".join(found.sentences))
+
+
+def _written(name: str, description: Scene, *, as_json: bool, as_csv: bool) -> None:
+    """A scene whose contact names a law in a file."""
+    from sim.dynamics.result.outcome import UnsolvedError
+    from sim.mine.document import document
+    from sim.mine.follow import follow
+    from sim.mine.wrong import WrongLawError
+
+    try:
+        done = follow(description)
+    except WrongLawError as error:
+        scene_file.fail([Finding(error.file, error.line, 1, "law", error.message, error.hint)])
+    except UnsolvedError as error:
+        place = scene_file.shown_name(name), 1, 1
+        scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
+    if as_json:
+        told = {**document(done), "impossible": []}
+        click.echo(json.dumps(told, allow_nan=False, ensure_ascii=False))
+    elif as_csv:
+        click.echo(columns_as_csv(done.samples), nl=False)
+    else:
+        click.echo(run_as_text(done.run))
+        click.echo(f"\nWith {', '.join(description.written)}, asked {done.calls} times.")
+        if done.unequal:
+            click.echo("The two sides were not answered alike: see carts law.")
 
 
 def _certificate(description: Scene) -> dict[str, Any]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NoReturn
 
 import click
 
 from sim.pages.findings import AuthorError, Finding
+from sim.pages.law_files import with_law_files
 from sim.pages.scene_block import read_scene_text
 from sim.pages.text.yaml_source import MAX_CHARACTERS
 from sim.scene import Scene, SceneError, read_fence
@@ -19,21 +20,22 @@ MOST_BYTES = 4 * MAX_CHARACTERS
 """Never read more: a path may lead to a film, or to a device without an end."""
 
 
-def read(name: str) -> Scene:
+def read(name: str, laws: Mapping[str, str] | None = None) -> Scene:
     """The scene in the file `name`. Problems go to standard error, and the command ends with 1.
 
     Keys that say how a lesson shows the scene (id, show, controls …) may stand there as well, and
-    are looked at as `carts check` does.
+    are looked at as `carts check` does. `laws`: texts of laws that need no file beside it.
     """
-    return read_shown(name).scene
+    return read_shown(name, laws).scene
 
 
-def read_shown(name: str) -> Fence:
+def read_shown(name: str, laws: Mapping[str, str] | None = None) -> Fence:
     """The scene with those keys; problems as above."""
     shown = shown_name(name)
+    folder = Path.cwd() if name == "-" else Path(name).parent
     try:
-        plain, places = read_scene_text(_text(name, shown), shown)
-        return read_fence(plain, named=False)
+        plain, places = read_scene_text(text_of(name), shown)
+        return read_fence(with_law_files(plain, [folder], laws), named=False)
     except AuthorError as error:
         fail(error.findings)
     except SceneError as error:
@@ -52,7 +54,9 @@ def fail(findings: Iterable[Finding]) -> NoReturn:
     sys.exit(1)
 
 
-def _text(name: str, shown: str) -> str:
+def text_of(name: str) -> str:
+    """The text of a file, or of standard input."""
+    shown = shown_name(name)
     data = sys.stdin.buffer.read(MOST_BYTES) if name == "-" else _bytes(name)
     if len(data) == MOST_BYTES:
         what, hint = "this is more than a scene can be", "a scene is short: is this the right file?"

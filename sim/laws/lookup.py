@@ -12,8 +12,9 @@ from sim.scene.model import Contact
 
 @lru_cache(maxsize=1024)
 def contact_law(contact: Contact) -> ContactLaw | None:
-    """The law of finite duration, or None for a contact without; one object per contact."""
-    if contact.stiffness is None or contact.restitution is None:
+    """The law of finite duration, or None: for a contact without, and for a law in a
+    file, which only `sim.mine` can follow. One object per contact."""
+    if contact.stiffness is None or contact.restitution is None or contact.written:
         return None
     module = import_module(f"sim.laws.{folder_of(contact.law)}.law")
     law: ContactLaw = module.make(contact.stiffness, contact.restitution)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.scene import Problem
+from sim.scene.said import from_wire
 
 FEW_CARTS = 3
 SAMPLES_OF_MANY = 7
@@ -31,6 +32,9 @@ FORMLESS = ("hertz",)
 INTEGRATED = {"numpy", "scipy"}
 """Contact laws without a closed form or a power series, and what integrates them."""
 
+OWN_LAW = "newtons-carts-law"
+"""The package of the runtime that follows laws which somebody wrote."""
+
 
 @dataclass(frozen=True, slots=True)
 class Run:
@@ -52,7 +56,8 @@ def packages_of(header: Mapping[str, Any]) -> frozenset[str]:
     """
     planned = {name for phase in header["plan"] for name in phase["packages"]}
     formless = any(contact["law"] in FORMLESS for contact in header["contacts"])
-    return frozenset(planned | (INTEGRATED if formless else set()))
+    written = {OWN_LAW} if "laws" in header else set()
+    return frozenset(planned | written | (INTEGRATED if formless else set()))
 
 
 def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
@@ -61,7 +66,12 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     if run.header["ok"]:
         return run
     return [
-        Problem(tuple(row["path"]), row["code"], row["message"], row.get("hint", ""))
+        Problem(
+            tuple(row["path"]),
+            row["code"],
+            from_wire(row["message"]),
+            from_wire(row.get("hint", "")),
+        )
         for row in run.header["problems"]
     ]
 

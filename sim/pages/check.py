@@ -11,6 +11,8 @@ from sim.pages.cost.block import read_cost_block
 from sim.pages.effect_pages import SCENES
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
+from sim.pages.law.block import LawBlock, read_law_block
+from sim.pages.law_files import with_law_files
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
@@ -51,6 +53,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
                 evidence_block(block, lesson, first_line=1)
             elif block.name == "measured":
                 read_measured_block(block, lesson, ids, first_line=1)
+            elif block.name == "law":
+                _check_law(read_law_block(block, lesson, ids, first_line=1))
             else:
                 findings += _read(block, lesson, ids, items, hints=hints)
         except AuthorError as error:
@@ -86,16 +90,25 @@ def _check_map(block: MapBlock) -> None:
         raise AuthorError(map(block.places.finding, run))
 
 
+def _check_law(block: LawBlock) -> None:
+    """What a reader begins with must run; raises `AuthorError`."""
+    run = bake(block.fence.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(block.finding, run))
+
+
 def check_bank(text: str, file: str) -> list[Finding]:
     """Everything that is wrong with one bank of questions."""
     return read_bank_text(text, file)[1]
 
 
-def check_scene(text: str, file: str, *, hints: bool = False) -> list[Finding]:
-    """Everything that is wrong with one scene file."""
+def check_scene(
+    text: str, file: str, *, hints: bool = False, folder: Path | None = None
+) -> list[Finding]:
+    """Everything that is wrong with one scene file; `folder`: where laws of its own lie."""
     try:
         plain, places = read_scene_text(text, file)
-        fence = read_fence(plain, named=False)
+        fence = read_fence(with_law_files(plain, [folder] if folder else []), named=False)
     except AuthorError as error:
         return sorted(error.findings)
     except SceneError as error:
@@ -127,7 +140,7 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
             elif file.parent.name == BANK_FOLDER:
                 findings += check_bank(text, shown.as_posix())
             else:
-                findings += check_scene(text, shown.as_posix(), hints=hints)
+                findings += check_scene(text, shown.as_posix(), hints=hints, folder=file.parent)
     return list(dict.fromkeys(findings))  # several lessons may show one scene file
 
 

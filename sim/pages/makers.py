@@ -137,6 +137,20 @@ def _evidence(block: Block, page: Page) -> str:
     return evidence_block(block, page.lesson, first_line=page.first_line)
 
 
+def _law(block: Block, page: Page) -> str:
+    """A `law` block: a law of force that a reader writes."""
+    from sim.pages.law.block import read_law_block
+    from sim.pages.law.render import render_law
+
+    read = read_law_block(block, page.lesson, page.ids, first_line=page.first_line)
+    run = bake(read.fence.plain)
+    if isinstance(run, list):
+        raise AuthorError(map(read.finding, run))
+    page.items.laws.append((read.id, read.hash))
+    page.packages |= run.packages
+    return render_law(read, run).replace("<carts-law", "<carts-law data-search-exclude", 1)
+
+
 MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "scene": _scene,
     "map": _map,
@@ -147,6 +161,7 @@ MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "challenge": _challenge,
     "evidence": _evidence,
     "measured": _measured,
+    "law": _law,
 }
 
 

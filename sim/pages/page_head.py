@@ -66,6 +66,7 @@ class Needs:
     challenge: bool = False  # a goal for the runs of a scene
     worlds: bool = False  # impossible ones, beside a scene
     download: bool = False  # the page as one file
+    law: bool = False  # a law that a reader writes
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -161,6 +162,7 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     names += ["challenge.js"] if needs.challenge else []
     names += ["worlds.js"] if needs.worlds else []
     names += ["download.js"] if needs.download else []
+    names += ["law.js"] if needs.law else []
     names += ["measured.js"] if needs.measured else []
     names += ["class-keys.js", "class.js"] if needs.classroom else []
     yield from (f'<script src="{assets}{name}"></script>' for name in names)

@@ -20,6 +20,7 @@ from typing import Any
 
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import language_folder
+from sim.pages.law_files import with_law_files
 from sim.pages.text.fence_scan import KINDS, Block, meant_kind
 from sim.pages.text.yaml_source import KeyPath, Place, Source, YamlError, load
 from sim.scene import Fence, Problem, SceneError, read_fence
@@ -122,7 +123,7 @@ def read_scene_block(block: Block, lesson: Lesson, ids: SiteIds, *, first_line: 
     source = load_block(block, lesson.file, first_line=first_line)
     plain, places = with_scene_file(source, lesson)
     try:
-        fence = read_fence(plain)
+        fence = read_fence(with_law_files(plain, lesson.scene_folders))
     except SceneError as error:
         raise AuthorError(places.finding(problem) for problem in error.problems) from None
     ids.claim(fence.id, Finding(lesson.file, *source.place(("id",)), "id", ""))

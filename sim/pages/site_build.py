@@ -107,9 +107,9 @@ class SiteBuild:
         challenge, worlds = "<carts-challenge" in html, "<carts-worlds" in html
         self.needs[name] = Needs(
             page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
-            page.language, challenge, worlds, self._to_download(name),
+            page.language, challenge, worlds, self._to_download(name), "<carts-law" in html,
         )  # fmt: skip
-        kinds = "scene|map|cost|hard|measured|question|quiz|challenge"
+        kinds = "scene|map|cost|hard|measured|law|question|quiz|challenge"
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
@@ -181,7 +181,7 @@ class SiteBuild:
             script.parent.mkdir(parents=True, exist_ok=True)
             script.write_text(text, encoding="ascii", newline="\n")
         needed = self.needs.values()
-        scenes = any(needs.scenes or needs.classroom or needs.measured for needs in needed)
+        scenes = any(n.scenes or n.classroom or n.measured or n.law for n in needed)
         before = self.done
         if scenes:
             self._add_runtime(site, report)
@@ -213,7 +213,7 @@ class SiteBuild:
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
-            for name in ("challenge", "worlds", "download"):
+            for name in ("challenge", "worlds", "law", "download"):
                 if any(getattr(needs, name) for needs in self.needs.values()):
                     (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             if any(needs.measured for needs in self.needs.values()):

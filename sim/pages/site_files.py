@@ -60,7 +60,7 @@ def film_script() -> bytes:
 
 
 def own_script(name: str) -> bytes:
-    """The committed bundle of pages with challenges, or with worlds: assets/carts/NAME.js."""
+    """The committed bundle of pages with challenges, worlds or laws: assets/carts/NAME.js."""
     return _read(_WEB / "dist" / f"{name}.js", "make bundle")
 
 

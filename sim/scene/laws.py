@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
 
 from sim.scene.effects import BrokenFolderError
-from sim.scene.fields import Field
+from sim.scene.fields import RESTITUTION, STIFFNESS, Field
+from sim.scene.said import template
 
 FOLDER = "sim.laws"
 
@@ -50,3 +52,26 @@ def laws() -> Mapping[str, LawKind]:
 def folder_of(name: str) -> str:
     """The folder of a law: push-only stands in push_only."""
     return name.replace("-", "_")
+
+
+WRITTEN = LawKind(
+    name="mine.py",
+    says=template("a law of your own, written in Python"),
+    stiffness=STIFFNESS,
+    restitution=RESTITUTION,
+)
+"""A law that is a function in a file (`sim.mine`). What its two numbers mean, the function says."""
+
+FILE = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,40}\.py", re.ASCII)
+
+
+def is_written(name: object) -> bool:
+    """Is this the name of a file with a law, `mine.py`?"""
+    return isinstance(name, str) and FILE.fullmatch(name) is not None
+
+
+def law_kind(name: object) -> LawKind | None:
+    """The description of a law, also of one in a file; None for what is none."""
+    if is_written(name):
+        return WRITTEN
+    return laws().get(name) if isinstance(name, str) else None

@@ -52,6 +52,11 @@ class Contact:
     stiffness: float | None
 
     @property
+    def written(self) -> bool:
+        """Is its law a function in a file, followed by `sim.mine` and nobody else?"""
+        return self.law.endswith(".py")
+
+    @property
     def sudden(self) -> bool:
         """Without a duration: an impulse, or a joint."""
         return self.stiffness is None
@@ -83,6 +88,8 @@ class Scene:
     """How large what is left out would be: asked for by nobody but the estimate of its effect."""
     tolerances: Mapping[str, Fraction] = field(default_factory=dict)
     """Half widths in SI by path, ``A.mass``. A run takes the middle; a certificate the whole."""
+    written: Mapping[str, str] = field(default_factory=dict)
+    """Texts of laws by the name of their file, those that a contact names."""
     until: float  # s
     gravity: float  # m/s²
 

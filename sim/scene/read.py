@@ -14,11 +14,12 @@ from sim.scene.model import Cart, Scene, Track
 from sim.scene.problem import Path, Problem, SceneError, nearest
 from sim.scene.read_contact import read_contacts
 from sim.scene.read_effects import check_effects, check_room, read_effects, read_estimates
+from sim.scene.read_written import read_written
 from sim.scene.tables import mapping, number, unknown_keys
 
 SCENE_KEYS = (
     *("title", "carts", "track", "contact", "effects", "until", "gravity", "start"),
-    "estimate",
+    *("estimate", "laws"),
 )
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,15}", re.ASCII)
 NO_NAMES = ("left", "right", "null", "Null", "NULL")
@@ -57,6 +58,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         return None
     names = sorted_names(exact)
     contacts = read_contacts(table.get("contact", {}), names, track, problems)
+    written = read_written(table.get("laws", {}), table.get("contact", {}), contacts, problems)
     effects = read_effects(table.get("effects", []), names, track, problems)
     check_effects(effects, table.get("effects", []), problems)
     estimates = read_estimates(table.get("estimate", []), names, track, problems)
@@ -83,6 +85,7 @@ def collect_scene(plain: object, problems: list[Problem]) -> Scene | None:
         effects=effects,
         estimates=estimates,
         tolerances=_tolerances(table),
+        written=written,
         until=float(until),
         gravity=float(gravity),
     )

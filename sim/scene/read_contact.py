@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.scene.fields import Field
-from sim.scene.laws import laws
+from sim.scene.laws import law_kind, laws
 from sim.scene.model import Contact, Track
 from sim.scene.problem import Path, Problem, nearest
 from sim.scene.said import said
@@ -86,7 +86,7 @@ def _contact(
 ) -> Contact | None:
     """One contact; `own` keys are the author's here, missing ones come from `outer`."""
     law = own.get("law", outer.get("law", next(iter(laws()))))
-    kind = laws().get(law) if isinstance(law, str) else None
+    kind = law_kind(law)
     if kind is None:
         close = nearest(str(law), laws())
         hint = f"did you mean “{close}”?" if close else f"laws: {', '.join(laws())}"

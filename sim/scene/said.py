@@ -56,3 +56,10 @@ def wire(text: str) -> str | dict[str, Any]:
         return text
     values = {name: wire(value) for name, value in text.values.items()}
     return {"code": text.template, "values": values}
+
+
+def from_wire(told: Any) -> str:
+    """The sentence that `wire` has taken apart."""
+    if not isinstance(told, Mapping):
+        return str(told)
+    return Said(told["code"], {name: from_wire(value) for name, value in told["values"].items()})

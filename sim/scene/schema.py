@@ -20,7 +20,7 @@ from sim.scene.fields import (
     UNTIL,
     Field,
 )
-from sim.scene.laws import laws
+from sim.scene.laws import FILE, WRITTEN, laws
 from sim.scene.quantity import exact
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -50,6 +50,11 @@ def scene_schema() -> dict[str, Any]:
         "contact": _contact(pairs={"type": "object", "additionalProperties": _contact()}),
         "effects": effects,
         "estimate": {"description": "sizes of what is left out"} | effects,
+        "laws": {
+            "type": "object",
+            "description": "texts of laws in Python, by the name of their file",
+            "additionalProperties": {"type": "string"},
+        },
         "until": field_schema(UNTIL),
         "gravity": field_schema(GRAVITY),
         "start": _table(overlap=overlap),
@@ -96,7 +101,8 @@ def _contact(**more: Any) -> dict[str, Any]:
     """Keys of a contact; a stiffness is that of the law, in its own unit."""
     either = [field_schema(field) for field in (STIFFNESS, HERTZ_STIFFNESS)]
     described = "; ".join(f"{name}: {law.says}" for name, law in laws().items())
-    law = {"enum": list(laws()), "description": described}
+    own = {"type": "string", "pattern": f"^{FILE.pattern}$"}
+    law = {"anyOf": [{"enum": list(laws())}, own], "description": f"{described}; {WRITTEN.says}"}
     return _table(RESTITUTION, law=law, stiffness={"anyOf": either}, **more)
 
 

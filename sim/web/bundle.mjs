@@ -16,6 +16,7 @@ const ENTRIES = {
   "dist/teacher.js": "src/teacher-main.js",
   "dist/measured.js": "src/measured-main.js",
   "dist/worlds.js": "src/worlds-main.js",
+  "dist/law.js": "src/law-main.js",
   "dist/film.js": "src/film-main.js",
   "dist/draw.js": "src/draw-main.js",
 };

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from sim.dynamics.loop import contacts, recontact, release, synchronise
 from sim.dynamics.loop.simulation import Simulation
 from sim.dynamics.result.finished import Run
-from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.result.outcome import UnsolvedError, refuse_written
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.clock import ZERO, Time, elapsed
 from sim.dynamics.state.loads import Forces
@@ -46,6 +46,7 @@ def run(
     progress: Progress | None = None,
 ) -> Run:
     """Run a scene exactly. Raises UnsolvedError where no exact solver is at hand."""
+    refuse_written(scene)
     try:
         sim = Simulation(scene, Record(scene, keep_events, keep_motion))
         _start(sim)

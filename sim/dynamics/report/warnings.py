@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
 from sim.laws.lookup import contact_law
-from sim.scene.laws import laws
+from sim.scene.laws import law_kind
 from sim.scene.said import said, template
 
 BOTH = (
@@ -66,7 +66,8 @@ def warnings(run: Run) -> tuple[Remark, ...]:
         message = said(squeezed, **told)
         contact = scene.contacts[gap]
         law = None if contact is None else contact_law(contact)
-        field = None if contact is None else laws()[contact.law].stiffness
+        kind = None if contact is None else law_kind(contact.law)
+        field = None if kind is None else kind.stiffness
         if room > 0.0 and speed > 0.0 and law is not None and field is not None:
             harder, faster = law.grows
             stiffness = law.stiffness * (deepest / room) ** harder

@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from sim.scene.model import Scene
+from sim.scene.said import said
+
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
@@ -23,3 +26,14 @@ class UnsolvedError(ValueError):
     def __init__(self, message: str, hint: str, time: float, bodies: tuple[str, ...]) -> None:
         super().__init__(message)
         self.message, self.hint, self.time, self.bodies = message, hint, time, bodies
+
+
+def refuse_written(scene: Scene) -> None:
+    """A law in a file has no closed form, and nobody knows its two sides to be equal."""
+    if scene.written:
+        raise UnsolvedError(
+            said("a law of your own is followed by its own solver, and by no other"),
+            said("run the scene as it is, without a method"),
+            0.0,
+            (),
+        )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from sim.dynamics.result.outcome import refuse_written
 from sim.dynamics.stepping.explicit_euler import ExplicitEuler
 from sim.dynamics.stepping.method import StepMethod
 from sim.dynamics.stepping.pairs import Row
@@ -54,6 +55,7 @@ class Way:
 
 def stepper(scene: Scene, way: Way) -> Stepper:
     """A run at its start."""
+    refuse_written(scene)
     if way.method in FIXED:
         return Stepper(scene, FIXED[way.method])
     if way.method == "rk4-events":

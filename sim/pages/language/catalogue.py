@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "catalogues"
-INNER = ("sim/scene", "sim/effects", "sim/laws", "sim/dynamics", "sim/worlds")
+INNER = ("sim/scene", "sim/effects", "sim/laws", "sim/dynamics", "sim/worlds", "sim/mine")
 """Layers that know no languages and say their sentences as templates: see sim.scene.said."""
 
 ENGLISH = "en"

@@ -26,6 +26,8 @@ class PageItems:
     scenes: list[Fence] = field(default_factory=list)
     questions: list[QuestionBlock] = field(default_factory=list)
     quizzes: list[QuizBlock] = field(default_factory=list)
+    laws: list[tuple[str, str]] = field(default_factory=list)
+    """Id and hash of each block in which a reader writes a law."""
     asking: str = ""  # the scene with a prediction that the text since the last heading is about
 
     def gate(self, question: Question) -> str:
@@ -40,7 +42,8 @@ class PageItems:
     @property
     def answers(self) -> bool:
         """Whether there is anything on the page to answer."""
-        return bool(self.questions or self.quizzes or any(s.predict for s in self.scenes))
+        asked = any(s.predict for s in self.scenes)
+        return bool(self.questions or self.quizzes or self.laws or asked)
 
     def findings(self) -> Iterator[Finding]:
         """Blocks that make sense alone but not together."""
@@ -68,6 +71,10 @@ class PageItems:
              "level": "core"}
             for s in self.scenes if s.predict
         ]  # fmt: skip
+        items += [
+            {"id": name, "hash": hash_, "type": "law", "form": "worksheet", "level": "core"}
+            for name, hash_ in self.laws
+        ]
         for block in self.questions:
             items.append(_item(block.question.data(key=False), "worksheet"))
         for quiz in self.quizzes:

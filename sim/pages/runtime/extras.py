@@ -8,11 +8,13 @@ from pathlib import Path
 from .ours import (
     CLASSROOM,
     MEASURED,
+    OWN_LAW,
     TEACHER,
     WORLDS,
     Ours,
     read_classroom,
     read_measured,
+    read_own_law,
     read_worlds,
 )
 from .teacher import read_teacher
@@ -22,6 +24,7 @@ EXTRAS = {
     TEACHER: read_teacher,
     MEASURED: read_measured,
     WORLDS: read_worlds,
+    OWN_LAW: read_own_law,
 }
 
 

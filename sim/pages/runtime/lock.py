@@ -25,6 +25,7 @@ IMPORTS = {
     "newtons-carts-teacher": ["sim.pages"],
     "newtons-carts-measured": ["sim.measured"],
     "newtons-carts-worlds": ["sim.worlds"],
+    "newtons-carts-law": ["sim.mine"],
     "numpy": ["numpy"],
     "scipy": ["scipy"],
 }

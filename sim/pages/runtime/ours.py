@@ -25,6 +25,8 @@ MEASURED_ENTRY = "bridge/measured_answer.py"
 """With this and the layer `measured` a page reads and fits what real carts did."""
 WORLDS_ENTRY = "bridge/worlds_answer.py"
 """With this and the layer `worlds` a page runs what is impossible, where a scene names it."""
+LAW_ENTRY = "bridge/law_answer.py"
+"""With this and the layer `mine` a page runs and judges laws that its reader writes."""
 NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js"}
 """In the folder of an effect beside what runs: a page carries no proofs, docs and scenes."""
 ENTRY = "sim.bridge.pyodide_entry"
@@ -33,6 +35,7 @@ CLASSROOM = "newtons-carts-class"
 TEACHER = "newtons-carts-teacher"
 MEASURED = "newtons-carts-measured"
 WORLDS = "newtons-carts-worlds"
+OWN_LAW = "newtons-carts-law"
 ENCODINGS = tuple(f"encodings.{name}" for name in ("utf_8_sig", "utf_16", "cp1252"))
 """In which spreadsheets and old editors save a table."""
 APART = (
@@ -84,7 +87,7 @@ class Ours:
 
 def read_ours(package: Path, version: str) -> Ours:
     """Return the layers for the page of the package in folder `package`."""
-    entries = (CLASSROOM_ENTRY, MEASURED_ENTRY, WORLDS_ENTRY)
+    entries = (CLASSROOM_ENTRY, MEASURED_ENTRY, WORLDS_ENTRY, LAW_ENTRY)
     others = [package / entry for entry in entries]
     found = [p for p in _layers(package, LAYERS) if p not in others]
     return _ours(package, version, NAME, [package / "__init__.py", *found])
@@ -106,6 +109,12 @@ def read_worlds(package: Path, version: str) -> Ours:
     """Return what a page has beside `read_ours` whose scenes name impossible worlds."""
     found = [package / WORLDS_ENTRY, *_layers(package, ("worlds",))]
     return _ours(package, version, WORLDS, found)
+
+
+def read_own_law(package: Path, version: str) -> Ours:
+    """Return what a page has beside `read_ours` on which somebody writes a law."""
+    found = [package / LAW_ENTRY, *_layers(package, ("mine",))]
+    return _ours(package, version, OWN_LAW, found)
 
 
 def _layers(package: Path, layers: Iterable[str]) -> list[Path]:

@@ -20,12 +20,14 @@ from .node import RuntimePackError
 from .ours import (
     CLASSROOM,
     MEASURED,
+    OWN_LAW,
     TEACHER,
     WORLDS,
     Ours,
     read_classroom,
     read_measured,
     read_ours,
+    read_own_law,
     read_worlds,
     text_bytes,
 )
@@ -37,10 +39,11 @@ SETS: tuple[frozenset[str], ...] = (
     frozenset(),
     frozenset({TEACHER}),
     frozenset({WORLDS, TEACHER}),
+    frozenset({OWN_LAW, WORLDS, TEACHER}),
     frozenset({"numpy", TEACHER}),
     frozenset({"numpy", "scipy", TEACHER}),
     frozenset({"numpy", "scipy", MEASURED, TEACHER}),
-    frozenset({"numpy", "scipy", CLASSROOM, MEASURED, WORLDS, TEACHER}),
+    frozenset({"numpy", "scipy", CLASSROOM, MEASURED, OWN_LAW, WORLDS, TEACHER}),
 )
 """From small to large. A site takes the first that has all it needs."""
 
@@ -113,6 +116,7 @@ def _entry(path: Path) -> dict[str, Any]:
 
 def _sources(ours: Ours, package: Path) -> str:
     """What the sets were made from; of teacher mode its own files, not the packages below it."""
-    own = (read(package, ours.version) for read in (read_classroom, read_measured, read_worlds))
+    extras = (read_classroom, read_measured, read_worlds, read_own_law)
+    own = (read(package, ours.version) for read in extras)
     teacher = sorted(sha256(text_bytes(path)) for path in own_files(package))
     return key_of(ours.key, *(extra.key for extra in own), *teacher)

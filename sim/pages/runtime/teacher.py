@@ -14,13 +14,22 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from .node import RuntimePackError
-from .ours import TEACHER, Ours, text_bytes
+from .ours import LAW_ENTRY, TEACHER, Ours, text_bytes
 
 LAYERS = (
-    *("lesson", "measured", "worlds"),
+    *("lesson", "measured", "mine", "worlds"),
     *(f"pages/{n}" for n in ("question", "widget", "map", "measured", "language", "teach", "text")),
 )
-MODULES = ("__init__", "bake", "effect_pages", "findings", "map_block", "scene_block", "templates")
+MODULES = (
+    "__init__",
+    "bake",
+    "effect_pages",
+    "findings",
+    "law_files",
+    "map_block",
+    "scene_block",
+    "templates",
+)
 """Of `sim/pages`."""
 BUILD_ONLY = (
     *("pages/teach/publish.py", "pages/teach/doors.py"),
@@ -69,6 +78,7 @@ def short_names() -> str:
 def own_files(package: Path) -> Iterator[Path]:
     """The files of ours among them."""
     yield from (package / "pages" / f"{name}.py" for name in MODULES)
+    yield package / LAW_ENTRY  # a scene of a lesson may name a law in a file
     for layer in LAYERS:
         for path in (package / layer).rglob("*"):
             unwanted = path.relative_to(package).as_posix().startswith(BUILD_ONLY)

@@ -27,6 +27,7 @@ from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
 from sim.pages.text.fence_scan import KINDS
+from sim.scene.read_written import named_laws
 
 FORMAT = 1
 WORD_OF = "teacher"  # what the checksum of the word belongs to
@@ -118,7 +119,7 @@ def _script(stem: str, told: Mapping[str, Any]) -> Published:
 
 
 def _named_files(text: str, lesson: Lesson, root: Path) -> dict[str, str]:
-    """The scene files and readings that blocks name, by their path."""
+    """The scene files, readings and laws that blocks name, by their path."""
     found = {}
     for block in blocks(text):
         if block.name not in KINDS:
@@ -131,12 +132,14 @@ def _named_files(text: str, lesson: Lesson, root: Path) -> dict[str, str]:
                 with_scene_file(source, lesson)
         except AuthorError:
             continue  # it is refused, so nothing is read for it
-        name = source.plain.get("data" if block.name == "measured" else "file")
-        places = [f / part / str(name) for f in lesson.scene_folders for part in (".", "data")]
-        path = next((place for place in places if place.is_file()), None)
-        if path and isinstance(name, str):
-            with contextlib.suppress(UnicodeDecodeError):
-                found[path.relative_to(root).as_posix()] = path.read_bytes().decode("utf-8")
+        own = source.plain.get("data" if block.name == "measured" else "file")
+        laws = [law for _, law in named_laws(source.plain.get("contact"))]
+        for name in ([own] if isinstance(own, str) else []) + laws:
+            places = [f / part / name for f in lesson.scene_folders for part in (".", "data")]
+            path = next((place for place in places if place.is_file()), None)
+            if path:
+                with contextlib.suppress(UnicodeDecodeError):
+                    found[path.relative_to(root).as_posix()] = path.read_bytes().decode("utf-8")
     return found
 
 

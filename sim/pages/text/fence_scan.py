@@ -24,6 +24,7 @@ KINDS = (
         "challenge",
         "evidence",
         "measured",
+        "law",
     ),
 )
 

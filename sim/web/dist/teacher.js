@@ -585,7 +585,7 @@
     }
     /**
      * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {{patience?: number}} message `patience`: seconds without a sign until it is lost, where a
+     * @param {{patience?: number, [key: string]: unknown}} message `patience`: seconds without a sign until it is lost, where a
      *   reader knows that it takes long and can stop it
      * @returns {Promise<Answer>}
      */

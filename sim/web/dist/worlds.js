@@ -325,13 +325,17 @@
   }
 
   // src/worlds/ends.js
-  function ends(real, other, decimals) {
+  function ends(columns, decimals) {
+    const real = (
+      /** @type {{run: Run}} */
+      columns[0].run
+    );
     const table = html("table", "carts-worlds-ends");
     const head = html("tr");
     head.append(
       html("td"),
-      ...[tr("Our world"), tr("Impossible")].map((text) => {
-        const cell = html("th", "", text);
+      ...columns.map(({ label }) => {
+        const cell = html("th", "", label);
         cell.setAttribute("scope", "col");
         return cell;
       })
@@ -358,7 +362,7 @@
       const row = html("tr");
       const title = html("th", "", label);
       title.setAttribute("scope", "row");
-      row.append(title, html("td", "", of(real)), html("td", "", of(other)));
+      row.append(title, ...columns.map(({ run }) => html("td", "", of(run))));
       table.append(row);
     }
     return table;
@@ -1722,17 +1726,16 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   // src/worlds/pictures.js
   var SIGN = 60;
   var Pictures = class {
-    /** @param {Baked} baked @param {Run} real @param {Run} other @param {string} says which world it is */
-    constructor(baked, real, other, says) {
+    /** @param {Baked} baked @param {Shown[]} shown */
+    constructor(baked, shown) {
       this.root = html("div", "carts-worlds-pictures");
       this.decimals = baked.view.decimals.t ?? 2;
       this.player = new Player(() => this.#at());
-      const both = [real, other].map(({ header }) => touches(header.events, header.until));
-      this.player.until = Math.max(real.header.until, other.header.until);
-      this.player.parts = slowParts(both.flat().sort((a, b) => a.start - b.start));
+      const all = shown.map(({ run }) => touches(run.header.events, run.header.until));
+      this.player.until = Math.max(...shown.map(({ run }) => run.header.until));
+      this.player.parts = slowParts(all.flat().sort((a, b) => a.start - b.start));
       this.stages = [];
-      this.#picture(baked, real, tr("Our world"), false, both[0] ?? []);
-      this.#picture(baked, other, says, true, both[1] ?? []);
+      for (const [k, one] of shown.entries()) this.#picture(baked, one, all[k] ?? []);
       this.root.append(this.#bar());
       this.#at();
     }
@@ -1741,12 +1744,12 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       this.player.pause();
     }
     /**
-     * @param {Baked} baked @param {Run} run @param {string} caption @param {boolean} impossible
+     * @param {Baked} baked @param {Shown} shown
      * @param {import("../../../view/windows.js").Touch[]} windows
      */
-    #picture(baked, run, caption, impossible, windows) {
+    #picture(baked, { run, caption, impossible = false }, windows) {
       const figure = html("figure", impossible ? "carts-impossible" : "");
-      const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-world` } };
+      const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-other` } };
       const template = document.createElement("template");
       template.innerHTML = baked.view.layouts.map((layout) => stage(own, layout)).join("");
       const label = html("figcaption", "", caption);
@@ -1773,7 +1776,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       this.scrub = document.createElement("input");
       Object.assign(this.scrub, { type: "range", min: "0", max: String(this.player.until) });
       this.scrub.step = String(this.player.until / 1e3);
-      this.scrub.setAttribute("aria-label", tr("Time in both pictures"));
+      this.scrub.setAttribute(
+        "aria-label",
+        this.stages.length > 2 ? tr("Time in both pictures") : tr("Time")
+      );
       this.scrub.addEventListener("input", () => {
         this.player.pause();
         this.player.seek(Number(this.scrub?.value));
@@ -2164,11 +2170,20 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         if (turn !== this.#turn) return;
         this.#pictures?.leave();
         const baked = readBaked(this.scene);
-        this.#pictures = new Pictures(baked, real, other, world.says);
+        this.#pictures = new Pictures(baked, [
+          { run: real, caption: tr("Our world") },
+          { run: other, caption: world.says, impossible: true }
+        ]);
         place2.replaceChildren(
           this.#pictures.root,
           ...await isYours(baked, other) ? [yours()] : [],
-          ends(real, other, baked.view.decimals),
+          ends(
+            [
+              { label: tr("Our world"), run: real },
+              { label: tr("Impossible"), run: other }
+            ],
+            baked.view.decimals
+          ),
           broken(other)
         );
         say(note, "");

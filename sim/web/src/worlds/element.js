@@ -98,11 +98,20 @@ export class WorldsElement extends HTMLElement {
       if (turn !== this.#turn) return;
       this.#pictures?.leave();
       const baked = readBaked(this.scene);
-      this.#pictures = new Pictures(baked, real, other, world.says);
+      this.#pictures = new Pictures(baked, [
+        { run: real, caption: tr("Our world") },
+        { run: other, caption: world.says, impossible: true },
+      ]);
       place.replaceChildren(
         this.#pictures.root,
         ...((await isYours(baked, other)) ? [yours()] : []),
-        ends(real, other, baked.view.decimals),
+        ends(
+          [
+            { label: tr("Our world"), run: real },
+            { label: tr("Impossible"), run: other },
+          ],
+          baked.view.decimals,
+        ),
         broken(other),
       );
       say(note, "");

@@ -1,4 +1,4 @@
-/** The two runs in numbers: velocities at the end, the greatest push on each cart, all momentum. */
+/** Runs in numbers, side by side: velocities at the end, the greatest push on each cart, all momentum. */
 
 import { tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
@@ -7,14 +7,15 @@ import { html } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/types.js").Run} Run */
 
-/** @param {Run} real @param {Run} other @param {Record<string, number>} decimals */
-export function ends(real, other, decimals) {
+/** @param {{label: string, run: Run}[]} columns of one scene @param {Record<string, number>} decimals */
+export function ends(columns, decimals) {
+  const real = /** @type {{run: Run}} */ (columns[0]).run;
   const table = html("table", "carts-worlds-ends");
   const head = html("tr");
   head.append(
     html("td"),
-    ...[tr("Our world"), tr("Impossible")].map((text) => {
-      const cell = html("th", "", text);
+    ...columns.map(({ label }) => {
+      const cell = html("th", "", label);
       cell.setAttribute("scope", "col");
       return cell;
     }),
@@ -41,7 +42,7 @@ export function ends(real, other, decimals) {
     const row = html("tr");
     const title = html("th", "", label);
     title.setAttribute("scope", "row");
-    row.append(title, html("td", "", of(real)), html("td", "", of(other)));
+    row.append(title, ...columns.map(({ run }) => html("td", "", of(run))));
     table.append(row);
   }
   return table;

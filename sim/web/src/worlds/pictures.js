@@ -1,6 +1,6 @@
 /**
- * Two pictures with one clock: the run as it is, and the same start in a world that does not exist.
- * The second says so in the picture itself, so that no copy of it goes without.
+ * Pictures with one clock: the run as it is, and the same start in a world that does not exist; or a
+ * run alone. What is impossible says so in the picture itself, so that no copy of it goes without.
  */
 
 import { tr } from "../../../view/language.js";
@@ -17,19 +17,20 @@ import { html, say, svg } from "../shared/dom.js";
 
 const SIGN = 60; // units that the sign stands above the track
 
+/** @typedef {{run: Run, caption: string, impossible?: boolean}} Shown */
+
 export class Pictures {
-  /** @param {Baked} baked @param {Run} real @param {Run} other @param {string} says which world it is */
-  constructor(baked, real, other, says) {
+  /** @param {Baked} baked @param {Shown[]} shown */
+  constructor(baked, shown) {
     this.root = html("div", "carts-worlds-pictures");
     this.decimals = baked.view.decimals.t ?? 2;
     this.player = new Player(() => this.#at());
-    const both = [real, other].map(({ header }) => touches(header.events, header.until));
-    this.player.until = Math.max(real.header.until, other.header.until);
-    this.player.parts = slowParts(both.flat().sort((a, b) => a.start - b.start));
+    const all = shown.map(({ run }) => touches(run.header.events, run.header.until));
+    this.player.until = Math.max(...shown.map(({ run }) => run.header.until));
+    this.player.parts = slowParts(all.flat().sort((a, b) => a.start - b.start));
     /** @type {Stage[]} */
     this.stages = [];
-    this.#picture(baked, real, tr("Our world"), false, both[0] ?? []);
-    this.#picture(baked, other, says, true, both[1] ?? []);
+    for (const [k, one] of shown.entries()) this.#picture(baked, one, all[k] ?? []);
     this.root.append(this.#bar());
     this.#at();
   }
@@ -40,12 +41,12 @@ export class Pictures {
   }
 
   /**
-   * @param {Baked} baked @param {Run} run @param {string} caption @param {boolean} impossible
+   * @param {Baked} baked @param {Shown} shown
    * @param {import("../../../view/windows.js").Touch[]} windows
    */
-  #picture(baked, run, caption, impossible, windows) {
+  #picture(baked, { run, caption, impossible = false }, windows) {
     const figure = html("figure", impossible ? "carts-impossible" : "");
-    const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-world` } };
+    const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-other` } };
     const template = document.createElement("template");
     template.innerHTML = baked.view.layouts.map((layout) => stage(own, layout)).join("");
     const label = html("figcaption", "", caption);
@@ -73,7 +74,10 @@ export class Pictures {
     this.scrub = document.createElement("input");
     Object.assign(this.scrub, { type: "range", min: "0", max: String(this.player.until) });
     this.scrub.step = String(this.player.until / 1000);
-    this.scrub.setAttribute("aria-label", tr("Time in both pictures"));
+    this.scrub.setAttribute(
+      "aria-label",
+      this.stages.length > 2 ? tr("Time in both pictures") : tr("Time"),
+    );
     this.scrub.addEventListener("input", () => {
       this.player.pause();
       this.player.seek(Number(this.scrub?.value));

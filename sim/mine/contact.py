@@ -1,0 +1,139 @@
+"""A written law between the two bodies of one gap, as located steps ask for it.
+
+Each side is asked for itself, at the same instant. Of two answers F_L and F_R [N]
+
+    push = (F_L + F_R)/2       on both, in opposite directions: what Newton's third law leaves
+    odd  = (F_L − F_R)/2       more on the left one and less on the right one
+
+With `odd` = 0 this is a force between two bodies like any other. Where a step looks a little beyond
+the end of a contact the law is asked at overlap 0: that is its own continuation, not a guess.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+from sim.laws.stepping import Mode, begin_plain
+from sim.mine.arguments import PLACES
+from sim.mine.instance import Instance
+
+OVERLAP, RATE, TIME = (PLACES[name] for name in ("overlap", "rate", "time"))
+VELOCITY_SELF, VELOCITY_OTHER = PLACES["velocity_self"], PLACES["velocity_other"]
+
+
+@dataclass(slots=True)
+class Side:
+    """One of the two: what it is called and weighs [kg]; a wall is never asked."""
+
+    name: str
+    mass: float
+    wall: bool = False
+
+
+@dataclass(slots=True)
+class Apart:
+    """The instant at which the two answers differed most."""
+
+    odd: float = 0.0  # N
+    time: float = 0.0  # s
+    left: float = 0.0  # N
+    right: float = 0.0
+
+
+@dataclass(slots=True)
+class WrittenForce:
+    """The force of one pair. `look` tells it of each instant before it is asked."""
+
+    law: Instance
+    sides: tuple[Side, Side]
+    stiffness: float
+    restitution: float
+    right_first: bool = False
+    remembers: bool = field(default=False, init=False)
+    locks: bool = field(default=False, init=False)
+    time: float = field(default=0.0, init=False)
+    rows: list[list[Any]] = field(init=False)
+    asked: tuple[int, ...] = field(init=False)
+    odd: float = field(default=0.0, init=False)
+    greatest: float = field(default=0.0, init=False)
+    """N. The greatest force that was answered so far."""
+    apart: Apart = field(default_factory=Apart, init=False)
+
+    def __post_init__(self) -> None:
+        self.rows = [self._row(k) for k in (0, 1)]
+        self.asked = tuple(k for k in (0, 1) if not self.sides[k].wall)
+        if self.right_first:
+            self.asked = self.asked[::-1]
+
+    def _row(self, k: int) -> list[Any]:
+        """The values of all `ARGUMENTS` for one side; `look` and `on` fill in what changes."""
+        me, other = self.sides[k], self.sides[1 - k]
+        inverse = (0.0 if me.wall else 1.0 / me.mass) + (0.0 if other.wall else 1.0 / other.mass)
+        return [
+            *(0.0, 0.0, me.mass, other.mass, 1.0 / inverse),
+            *(0.0, 0.0, 0.0),
+            *(self.stiffness, self.restitution, me.name, other.name, ("left", "right")[k]),
+        ]
+
+    def look(self, time: float, left: float, right: float) -> None:
+        """s and m/s of the two, now."""
+        self.time, self.odd = time, 0.0
+        for row, own, other in ((self.rows[0], left, right), (self.rows[1], right, left)):
+            row[VELOCITY_SELF], row[VELOCITY_OTHER], row[TIME] = own, other, time
+
+    def on(self, mode: Mode, d: float, v: float, memory: float) -> float:
+        """N, the push; nought while they are apart."""
+        if mode == "apart":
+            return 0.0
+        answers = [0.0, 0.0]
+        for k in self.asked:
+            row = self.rows[k]
+            row[OVERLAP], row[RATE] = max(d, 0.0), v
+            answers[k] = self.law.ask(row)
+        if len(self.asked) == 1:
+            answers = [answers[self.asked[0]]] * 2
+        left, right = answers
+        self.odd = 0.5 * (left - right)
+        self.greatest = max(self.greatest, abs(left), abs(right))
+        if abs(self.odd) > abs(self.apart.odd):
+            self.apart = Apart(self.odd, self.time, left, right)
+        return 0.5 * (left + right)
+
+    def push(self, d: float, v: float, memory: float) -> float:
+        """Decided by the state."""
+        return self.on("press" if d > 0.0 else "apart", d, v, memory)
+
+    def pushes(self, d: Any, v: Any, memory: Any) -> Any:
+        """A written law is asked one instant at a time."""
+        raise NotImplementedError
+
+    def holds(self, mode: Mode, d: float, v: float, memory: float) -> tuple[float, ...]:
+        """In contact while d > 0."""
+        return (-d if mode == "apart" else d,)
+
+    def after(self, mode: Mode, d: float, v: float, memory: float) -> tuple[Mode, float]:
+        """Touch or part."""
+        return ("press" if mode == "apart" else "apart"), 0.0
+
+    def begin(self, d: float, v: float, memory: float) -> Mode:
+        """Pressed or apart."""
+        return begin_plain(self, d, v, memory)
+
+    def warming(self, push: float, d: float, v: float) -> float:
+        """W. All that the contact takes; what it gives back is taken from that again."""
+        return push * v
+
+    def most(self, memory: float) -> float:
+        """It never stays pressed in."""
+        return 0.0
+
+    def settle(self, held: float, push: float, memory: float, stored: float) -> tuple[float, float]:
+        """Nothing is left beside what `warming` has counted."""
+        return 0.0, 0.0
+
+
+def side_of(name: str, mass: float | None) -> Side:
+    """A cart, or without a mass a wall."""
+    return Side(name, math.inf if mass is None else mass, wall=mass is None)

@@ -1,0 +1,212 @@
+"""Steps that follow a tolerance through written laws, in plain Python; events located.
+
+    y' = f(y) by the pair of orders 5 and 4 of Dormand & Prince, seven evaluations a step
+
+The difference of the two is the error of the step; it decides whether the step is taken and how
+long the next one is. A touch or a separation is looked for on the quintic through places,
+velocities and accelerations at both ends, and the step is taken again up to there.
+Source: Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19; Hairer, Nørsett & Wanner II.4.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from sim.dynamics.result.outcome import UnsolvedError
+from sim.dynamics.stepping.located import CLOSE, Key, crossed, first_zero
+from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.stepper import LocatedStepper
+from sim.mine.field import WrittenField
+from sim.scene.model import Scene
+from sim.scene.said import said
+
+NODES = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
+ROWS: tuple[tuple[float, ...], ...] = (
+    (),
+    (1 / 5,),
+    (3 / 40, 9 / 40),
+    (44 / 45, -56 / 15, 32 / 9),
+    (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
+    (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
+    (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
+)
+FIFTH = (*ROWS[6], 0.0)
+FOURTH = (5179 / 57600, 0.0, 7571 / 16695, 393 / 640, -92097 / 339200, 187 / 2100, 1 / 40)
+DIFFERENCE = tuple(a - b for a, b in zip(FIFTH, FOURTH, strict=True))
+
+RTOL = 1e-9
+"""Error of one step, relative to the greatest closing speed."""
+
+QUICK = 0.01
+"""s. A way counts as small beside that speed times this."""
+
+FIRST = 1e-6
+"""s. The first step into a contact: its force is not known there yet."""
+
+PARTS = 40
+"""Steps of a run in which nothing touches, at least."""
+
+MOST_CALLS = 400_000
+"""Questions to the laws in one run: some seconds."""
+
+SHORTEST = 1e-13
+"""Of the run. A law that asks for shorter steps has no values that belong together."""
+
+Dense = Callable[[float], tuple[Row, Row]]
+"""Places and velocities at s after the beginning of a step."""
+
+STUCK = 40
+"""Events at one instant, one after the other, without a step between them."""
+
+
+class EmbeddedStepper(LocatedStepper):
+    """`method` is not used: the steps are those of this module."""
+
+    def __init__(
+        self, scene: Scene, rtol: float = RTOL, *, right_first: bool = False,
+        most_calls: int = MOST_CALLS,
+    ) -> None:  # fmt: skip
+        self.right_first, self.rtol, self.most_calls = right_first, rtol, most_calls
+        super().__init__(scene)
+        closing = [abs(w) for w in scene.approaches if math.isfinite(w)]
+        own = [abs(cart.velocity) for cart in scene.carts]
+        self.speed = max([*closing, 1e-3] if any(closing) else [*own, 1e-3])
+        self.longest = scene.until / PARTS
+        self.next = self.longest
+
+    def make_field(self, scene: Scene, lanes: int) -> WrittenField:
+        """With the laws of the scene."""
+        self.own = WrittenField(scene, right_first=self.right_first)
+        return self.own
+
+    def drive(self, until: float) -> None:
+        """To the end of the scene; raises UnsolvedError where the steps do not come to it."""
+        t, still = 0.0, 0
+        self.next = min(self.longest, FIRST if self._touching() else self.longest)
+        while t < until:
+            stop = min([until, *(time for time in self.times if time > t)])
+            end = min(stop, t + self.next)
+            self.field.force_time = 0.5 * (t + end)
+            done, keys = self.part(t, end - t)
+            self.steps += 1
+            if keys:
+                self.located.change(keys, t + done, self.s, self.v)
+                self.next = FIRST if self._touching() else self.longest
+            t = end if done == end - t else t + done
+            self.field.force_time = None
+            still = still + 1 if done == 0.0 else 0
+            self.impacts.settle(t, self.s, self.v)
+            if t in self.times:
+                self.located.begin(t, self.s, self.v)
+            if still > STUCK or self.own.calls > self.most_calls:
+                raise self._lost(t)
+
+    def _touching(self) -> bool:
+        return any(mode != "apart" for mode in (self.field.modes or {}).values())
+
+    def part(self, t: float, h: float) -> tuple[float, list[Key]]:
+        """At most h, as the error allows, or up to the first event."""
+        s, v = self.s, self.v
+        before = self.located.guards(t, s, v)
+        while True:
+            s1, v1, a0, a1, error = self._tried(t, h, s, v)
+            factor = min(5.0, max(0.2, 0.9 * error**-0.2)) if error > 0.0 else 5.0
+            if error <= 1.0:
+                break
+            h *= factor
+            if h < SHORTEST * self.field.scene.until or self.own.calls > self.most_calls:
+                raise self._lost(t)
+        after = self.located.guards(t + h, s1, v1)
+        roots: dict[Key, float] = {}
+        for key in crossed(before, after):
+            roots[key] = 0.0
+            if before[key] > 0.0:
+                value = self._along(_quintic(s, v, a0, s1, v1, a1, h), t, key)
+                roots[key] = first_zero(value, h, before[key], after[key])
+        if not roots:
+            self.next = min(self.longest, h * factor)
+            self._told(t, h, s1, v1)
+            return h, []
+        first = min(roots.values())
+        if first > 0.0:
+            if self.field.keep is not None:
+                self.field.keep.clear()
+            s1, v1, *_ = self._tried(t, first, s, v)
+            self._told(t, first, s1, v1)
+        return first, [key for key, root in roots.items() if root - first <= CLOSE * h]
+
+    def _along(self, dense: Dense, t: float, key: Key) -> Callable[[float], float]:
+        """A guard along a step that began at t."""
+        return lambda tau: self.located.guards(t + tau, *dense(tau))[key]
+
+    def _tried(self, t: float, h: float, s: Row, v: Row) -> tuple[Row, Row, Row, Row, float]:
+        """Places, velocities, accelerations at both ends, and the error (1: just allowed)."""
+        field, count = self.field, range(len(s))
+        if field.keep is not None:
+            field.keep.clear()
+        us: list[Row] = []
+        ks: list[Row] = []
+        x, u = s, v
+        for node, row in zip(NODES, ROWS, strict=True):
+            if row:
+                x = [
+                    s[k] + h * sum(c * one[k] for c, one in zip(row, us, strict=True))
+                    for k in count
+                ]
+                u = [
+                    v[k] + h * sum(c * one[k] for c, one in zip(row, ks, strict=True))
+                    for k in count
+                ]
+            us.append(u)
+            ks.append(field.accelerations(t + node * h, x, u, h))
+        small = self.rtol * self.speed
+        error = max(
+            abs(h * _sum(DIFFERENCE, part, k)) / size
+            for k in count
+            for part, size in ((us, small * QUICK), (ks, small))
+        )
+        return x, u, ks[0], ks[-1], error
+
+    def _told(self, t: float, h: float, s: Row, v: Row) -> None:
+        before, self.s, self.v = self.s, s, v
+        if self.seen is not None:
+            self.tell(t + h, h, before, FIFTH)
+
+    def _lost(self, t: float) -> UnsolvedError:
+        return UnsolvedError(
+            said("the steps became too short: the law has no values that belong together here"),
+            said("a force changes little when overlap and rate change little"),
+            t,
+            (),
+        )
+
+
+def _sum(weights: tuple[float, ...], stages: list[Row], k: int) -> float:
+    return float(sum(c * stage[k] for c, stage in zip(weights, stages, strict=True)))
+
+
+def _quintic(s: Row, v: Row, a: Row, s1: Row, v1: Row, a1: Row, h: float) -> Dense:
+    """Places and velocities inside of a step of h."""
+    parts = []
+    for x0, u0, k0, x1, u1, k1 in zip(s, v, a, s1, v1, a1, strict=True):
+        p = x1 - x0 - h * u0 - 0.5 * h * h * k0
+        q = h * (u1 - u0 - h * k0)
+        r = h * h * (k1 - k0)
+        third, fourth = 10 * p - 4 * q + 0.5 * r, -15 * p + 7 * q - r
+        fifth = 6 * p - 3 * q + 0.5 * r
+        parts.append((x0, h * u0, 0.5 * h * h * k0, third, fourth, fifth))
+
+    def at(tau: float) -> tuple[Row, Row]:
+        z = tau / h
+        places = [
+            c0 + z * (c1 + z * (c2 + z * (c3 + z * (c4 + z * c5))))
+            for c0, c1, c2, c3, c4, c5 in parts
+        ]
+        rates = [
+            (c1 + z * (2 * c2 + z * (3 * c3 + z * (4 * c4 + z * 5 * c5)))) / h
+            for _, c1, c2, c3, c4, c5 in parts
+        ]
+        return places, rates
+
+    return at

@@ -1,0 +1,3033 @@
+"use strict";
+(() => {
+  // src/shared/older.js
+  function add(owner, name, value) {
+    if (!(name in owner)) {
+      Object.defineProperty(owner, name, { value, configurable: true, writable: true });
+    }
+  }
+  function findLastIndex(fits2) {
+    for (let k = this.length - 1; k >= 0; k -= 1) if (fits2(this[k], k, this)) return k;
+    return -1;
+  }
+  function findLast(fits2) {
+    return this[findLastIndex.call(this, fits2)];
+  }
+  function at(index) {
+    return this[index < 0 ? this.length + index : index];
+  }
+  for (const kind of [Array, Float64Array, Uint8Array]) {
+    add(kind.prototype, "findLast", findLast);
+    add(kind.prototype, "findLastIndex", findLastIndex);
+    add(kind.prototype, "at", at);
+  }
+  add(String.prototype, "at", at);
+  add(
+    Object,
+    "hasOwn",
+    (owner, name) => (
+      // biome-ignore lint/suspicious/noPrototypeBuiltins: this is what stands in for Object.hasOwn
+      Object.prototype.hasOwnProperty.call(owner, name)
+    )
+  );
+  add(
+    globalThis,
+    "structuredClone",
+    (value) => JSON.parse(JSON.stringify(value))
+  );
+
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function told(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told(value)]);
+    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // ../view/trajectory.js
+  function fromWire(header, numbers) {
+    const { rows, columns, events } = header;
+    const parts = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
+    columns.forEach(([quantity, ...key], k) => {
+      const column = numbers.subarray(k * rows, (k + 1) * rows);
+      const name = String(quantity);
+      if (!key.length) parts[name] = column;
+      else {
+        parts[name] ??= {};
+        parts[name][key.join(" ")] = column;
+      }
+    });
+    return parts;
+  }
+  function fromBaked(numbers, events) {
+    const parts = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts;
+  }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
+  function rowAt(times2, t) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt(times2, values, slopes, t) {
+    const k = rowAt(times2, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t);
+  }
+  function hermite(times2, values, slopes, k, t) {
+    const at2 = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, i) => c[i])
+    );
+    const h = at2(times2, k + 1) - at2(times2, k);
+    const s = (t - at2(times2, k)) / h;
+    if (!slopes) return at2(values, k) + (at2(values, k + 1) - at2(values, k)) * s;
+    const r = 1 - s;
+    const found2 = at2(values, k) * (1 + 2 * s) * r * r + at2(slopes, k) * h * s * r * r + at2(values, k + 1) * (1 + 2 * r) * s * s - at2(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found2) ? found2 : at2(values, k);
+  }
+
+  // src/shared/dom.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function svg(tag, attributes = {}) {
+    const made = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+    return made;
+  }
+  function html(tag, className = "", text = "") {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text) made.textContent = text;
+    return made;
+  }
+  function put(element, name, value) {
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  }
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+  function need(root, selector) {
+    const found2 = root.querySelector(selector);
+    if (!found2) throw new Error(`this page lacks ${selector}; it was built by another version`);
+    return (
+      /** @type {T} */
+      found2
+    );
+  }
+
+  // src/scene/baked.js
+  function bakedOf({ fence, view, numbers, ...header }) {
+    const known2 = (
+      /** @type {import("../../../view/types.js").Header} */
+      header
+    );
+    return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
+  }
+
+  // src/shared/download.js
+  var FORGOTTEN_AFTER = 6e4;
+  function download(name, text, type) {
+    downloadBlob(name, new Blob([text], { type }));
+  }
+  function downloadBlob(name, blob) {
+    const link = document.createElement("a");
+    const address = URL.createObjectURL(blob);
+    link.href = address;
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(address), FORGOTTEN_AFTER);
+  }
+
+  // ../view/numbers.js
+  var SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  var NOISE = 1e-9;
+  var MAX_DECIMALS = 12;
+  var SLOW = 0.01;
+  function exponent(value) {
+    return value ? Number(Math.abs(value).toExponential(16).split("e")[1]) : 0;
+  }
+  function fixed(value, decimals) {
+    const text = Math.abs(value).toFixed(decimals);
+    return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+  function decimalsFor(scale, figures = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  }
+  function short(value, figures = 3) {
+    const power = exponent(value);
+    if (value && (power <= -4 || power >= 6)) {
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      return `${mantissa} × 10${superscript(power)}`;
+    }
+    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+  }
+  function superscript(power) {
+    const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
+    return power < 0 ? `⁻${digits}` : digits;
+  }
+  function speedUnit(scale) {
+    return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
+  }
+  function trim(text) {
+    return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  }
+  function px(value, decimals = 1) {
+    const factor = 10 ** decimals;
+    const rounded = Math.floor(value * factor + 0.5) / factor;
+    return String(rounded === 0 ? 0 : rounded);
+  }
+
+  // ../view/bodies.js
+  function isWall(name) {
+    return name === "left" || name === "right";
+  }
+  function brief(name) {
+    if (name === "left") return tr("left wall");
+    return name === "right" ? tr("right wall") : name;
+  }
+  function listed(names) {
+    const [first = "", second] = names;
+    if (second === void 0) return first;
+    const rest = names.slice(0, -1).join(", ");
+    return tr("{first} and {last}", { first: rest, last: String(names.at(-1)) });
+  }
+
+  // ../view/shapes.js
+  var REFERENCE_HEIGHT = 38;
+  var TALLEST = 4;
+  var LANE = 20;
+  var ABOVE = 34;
+  var DOT = 2.5;
+  var RING = 1;
+  var SHORTEST = 0.5;
+  var LONGEST = 1.15;
+  var FASTEST = 2.2;
+  var EDGE = 5;
+  var TORN = 6;
+  var LINE = 12;
+  var NAMED = 34;
+  var SPRING = [2, 10];
+  var PUSH = 15.5;
+  var FACE = 22;
+  var WHEEL = 5.5;
+  var LIFT = -3;
+  var TURNS = 9;
+  var LEAD = 5;
+  var COIL = 7;
+  function box(body2, view, layout, lift) {
+    const width = bodyWidth(body2);
+    const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
+    const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
+    const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
+    const named = height >= NAMED;
+    const mass = `${short(body2.mass)} kg`;
+    return {
+      x: -width * layout.scale / 2,
+      width: width * layout.scale,
+      height,
+      cut,
+      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+      label: named ? mass : `${body2.name}: ${mass}`,
+      labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
+    };
+  }
+  function wheels({ width }) {
+    const x = px(Math.max(width / 3, width / 2 - 1.5 * WHEEL));
+    return `M-${x} ${LIFT}h0M${x} ${LIFT}h0`;
+  }
+  function bodyWidth(body2) {
+    return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
+  }
+  function lane(i, tallest, layout) {
+    const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
+    return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
+  }
+  function spring(start, end) {
+    const low = (
+      /** @type {number} */
+      SPRING[0]
+    );
+    const high = (
+      /** @type {number} */
+      SPRING[1]
+    );
+    const step = (end - start) / 4;
+    let d = `M${px(start)} ${px(-(low + high) / 2)}`;
+    for (let k = 0; k < 4; k += 1) {
+      d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
+    }
+    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+  }
+  function coil(start, end, y, turns = TURNS, high = COIL) {
+    const span = Math.max(0, end - start);
+    const lead = Math.min(LEAD, span / 4);
+    const step = (span - 2 * lead) / turns;
+    let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
+    for (let k = 0; k < turns; k += 1) {
+      d += `L${px(start + lead + (k + 0.5) * step)} ${px(k % 2 === 0 ? y - high : y + high)}`;
+    }
+    return `${d}L${px(start + span - lead)} ${px(y)}L${px(start + span)} ${px(y)}`;
+  }
+  function blockArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y);
+    const tip = x + length;
+    const neck = tip - Math.sign(length) * Math.min(9, Math.abs(length));
+    return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
+  }
+  function cutArrow(x, y, length) {
+    const half = length / 2 - Math.sign(length) * TORN / 2;
+    const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
+    return piece + blockArrow(x + length - half, y, half);
+  }
+  function lineArrow(x, y, length) {
+    if (Math.abs(length) < SHORTEST) return dot(x, y, RING);
+    const tip = x + length;
+    const back = tip - Math.sign(length) * Math.min(7, Math.abs(length));
+    return `M${px(x)} ${px(y)}L${px(tip)} ${px(y)}M${px(back)} ${px(y - 4.5)}L${px(tip)} ${px(y)}L${px(back)} ${px(y + 4.5)}`;
+  }
+  function dot(x, y, radius = DOT) {
+    const [r, d] = [px(radius), px(2 * radius)];
+    return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
+  }
+  function arrowLength(value, full, length, longest = LONGEST) {
+    const exact = full ? value / full * length : 0;
+    return Math.max(-longest * length, Math.min(longest * length, exact));
+  }
+  function isCut(value, full, longest = LONGEST) {
+    return full > 0 && Math.abs(value) > longest * full;
+  }
+  function velocityText(x, length, width) {
+    const room = 62;
+    if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
+    return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
+  }
+  function keptInside(x, length, width) {
+    if (x > EDGE && x < width - EDGE) {
+      if (x + length > width - EDGE) return width - EDGE - x;
+      if (x + length < EDGE) return EDGE - x;
+    }
+    return length;
+  }
+  function labelTop(box2) {
+    return box2.labelY - LINE;
+  }
+
+  // src/predict/arrow-parts.js
+  function greatest(run, pair) {
+    const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
+    const peak = run.header.events.find(
+      (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
+    );
+    if (typeof peak?.force === "number") return peak.force;
+    return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
+  }
+
+  // src/worlds/ends.js
+  function ends(columns, decimals) {
+    const real = (
+      /** @type {{run: Run}} */
+      columns[0].run
+    );
+    const table = html("table", "carts-worlds-ends");
+    const head = html("tr");
+    head.append(
+      html("td"),
+      ...columns.map(({ label }) => {
+        const cell = html("th", "", label);
+        cell.setAttribute("scope", "col");
+        return cell;
+      })
+    );
+    table.append(head);
+    const rows = [
+      ...real.header.bodies.map(({ name }) => ({
+        label: tr("velocity of {name} at the end", { name }),
+        of: (run) => `${fixed(last(run, name), decimals.v ?? 2)} m/s`
+      })),
+      ...pushed(real).map(({ pair, on, by }) => ({
+        label: tr("greatest push on {on} by {by}", { on, by }),
+        of: (run) => `${fixed(greatestOn(run, pair, on), decimals.F ?? 1)} N`
+      })),
+      {
+        label: tr("momentum of all carts, start → end"),
+        of: (run) => {
+          const [start, end] = [momentum(run, 0), momentum(run, -1)];
+          return `${fixed(start, 2)} → ${fixed(end, 2)} N s`;
+        }
+      }
+    ];
+    for (const { label, of } of rows) {
+      const row = html("tr");
+      const title = html("th", "", label);
+      title.setAttribute("scope", "row");
+      row.append(title, ...columns.map(({ run }) => html("td", "", of(run))));
+      table.append(row);
+    }
+    return table;
+  }
+  function pushed({ header }) {
+    const names = new Set(header.bodies.map(({ name }) => name));
+    return header.contacts.filter(({ bodies, stiffness }) => stiffness && bodies.every((name) => names.has(name))).flatMap(({ pair, bodies: [a, b] }) => [
+      { pair, on: a, by: b },
+      { pair, on: b, by: a }
+    ]);
+  }
+  function greatestOn(run, pair, on) {
+    const own2 = run.trajectory.on?.[`${pair} ${on}`];
+    return own2 ? Math.max(0, ...Array.from(own2)) : greatest(run, pair);
+  }
+  function last({ trajectory }, name) {
+    return Number(trajectory.v[name]?.[trajectory.t.length - 1]);
+  }
+  function momentum({ header, trajectory }, row) {
+    const k = row === 0 ? 0 : trajectory.t.length - 1;
+    return header.bodies.reduce(
+      (sum, { name, mass }) => sum + mass * Number(trajectory.v[name]?.[k]),
+      0
+    );
+  }
+
+  // ../effects/drag/view.js
+  var view_default = {
+    name: tr("air resistance"),
+    row: 4,
+    side: () => "above",
+    agent: () => tr("the air"),
+    around: tr("air"),
+    warms: () => tr("air"),
+    phrase({ numbers: { linear, quadratic } }, { everyone, on, seen }) {
+      const sizes = [
+        linear ? tr("{size} N per {unit}", { size: short(linear), unit: "m/s" }) : "",
+        quadratic ? tr("{size} N per {unit}", { size: short(quadratic), unit: "(m/s)²" }) : ""
+      ].filter(Boolean);
+      return [
+        everyone ? tr("drag by the air") : tr("drag on {carts} by the air", { carts: on }),
+        seen(listed(sizes) || "0 N")
+      ];
+    }
+  };
+
+  // ../effects/friction/view.js
+  var TOOTH = 4;
+  var view_default2 = {
+    name: tr("friction"),
+    row: 3,
+    side: () => "below",
+    agent: () => tr("the track"),
+    around: tr("track"),
+    earth: true,
+    warms: () => tr("track"),
+    phrase({ numbers: { coefficient = 0, static: held = coefficient } }, { everyone, on, seen }) {
+      const size = `μ = ${short(coefficient)}`;
+      const rest = tr("(at rest up to {coefficient})", { coefficient: short(held) });
+      return [
+        everyone ? tr("friction by the track") : tr("friction on {carts} by the track", { carts: on }),
+        seen(held > coefficient ? `${size} ${rest}` : size)
+      ];
+    },
+    pieces: rough
+  };
+  function rough({ carts }, { key, header: { bodies, track }, layout, face, centre }) {
+    const piece = { cls: "carts-rough", behind: true };
+    if (carts.length < bodies.length) {
+      return carts.map((name) => {
+        const length = (bodies.find((body2) => body2.name === name)?.length ?? 0) * layout.scale;
+        const d2 = teeth(centre(name) - length / 2, length, layout.track);
+        return { ...piece, key: `${key} ${name}`, d: d2 };
+      });
+    }
+    const start = track.left === "wall" ? face("left", "right") : -layout.width;
+    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const tooth = 2 * TOOTH;
+    const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
+    const d = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    return [{ ...piece, key, d }];
+  }
+  function teeth(x, length, y) {
+    const count = Math.max(0, Math.floor(length / (2 * TOOTH)));
+    return `M${px(x)} ${px(y)}${`l${px(TOOTH)} ${px(TOOTH)}l${px(TOOTH)} ${px(-TOOTH)}`.repeat(count)}`;
+  }
+
+  // ../effects/incline/view.js
+  var STEEPEST = 22;
+  var LENGTH = { wide: 120, narrow: 90 };
+  var view_default3 = {
+    name: tr("a slope"),
+    row: 1,
+    agent: () => tr("the Earth"),
+    earth: true,
+    stored: tr("as height, above the lowest point"),
+    slope: ({ numbers }) => numbers.angle ?? 0,
+    forceName: (on, by) => tr("force on {on} by {by}, along the slope", { on, by }),
+    label: (told2) => tr("on {on} by {by} (slope): {size} N", told2),
+    phrase: ({ numbers }, { everyone, on }) => [
+      everyone ? tr("a slope") : tr("a slope on {carts}", { carts: on }),
+      slopeText(numbers.angle ?? 0)
+    ],
+    pieces({ numbers: { angle = 0 } }, { key, layout }) {
+      const slope = Math.abs(Math.tan(angle));
+      const longest = LENGTH[layout.kind] ?? 0;
+      const length = slope ? Math.min(longest, STEEPEST / slope) : longest;
+      const [x, y, rise] = [12, layout.tilt, length * slope];
+      const [tall, flat] = angle > 0 ? [x, x + length] : [x + length, x];
+      const d = `M${px(tall)} ${px(y)}V${px(y - rise)}L${px(flat)} ${px(y)}Z`;
+      const words = {
+        text: tiltText(angle),
+        x: px(x + length + 10),
+        y: px(y),
+        anchor: (
+          /** @type {const} */
+          "start"
+        )
+      };
+      return [
+        { key, cls: "carts-wedge", behind: true, d },
+        { key: `${key} words`, cls: "carts-tilt", behind: true, ...words }
+      ];
+    }
+  };
+  function tiltText(angle) {
+    if (!angle) return tr("the track is level: 0°");
+    const words = tr("track tilted {slope}", { slope: slopeText(angle) });
+    return angle > 0 ? `${words} →` : `← ${words}`;
+  }
+  function slopeText(angle) {
+    const size = short(Math.abs(angle) * 180 / Math.PI);
+    if (size === "0") return tr("0°: the track is level");
+    return angle > 0 ? tr("{angle}° down to the right", { angle: size }) : tr("{angle}° down to the left", { angle: size });
+  }
+
+  // ../effects/magnets/view.js
+  var POLE = 12;
+  var POLES = [
+    ["N", "carts-north"],
+    ["S", "carts-south"]
+    // only where there is room
+  ];
+  var view_default4 = {
+    name: tr("magnets"),
+    link: tr("magnets"),
+    stored: tr("between the magnets"),
+    phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
+    pieces({ between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      return [
+        ...poles(`${key} ${a}`, face(a, "right"), -1, layout),
+        ...poles(`${key} ${b}`, face(b, "left"), 1, layout)
+      ];
+    }
+  };
+  function poles(key, x, way, { kind, track }) {
+    const top = track - 40;
+    return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
+      const start = x + way * k * POLE;
+      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      return [
+        { key: `${key} ${pole}`, cls, d },
+        { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
+      ];
+    });
+  }
+
+  // ../effects/push/view.js
+  var view_default5 = {
+    name: tr("pushes from outside"),
+    row: 2,
+    side: (force) => force < 0 ? "right" : "left",
+    around: (_, agent2) => agent2,
+    acts: ({ numbers: { from = 0, until = Infinity } }, t) => t >= from && t < until,
+    phrase: (effect, { agent: agent2, seen }) => [
+      tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
+      seen(forceText(effect.numbers.force ?? 0)),
+      times(effect)
+    ],
+    pieces({ carts: [name = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+      const y = layout.track;
+      const way = force >= 0 ? 1 : -1;
+      const body2 = header.bodies.find((one) => one.name === name);
+      const x = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+      return [{ key, cls: "carts-hand", behind: true, d }];
+    },
+    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
+      const who = { cart: String(carts[0]), agent: agent2 };
+      const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
+      const marks = from <= until ? [{ t: from, sentence: begins }] : [];
+      if (end !== void 0 && from < end && end <= until) {
+        marks.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      }
+      return marks;
+    }
+  };
+  function forceText(force) {
+    const size = short(Math.abs(force));
+    return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
+  }
+  function times({ numbers: { from = 0, until } }) {
+    if (until !== void 0) {
+      return tr("from {from} s to {until} s", { from: short(from), until: short(until) });
+    }
+    return from ? tr("from {from} s", { from: short(from) }) : "";
+  }
+
+  // ../effects/release/view.js
+  var HALF = 9;
+  var TURNS2 = 7;
+  var HIGH = 4;
+  var view_default6 = {
+    name: tr("a release between the carts"),
+    leftOut: tr("exploders"),
+    link: null,
+    // it acts at one instant: an impulse, no force to be drawn
+    acts: ({ numbers: { at: at2 = 0 } }, t) => t < at2,
+    phrase: ({ numbers: { energy = 0, at: at2 = 0 } }, { both, seen }) => [
+      tr("an exploder between {bodies}", { bodies: both }),
+      seen(`${short(energy)} J`),
+      tr("at {time} s", { time: short(at2) })
+    ],
+    pieces({ between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      const x = (face(a, "right") + face(b, "left")) / 2;
+      const low = layout.track - 28;
+      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+      return [
+        { key, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
+        { key: `${key} latch`, cls: "carts-latch", d: latch }
+      ];
+    }
+  };
+
+  // ../effects/spring/view.js
+  var view_default7 = {
+    name: tr("springs between the carts"),
+    link: tr("spring"),
+    stored: tr("in the spring"),
+    warms: ({ numbers }) => (numbers.damping ?? 0) > 0 ? tr("spring") : "",
+    phrase({ numbers: { stiffness = 0, length = 0, damping } }, { both, seen }) {
+      const natural = tr("natural length {length} m", { length: short(length) });
+      return [
+        tr("a spring between {bodies}", { bodies: both }),
+        damping ? tr("damped") : "",
+        seen(`${short(stiffness)} N/m, ${natural}`)
+      ];
+    },
+    pieces({ numbers, between }, { key, layout, face }) {
+      const [a, b] = between ?? ["", ""];
+      const [start, end] = [face(a, "right"), face(b, "left")];
+      const length = (numbers.length ?? 0) * layout.scale;
+      const middle = (start + end) / 2;
+      const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+      const y = layout.track - PUSH - COIL - 5;
+      const measure = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
+      return [
+        { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key: `${key} natural`, cls: "carts-natural", d: measure }
+      ];
+    }
+  };
+
+  // ../effects/views.js
+  var VIEWS = {
+    drag: view_default,
+    friction: view_default2,
+    incline: view_default3,
+    magnets: view_default4,
+    push: view_default5,
+    release: view_default6,
+    spring: view_default7
+  };
+
+  // ../view/effects.js
+  var LAST = 100;
+  function viewOf(kind) {
+    return { name: kind, row: LAST, ...VIEWS[kind] };
+  }
+  function nameOf({ kind, called }) {
+    const name = VIEWS[kind]?.name ?? (called && told(called));
+    if (!name) throw new Error(`nobody describes an effect of the kind “${kind}”`);
+    return name;
+  }
+  function agent(effect) {
+    const named = effect.by || effect.agent;
+    return viewOf(effect.kind).agent?.(effect) ?? (named ? told(named) : nameOf(effect));
+  }
+  function actsAt(effect, t) {
+    return effect.active && (viewOf(effect.kind).acts?.(effect, t) ?? true);
+  }
+  function kindsOnOne({ effects }) {
+    const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
+    return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
+  }
+  function isLink({ kind, between }) {
+    return between !== null && viewOf(kind).link !== null;
+  }
+  function linkedPairs({ effects }) {
+    return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
+  }
+  function linkOf({ effects }, pair) {
+    const link = effects.find(
+      (effect) => effect.active && isLink(effect) && effect.between?.join("-") === pair
+    );
+    return link ? viewOf(link.kind).link ?? viewOf(link.kind).name : "";
+  }
+
+  // ../view/markers.js
+  function styleOf(index) {
+    return `b${index % 8}`;
+  }
+
+  // ../view/markup.js
+  var ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+  var Markup = class {
+    /** @param {string} text */
+    constructor(text) {
+      this.text = text;
+    }
+    toString() {
+      return this.text;
+    }
+  };
+  function html2(strings, ...values) {
+    let written = strings[0] ?? "";
+    values.forEach((value, k) => {
+      const quote = strings[k]?.endsWith("=") ? '"' : "";
+      written += quote + asText(value) + quote + (strings[k + 1] ?? "");
+    });
+    return new Markup(written);
+  }
+  function asText(value) {
+    if (Array.isArray(value)) return value.map(asText).join("");
+    if (value instanceof Markup) return value.text;
+    if (value === false || value === null || value === void 0) return "";
+    return String(value).replace(/[&<>"']/g, (sign) => ESCAPED[sign] ?? sign);
+  }
+
+  // ../view/scales.js
+  var STEP_SLACK = 1e-9;
+  function axisDecimals(axis) {
+    return Math.max(0, -exponent(axis.step));
+  }
+  function ticks(axis) {
+    const first = Math.ceil(axis.low / axis.step - STEP_SLACK);
+    const last2 = Math.floor(axis.high / axis.step + STEP_SLACK);
+    const found2 = [];
+    for (let k = first; k <= last2; k += 1) found2.push(k * axis.step);
+    return found2;
+  }
+  function niceAbove(value) {
+    const power = Number(`1e${exponent(value)}`);
+    for (const factor of [1, 2, 5]) {
+      if (value <= factor * power * (1 + STEP_SLACK)) return factor * power;
+    }
+    return 10 * power;
+  }
+
+  // ../view/skins.js
+  var NARROW = 24;
+  var SKINS = {
+    cart: { wheels: true, corner: 4, lines: () => "" },
+    van: { wheels: true, corner: 7, lines: van },
+    truck: { wheels: true, corner: 3, lines: truck },
+    trailer: { wheels: true, corner: 1, lines: trailer },
+    box: { wheels: false, corner: 1, lines: crate },
+    puck: { wheels: false, corner: 12, lines: puck }
+  };
+  function van(box2, front) {
+    return lines(box2, front, [
+      [
+        [0.06, 0.9],
+        [0.34, 0.9],
+        [0.46, 0.68],
+        [0.06, 0.68],
+        [0.06, 0.9]
+      ],
+      [
+        [-0.42, 0.9],
+        [-0.08, 0.9],
+        [-0.08, 0.68],
+        [-0.42, 0.68],
+        [-0.42, 0.9]
+      ],
+      [
+        [0.4, 0.26],
+        [0.5, 0.26]
+      ]
+    ]);
+  }
+  function truck(box2, front) {
+    return lines(box2, front, [
+      [
+        [0.22, 0],
+        [0.22, 1]
+      ],
+      [
+        [0.28, 0.9],
+        [0.42, 0.9],
+        [0.46, 0.66],
+        [0.28, 0.66],
+        [0.28, 0.9]
+      ],
+      [
+        [-0.5, 0.16],
+        [0.22, 0.16]
+      ]
+    ]);
+  }
+  function trailer(box2, front) {
+    return lines(box2, front, [
+      [
+        [-0.5, 0.2],
+        [0.5, 0.2]
+      ],
+      ...[-0.4, -0.27, 0.27, 0.4].map(
+        (x) => (
+          /** @type {Point[]} */
+          [
+            [x, 0.2],
+            [x, 1]
+          ]
+        )
+      )
+    ]);
+  }
+  function crate(box2, front) {
+    return lines(box2, front, [
+      [
+        [-0.4, 0.1],
+        [0.4, 0.1],
+        [0.4, 0.9],
+        [-0.4, 0.9],
+        [-0.4, 0.1]
+      ],
+      [
+        [-0.4, 0.3],
+        [-0.22, 0.1]
+      ],
+      [
+        [0.4, 0.3],
+        [0.22, 0.1]
+      ],
+      [
+        [-0.4, 0.7],
+        [-0.22, 0.9]
+      ],
+      [
+        [0.4, 0.7],
+        [0.22, 0.9]
+      ]
+    ]);
+  }
+  function puck(box2, front) {
+    return lines(box2, front, [
+      [
+        [-0.48, 0.15],
+        [0.48, 0.15]
+      ],
+      [
+        [-0.48, 0.85],
+        [0.48, 0.85]
+      ]
+    ]);
+  }
+  function lines({ width, height }, front, strokes) {
+    if (width < NARROW) return "";
+    const at2 = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
+    return strokes.map((points) => `M${points.map(at2).join("L")}`).join("");
+  }
+
+  // ../view/skeleton/stage.js
+  var LABEL_ROOM = { wide: 46, narrow: 40 };
+  var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
+  var MOST_NUMBERS = 150;
+  var LEAST_WALL = 64;
+  var BEYOND = 60;
+  var WALL = 2e3;
+  function stage(baked, layout) {
+    const { fence, run } = baked;
+    const { kind, width, height } = layout;
+    const forces = fence.forces === "shown";
+    const hatch = `${fence.id}-${kind}-hatch`;
+    const size = html2`viewBox="0 0 ${px(width)} ${px(height)}" width=${px(width)} height=${px(height)}`;
+    return html2`<svg class="carts-stage carts-stage-${kind}" data-kind=${kind} ${size} aria-hidden="true">
+<defs>
+<pattern id=${hatch} width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path class="carts-hatch" d="M0 0V8"/></pattern>
+</defs>
+${ground(baked, layout, hatch)}
+<g data-part="effects-behind"></g>
+${run.header.bodies.map(velocity)}
+${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
+<g data-part="effects-front"></g>
+${forces && pushes(baked)}
+<g data-part="guess"></g>
+${legend(baked, layout)}
+</svg>`;
+  }
+  function velocity({ name }, i) {
+    return html2`<g class="carts-velocity carts-${styleOf(i)}" data-body=${name}><path data-part="leader" class="carts-leader"/><path data-part="arrow" class="carts-line-arrow"/><text data-part="text"></text></g>
+`;
+  }
+  function cart(name, i, skin) {
+    const { corner, wheels: wheels2 } = (
+      /** @type {import("../skins.js").Skin} */
+      SKINS[skin]
+    );
+    const face = (side) => html2`<rect data-part="face-${side}" class="carts-face" x="-1.5" y="-22" width="3" height="21" rx="1.5"/>`;
+    return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
+`;
+  }
+  function pushes({ run: { header } }) {
+    const linked = linkedPairs(header);
+    const style = (name) => {
+      const i = header.bodies.findIndex((body2) => body2.name === name);
+      return i < 0 ? "wall" : styleOf(i);
+    };
+    return header.contacts.filter(({ stiffness, pair }) => stiffness || linked.has(pair)).flatMap(
+      ({ pair, bodies }) => bodies.map(
+        (on) => html2`<g class="carts-push carts-${style(on)}" data-pair=${pair} data-on=${on}><path data-part="arrow" class="carts-block-arrow"/><text data-part="text" visibility="hidden"></text></g>
+`
+      )
+    );
+  }
+  function ground({ fence, view, run: { header } }, layout, hatch) {
+    const travel = fence.camera * header.until;
+    const [low, high] = [layout.low + Math.min(0, travel), layout.high + Math.max(0, travel)];
+    const { left, right, length } = header.track;
+    const at2 = (x) => layout.origin + x * layout.scale;
+    const first = left === "wall" ? 0 : low;
+    const last2 = right === "wall" ? Number(length) : high;
+    const start = left === "wall" ? at2(0) : at2(low) - BEYOND;
+    const end = right === "wall" ? at2(last2) : at2(high) + BEYOND;
+    const under = layout.track + layout.beam;
+    let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
+    while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
+    const numbers = { low: first, high: last2, step };
+    const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
+    const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at2(x))} ${px(under)}v4`);
+    const tall = Math.max(view.tallest, LEAST_WALL);
+    const wall = (edge, from) => {
+      const box2 = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
+      return html2`<rect class="carts-wall" ${box2}/>
+<rect ${box2} fill="url(#${hatch})"/>
+<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+`;
+    };
+    return html2`<g data-part="ground">
+${left === "wall" && wall(at2(0), at2(0) - WALL)}${right === "wall" && wall(at2(last2), at2(last2))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
+<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
+<path class="carts-fine" d=${fine.join("")}/>
+${ticks(numbers).map(
+      (x) => html2`<path class="carts-fine" d="M${px(at2(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at2(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+`
+    )}</g>`;
+  }
+  function legend({ fence, view }, layout) {
+    const y = layout.height - 10;
+    const wide = layout.kind === "wide";
+    const [per, unit] = speedUnit(view.velocity);
+    const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
+    const force = fence.forces === "shown" && view.force > 0;
+    const x = force ? 12 + layout.force + 50 : 12;
+    const next = x + layout.velocity + 6;
+    const axis = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+    return html2`<g class="carts-legend">
+${force && html2`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
+<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
+${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis}</text>
+</g>`;
+  }
+
+  // ../view/windows.js
+  function touches(events, until) {
+    const open2 = /* @__PURE__ */ new Map();
+    const peaks = /* @__PURE__ */ new Map();
+    const found2 = [];
+    for (const event of events) {
+      const pair = event.bodies.join("-");
+      const touch = open2.get(pair);
+      if (event.kind === "contact" && !event.impulse) {
+        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "peak") {
+        peaks.set(pair, event.t);
+      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
+        open2.delete(pair);
+        found2.push({ ...touch, end: event.t });
+      }
+    }
+    for (const touch of open2.values()) {
+      const peak = peaks.get(touch.pair) ?? until;
+      found2.push({ ...touch, end: peak > touch.start ? peak : until });
+    }
+    return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+
+  // src/predict/pull.js
+  function pullable(stage2, slider, full, width) {
+    const group = svg("g", {});
+    group.addEventListener("pointerdown", (event) => {
+      const down = (
+        /** @type {PointerEvent} */
+        event
+      );
+      if (slider.disabled) return;
+      event.preventDefault();
+      const start = slider.valueAsNumber || 0;
+      const perPixel = width / stage2.getBoundingClientRect().width * Number(slider.max) / full;
+      const leaving2 = new AbortController();
+      const { signal } = leaving2;
+      addEventListener(
+        "pointermove",
+        (move) => {
+          if (move.pointerId !== down.pointerId) return;
+          const before = slider.value;
+          slider.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
+          if (slider.value !== before || slider.dataset.pulled === void 0) {
+            slider.dataset.pulled = "";
+            slider.dispatchEvent(new Event("input", { bubbles: true }));
+          }
+        },
+        { signal }
+      );
+      for (const end of ["pointerup", "pointercancel"]) {
+        addEventListener(end, () => leaving2.abort(), { signal });
+      }
+    });
+    return group;
+  }
+
+  // ../view/effects-forces.js
+  var FEW = 3;
+  function forcesAt({ header, trajectory }, t, always = false) {
+    const found2 = [];
+    for (const kind of kindsOnOne(header)) {
+      const acting = header.effects.filter(
+        (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
+      );
+      for (const { name } of header.bodies) {
+        const own2 = acting.filter((effect) => effect.carts.includes(name));
+        const column = trajectory.E[`${kind} ${name}`];
+        if (!own2.length || !column?.length) continue;
+        const peak = greatest2(column);
+        const on = own2.some((effect) => actsAt(effect, t));
+        const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
+        const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
+        const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
+        found2.push({ kind, on: name, by: listed([...new Set(own2.map(agent))]), value, size });
+      }
+    }
+    return found2;
+  }
+  function labels({ kind, on, by, size }) {
+    const told2 = { on, by, size };
+    const brief2 = { ...told2, by: by.replaceAll("the ", "") };
+    return [
+      viewOf(kind).label?.(told2) ?? tr("on {on} by {by}: {size} N", told2),
+      tr("on {on} by {by}: {size} N", brief2),
+      tr("by {by}: {size} N", brief2)
+      // whose force it is tells the line from the cart
+    ];
+  }
+  var known = /* @__PURE__ */ new WeakMap();
+  function greatest2(column) {
+    const before = known.get(column);
+    if (before !== void 0) return before;
+    let most = 0;
+    for (let k = 0; k < column.length; k += 1) most = Math.max(most, Math.abs(Number(column[k])));
+    known.set(column, most);
+    return most;
+  }
+
+  // ../view/effects-props.js
+  function props(header, layout, t, face, centre) {
+    return header.effects.filter((effect) => actsAt(effect, t)).flatMap((effect) => {
+      const key = `${effect.kind} ${effect.index}`;
+      return viewOf(effect.kind).pieces?.(effect, { key, header, layout, face, centre }) ?? [];
+    });
+  }
+
+  // src/scene/effects.js
+  var PER_CHARACTER = 7.2;
+  var SLIVER = 1.5;
+  var GAP = 8;
+  var Effects = class {
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {Map<string, SVGElement>} */
+    #drawn = /* @__PURE__ */ new Map();
+    /** @param {SVGElement} root @param {Layout} layout @param {number} full scale in N @param {boolean} forces whether arrows are shown */
+    constructor(root, layout, full, forces) {
+      this.layout = layout;
+      this.full = full;
+      this.forces = forces;
+      this.behind = need(root, '[data-part="effects-behind"]');
+      this.front = need(root, '[data-part="effects-front"]');
+      for (const group of [this.behind, this.front]) {
+        for (const element of group.querySelectorAll("[data-key]")) {
+          this.#drawn.set(
+            element.getAttribute("data-key") ?? "",
+            /** @type {SVGElement} */
+            element
+          );
+        }
+      }
+    }
+    /** @param {Run} run */
+    show(run) {
+      this.#run = run;
+    }
+    /** @param {number} t in s @param {import("../../../view/types.js").Face} face @param {Centre} centre */
+    at(t, face, centre) {
+      const run = this.#run;
+      if (!run?.header.effects.length) return;
+      const pieces = props(run.header, this.layout, t, face, centre);
+      if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
+      const seen = new Set(pieces.map(({ key }) => key));
+      for (const [key, element] of this.#drawn) {
+        if (!seen.has(key)) {
+          element.remove();
+          this.#drawn.delete(key);
+        }
+      }
+      for (const piece of pieces) this.#draw(piece);
+    }
+    /** @param {Piece} piece */
+    #draw({ key, cls, behind, d, text, x, y, anchor }) {
+      let element = this.#drawn.get(key);
+      if (!element) {
+        element = svg(d === void 0 ? "text" : "path", { "data-key": key, class: cls });
+        const group = behind ? this.behind : this.front;
+        if (cls.startsWith("carts-leader")) group.prepend(element);
+        else group.append(element);
+        this.#drawn.set(key, element);
+      }
+      if (d !== void 0) return put(element, "d", d);
+      put(element, "x", x ?? "0");
+      put(element, "y", y ?? "0");
+      put(element, "text-anchor", anchor ?? "start");
+      say(element, text ?? "");
+    }
+  };
+  function arrows(run, layout, full, t, centre) {
+    const styles = new Map(run.header.bodies.map(({ name }, i) => [name, `carts-${styleOf(i)}`]));
+    const named = run.header.bodies.length <= FEW;
+    const pieces = [];
+    const lowest = /* @__PURE__ */ new Map();
+    for (const force of forcesAt(run, t)) {
+      const key = `${force.kind} ${force.on}`;
+      const x = centre(force.on);
+      const y = layout.slots[key] ?? layout.track;
+      const exact = arrowLength(force.value, full, layout.force);
+      const length = Math.abs(exact) < SLIVER ? 0 : exact;
+      const cut = isCut(force.value, full);
+      const style = styles.get(force.on);
+      lowest.set(force.on, Math.max(y, lowest.get(force.on) ?? y));
+      const d = (cut ? cutArrow : blockArrow)(x, y, length);
+      pieces.push({ key: `arrow ${key}`, cls: `carts-block-arrow carts-acts ${style}`, d });
+      const row = `row ${force.kind}`;
+      if (named) {
+        const told2 = labels(force).map((one) => one + (cut ? tr(", arrow cut") : ""));
+        const text = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
+        const [at2, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
+        const cls = `carts-acts-name ${style}`;
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at2), y: px(y + 4), anchor });
+      } else if (!pieces.some((piece) => piece.key === row)) {
+        const text = tr("by {by}", { by: force.by });
+        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
+      }
+    }
+    const leaders = [...lowest].map(([name, y]) => ({
+      key: `leader ${name}`,
+      cls: `carts-leader carts-acts ${styles.get(name)}`,
+      d: `M${px(centre(name))} ${px(layout.track)}V${px(y)}`
+    }));
+    return [...leaders, ...pieces];
+  }
+  function fits(x, length, text, picture) {
+    const needed = text.length * PER_CHARACTER + GAP + 4;
+    return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture - needed;
+  }
+  function beside(x, length, width, picture) {
+    const left = Math.min(x, x + length) - GAP;
+    const right = Math.max(x, x + length) + GAP;
+    const toLeft = left - width >= 4;
+    const toRight = right + width <= picture - 4;
+    if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
+    if (toRight) return [right, "start"];
+    return left > picture - right ? [4, "start"] : [picture - 4, "end"];
+  }
+
+  // src/scene/pushes.js
+  var PER_CHARACTER2 = 7.8;
+  var ROW = 19;
+  var GAP2 = 8;
+  var EDGE2 = 6;
+  var Pushes = class {
+    /** @type {Push[]} */
+    #pushes = [];
+    /** @type {Run | null} */
+    #run = null;
+    /** @type {import("../../../view/windows.js").Touch[]} */
+    #windows = [];
+    /** @param {SVGElement} root @param {import("../../../view/types.js").Layout} layout @param {import("../../../view/types.js").View} view */
+    constructor(root, layout, view) {
+      this.root = root;
+      this.layout = layout;
+      this.view = view;
+    }
+    /** @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      this.#windows = windows;
+      this.#pushes = [];
+      run.header.contacts.forEach((contact, k) => {
+        const groups = contact.bodies.map(
+          (name) => this.root.querySelector(`.carts-push[data-pair="${contact.pair}"][data-on="${name}"]`)
+        );
+        if (groups[0] && groups[1]) {
+          const row = this.layout.rows[k] ?? 0;
+          this.#pushes.push({
+            pair: contact.pair,
+            bodies: contact.bodies,
+            row,
+            groups: [groups[0], groups[1]]
+          });
+        }
+      });
+    }
+    /** @param {number} t in s @param {Face} face */
+    at(t, face) {
+      const run = this.#run;
+      if (!run) return;
+      const { layout, view } = this;
+      const told2 = [];
+      for (const push of this.#pushes) {
+        const forces = forcesOn(run, push, t).map(
+          (force) => Math.abs(force) < NOISE * view.force ? 0 : force
+          // springs pull: below 0
+        );
+        const sizes = forces.map(Math.abs);
+        const size = Math.max(...sizes);
+        const y = layout.track - PUSH;
+        const [left, right] = push.bodies;
+        const ends2 = [face(left, "right"), face(right, "left")];
+        push.groups.forEach((group, side) => {
+          const way = side === 0 ? -1 : 1;
+          const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
+          const length = arrowLength(Number(forces[side]), view.force, layout.force);
+          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends2[side]), y, way * length));
+        });
+        const touching = this.#windows.some(
+          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+        );
+        const link = touching ? "" : linkOf(run.header, push.pair);
+        if (touching || link && size > 0) {
+          told2.push({ push, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
+        }
+      }
+      this.#names(told2);
+    }
+    /** One touch is told in full; of several at once only the sizes, where there is room. @param {Told[]} told */
+    #names(told2) {
+      const [only] = told2;
+      for (const { pair, groups } of this.#pushes) {
+        const on = told2.some(({ push }) => push.pair === pair);
+        for (const group of groups) {
+          put(need(group, '[data-part="text"]'), "visibility", on ? "visible" : "hidden");
+        }
+      }
+      if (told2.length === 1 && only && this.#inFull(only)) return;
+      const taken = [];
+      const [low, high] = this.#between();
+      for (const { push, sizes, x } of told2) {
+        const size = Math.max(...sizes);
+        const [text, other] = push.groups.map((group) => need(group, '[data-part="text"]'));
+        if (!text || !other) continue;
+        const label = tr("{size} on each", { size: this.#value(size) });
+        const half = label.length * PER_CHARACTER2 / 2;
+        const at2 = Math.min(Math.max(x, low + half), high - half);
+        const free = [...new Set(this.layout.rows)].find(
+          (y) => taken.every(([row, from, to]) => row !== y || at2 + half < from || at2 - half > to)
+        );
+        put(other, "visibility", "hidden");
+        if (free === void 0) put(text, "visibility", "hidden");
+        else {
+          taken.push([free, at2 - half, at2 + half]);
+          write(text, label, at2, free, "middle");
+        }
+      }
+    }
+    /** Both names, clear of each other, of walls and of the edges. @param {Told} told @returns {boolean} whether there is room */
+    #inFull(told2) {
+      return this.#named(told2, told2.link && ` (${told2.link})`) || this.#named(told2, "");
+    }
+    /** @param {Told} told @param {string} through what acts without touching @returns {boolean} whether there is room */
+    #named({ push, sizes, x }, through) {
+      const [first, second] = push.groups.map((group) => need(group, '[data-part="text"]'));
+      const labels2 = push.bodies.map((on, side) => {
+        const by = push.bodies[1 - side] ?? "";
+        const name = tr("on {on} by {by}", { on: brief(on), by: brief(by) });
+        return `${name}${through}: ${this.#value(Number(sizes[side]))}`;
+      });
+      const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
+      if (!first || !second || !left || !right) return false;
+      const [low, high] = this.#between();
+      if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
+        const end = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+        write(first, labels2[0] ?? "", end, push.row, "end");
+        write(second, labels2[1] ?? "", begin, push.row, "start");
+        return true;
+      }
+      const longest = Math.max(left, right);
+      const taken = new Set(Object.values(this.layout.slots)).size;
+      if (this.layout.beam < (2 + taken) * ROW || high - low < longest) return false;
+      const top = Math.min(...this.layout.rows);
+      const way = push.bodies[0] === "left" ? 0 : push.bodies[1] === "right" ? 1 : 0.5;
+      const start = Math.min(Math.max(x - way * longest, low), high - longest);
+      write(first, labels2[0] ?? "", start, top, "start");
+      write(second, labels2[1] ?? "", start, top + ROW, "start");
+      return true;
+    }
+    /** Where names may stand: between the walls. @returns {[number, number]} */
+    #between() {
+      const { origin, scale, width } = this.layout;
+      const track = this.#run?.header.track;
+      const end = origin + (track?.length ?? 0) * scale;
+      return [
+        track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
+        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP2) : width - EDGE2
+      ];
+    }
+    /** @param {number} size in N */
+    #value(size) {
+      const cut = isCut(size, this.view.force) ? tr(", arrow cut") : "";
+      return `${fixed(size, this.view.decimals.F ?? 2)} N${cut}`;
+    }
+  };
+  function forcesOn({ trajectory }, { pair, bodies }, t) {
+    const { t: times2, F, dF, on } = trajectory;
+    const [left, right] = bodies.map((name) => on?.[`${pair} ${name}`]);
+    if (left && right) return [valueAt(times2, left, null, t), valueAt(times2, right, null, t)];
+    const [column, slopes] = [F[pair], dF[pair]];
+    const force = column && slopes ? valueAt(times2, column, slopes, t) : 0;
+    return [force, force];
+  }
+  function write(text, label, x, y, anchor) {
+    put(text, "x", px(x));
+    put(text, "y", px(y));
+    put(text, "text-anchor", anchor);
+    say(text, label);
+  }
+
+  // src/scene/stage.js
+  var HANDLE = 9;
+  var Stage = class {
+    /** @type {Run} */
+    #run;
+    /** @type {Cart[]} */
+    #carts = [];
+    /** @type {Pushes} */
+    #pushes;
+    /** @type {Effects} */
+    #effects;
+    /** @param {SVGElement} root @param {Baked} baked */
+    constructor(root, baked) {
+      const layout = baked.view.layouts.find((one) => one.kind === root.dataset.kind);
+      if (!layout) throw new Error(`no layout for ${root.dataset.kind}`);
+      this.root = root;
+      this.torn = false;
+      this.layout = layout;
+      this.view = baked.view;
+      this.camera = baked.fence.camera;
+      this.skins = baked.fence.skins;
+      this.starts = baked.run.header.bodies.map(({ velocity: velocity2 }) => velocity2);
+      this.#run = baked.run;
+      this.#pushes = new Pushes(root, layout, baked.view);
+      this.#effects = new Effects(root, layout, baked.view.force, baked.fence.forces === "shown");
+    }
+    /** Takes a run: boxes for its masses. @param {Run} run @param {import("../../../view/windows.js").Touch[]} windows */
+    show(run, windows) {
+      this.#run = run;
+      const { layout, view } = this;
+      const boxes = run.header.bodies.map(
+        (body2, i) => box(body2, view, layout, layout.stagger * (i % layout.ranks))
+      );
+      this.torn = boxes.some((box2) => box2.cut);
+      const tallest = Math.max(...boxes.map((box2) => box2.height));
+      this.#carts = run.header.bodies.map((body2, i) => {
+        const group = need(this.root, `.carts-cart[data-body="${body2.name}"]`);
+        const box2 = (
+          /** @type {shapes.Box} */
+          boxes[i]
+        );
+        drawBox(group, body2.name, box2);
+        const skin = group.querySelector('[data-part="skin"]');
+        const front = Number(this.starts[i]) < 0 ? -1 : 1;
+        if (skin) put(skin, "d", SKINS[this.skins[body2.name] ?? ""]?.lines(box2, front) ?? "");
+        return {
+          half: body2.length * layout.scale / 2,
+          edge: -box2.x,
+          bumper: Math.max(0, body2.length * layout.scale / 2 + box2.x),
+          top: layout.track + labelTop(box2),
+          lane: lane(i, tallest, layout),
+          group,
+          velocity: need(this.root, `.carts-velocity[data-body="${body2.name}"]`)
+        };
+      });
+      this.#pushes.show(run, windows);
+      this.#effects.show(run);
+    }
+    /** Draws the instant t. @param {number} t in s */
+    at(t) {
+      const { header, trajectory } = this.#run;
+      const shift = this.camera * t;
+      put(
+        need(this.root, '[data-part="ground"]'),
+        "transform",
+        `translate(${px(-shift * this.layout.scale)} 0)`
+      );
+      const centres = header.bodies.map((body2) => {
+        const x = valueAt(
+          trajectory.t,
+          trajectory.x[body2.name] ?? [],
+          trajectory.v[body2.name] ?? [],
+          t
+        );
+        return this.layout.origin + (x - shift) * this.layout.scale;
+      });
+      const { left, right } = this.#squeezes(centres, shift);
+      this.#carts.forEach((cart2, i) => {
+        const centre = Number(centres[i]);
+        const faces = (
+          /** @type {const} */
+          [
+            -cart2.half + Number(left[i]),
+            cart2.half - Number(right[i])
+          ]
+        );
+        put(cart2.group, "transform", `translate(${px(centre)} ${px(this.layout.track)})`);
+        put(need(cart2.group, '[data-part="spring-left"]'), "d", spring(-cart2.edge, faces[0]));
+        put(need(cart2.group, '[data-part="spring-right"]'), "d", spring(cart2.edge, faces[1]));
+        put(need(cart2.group, '[data-part="face-left"]'), "transform", `translate(${px(faces[0])} 0)`);
+        put(
+          need(cart2.group, '[data-part="face-right"]'),
+          "transform",
+          `translate(${px(faces[1])} 0)`
+        );
+        this.#velocity(cart2, header.bodies[i]?.name ?? "", centre, t);
+      });
+      const face = (name, side) => {
+        const i = header.bodies.findIndex((body2) => body2.name === name);
+        if (i < 0) {
+          const wall = name === "left" ? 0 : header.track.length ?? 0;
+          return this.layout.origin + (wall - shift) * this.layout.scale;
+        }
+        const half = this.#carts[i]?.half ?? 0;
+        const centre = Number(centres[i]);
+        return side === "left" ? centre - half + Number(left[i]) : centre + half - Number(right[i]);
+      };
+      this.#pushes.at(t, face);
+      this.#effects.at(
+        t,
+        face,
+        (name) => Number(centres[header.bodies.findIndex((body2) => body2.name === name)])
+      );
+    }
+    /**
+     * Hollow arrows of a prediction, at the start: tail on the body's own bumper face, and a handle at
+     * the tip to pull it by; of one that is not drawn yet, the handle.
+     * @param {import("../predict/arrows.js").Guess[]} guesses
+     */
+    guess(guesses) {
+      const { header } = this.#run;
+      const group = need(this.root, '[data-part="guess"]');
+      const full = this.view.force || 10;
+      const parts = guesses.flatMap(({ pair, on, side, size, slider }) => {
+        const i = header.bodies.findIndex((body3) => body3.name === on);
+        const body2 = header.bodies[i];
+        const half = (body2?.length ?? 0) / 2;
+        const wall = on === "left" ? 0 : header.track.length ?? 0;
+        const x = body2 ? body2.position + (side === "left" ? half : -half) : wall;
+        const way = side === "left" ? -1 : 1;
+        const length = way * arrowLength(size ?? 0, full, this.layout.force);
+        const from = this.layout.origin + x * this.layout.scale;
+        const y = this.layout.track - PUSH;
+        const draw = isCut(size ?? 0, full) ? cutArrow : blockArrow;
+        const style = `carts-${i < 0 ? "wall" : styleOf(i)}`;
+        const arrow = svg("path", {
+          class: `carts-guessed ${style}`,
+          d: draw(from, y, length),
+          "data-pair": pair,
+          "data-on": on
+        });
+        const tip = from + length + way * HANDLE;
+        const handle = pullable(this.root, slider, way * this.layout.force, this.layout.width);
+        handle.setAttribute("class", `carts-pull ${style}`);
+        handle.append(
+          svg("circle", { cx: px(tip), cy: px(y), r: 16, class: "carts-pull-room" }),
+          svg("circle", { cx: px(tip), cy: px(y), r: 8 }),
+          svg("path", {
+            d: `M${px(tip - 2.5)} ${px(y - 2.5)}l-2.5 2.5l2.5 2.5M${px(tip + 2.5)} ${px(y - 2.5)}l2.5 2.5l-2.5 2.5`
+          })
+        );
+        return size === null ? [handle] : [arrow, handle];
+      });
+      group.replaceChildren(...parts);
+    }
+    /**
+     * How far each bumper is pressed in, in units, so that bodies that overlap are drawn touching.
+     * Two carts share the overlap; a bumper gives way by its own length at most.
+     * @param {number[]} centres @param {number} shift of the camera in m
+     */
+    #squeezes(centres, shift) {
+      const { bodies, track } = this.#run.header;
+      const left = bodies.map(() => 0);
+      const right = bodies.map(() => 0);
+      const at2 = (
+        /** @param {number} x */
+        (x) => this.layout.origin + (x - shift) * this.layout.scale
+      );
+      for (let gap = 0; gap <= bodies.length; gap += 1) {
+        const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
+        if (!a && track.left !== "wall" || !b && track.right !== "wall") continue;
+        const end = a ? Number(centres[gap - 1]) + a.half : at2(0);
+        const start = b ? Number(centres[gap]) - b.half : at2(track.length ?? 0);
+        const overlap = Math.max(0, end - start);
+        const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
+        const rest = Math.min(b?.bumper ?? 0, overlap - share);
+        if (b) left[gap] = rest;
+        if (a) right[gap - 1] = Math.min(a.bumper, overlap - rest);
+      }
+      return { left, right };
+    }
+    /** @param {Cart} cart @param {string} name @param {number} x @param {number} t */
+    #velocity(cart2, name, x, t) {
+      const { trajectory } = this.#run;
+      const { layout, view } = this;
+      const v = valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t) - this.camera;
+      const seen = Math.abs(v) < NOISE * view.velocity ? 0 : v;
+      const exact = arrowLength(seen, view.velocity, layout.velocity, FASTEST);
+      const length = keptInside(x, exact, layout.width);
+      const [at2, anchor] = velocityText(x, length, layout.width);
+      put(need(cart2.velocity, '[data-part="arrow"]'), "d", lineArrow(x, cart2.lane, length));
+      put(
+        need(cart2.velocity, '[data-part="leader"]'),
+        "d",
+        `M${px(x)} ${px(cart2.lane)}V${px(cart2.top)}`
+      );
+      const shortened = length !== exact || isCut(seen, view.velocity, FASTEST);
+      const cut = shortened ? tr(", arrow cut") : "";
+      const [per, unit] = speedUnit(view.velocity);
+      const speed = `${fixed(seen / per, view.decimals.v ?? 2)} ${unit}${cut}`;
+      const text = need(cart2.velocity, '[data-part="text"]');
+      const outside = x < 0 || x > layout.width;
+      put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at2));
+      put(text, "y", px(cart2.lane + 4));
+      put(text, "text-anchor", outside ? x < 0 ? "start" : "end" : anchor);
+      say(text, outside ? tr("{name} is outside: {speed}", { name, speed }) : speed);
+    }
+  };
+  function drawBox(group, name, box2) {
+    const rect = need(group, '[data-part="box"]');
+    put(rect, "x", px(box2.x));
+    put(rect, "y", px(-box2.height));
+    put(rect, "width", px(box2.width));
+    put(rect, "height", px(box2.height));
+    const wheels2 = group.querySelector('[data-part="wheels"]');
+    if (wheels2) put(wheels2, "d", wheels(box2));
+    const cut = need(group, '[data-part="break"]');
+    put(cut, "visibility", box2.cut ? "visible" : "hidden");
+    const title = need(group, '[data-part="name"]');
+    put(title, "y", px(box2.nameY ?? 0));
+    put(title, "visibility", box2.nameY === null ? "hidden" : "visible");
+    say(title, name);
+    const mass = need(group, '[data-part="mass"]');
+    put(mass, "y", px(box2.labelY));
+    say(mass, box2.label);
+  }
+
+  // src/scene/time/slow.js
+  var WATCH = 3;
+  var BEFORE = 0.15;
+  var AFTER = 0.25;
+  var SLOWEST = 1e-12;
+  var RATES = [0.5, 0.2, 0.1];
+  function rateFor(duration) {
+    const wanted = duration / WATCH;
+    for (let power = 1; power > SLOWEST; power /= 10) {
+      for (const rate of RATES) if (rate * power <= wanted) return rate * power;
+    }
+    return wanted;
+  }
+  function slowParts(touches2) {
+    const parts = [];
+    for (const { start, end } of touches2) {
+      const duration = end - start;
+      const rate = rateFor(duration);
+      if (rate >= 1) continue;
+      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
+      const last2 = parts.at(-1);
+      if (last2 && part.from <= last2.to) {
+        last2.to = Math.max(last2.to, part.to);
+        last2.rate = Math.min(last2.rate, rate);
+      } else parts.push(part);
+    }
+    return parts;
+  }
+  function slowAt(parts, t) {
+    return parts.find((part) => t >= part.from && t < part.to);
+  }
+  function advance(t, seconds, speed, parts, until) {
+    let now = t;
+    let left = seconds;
+    while (left > 0 && now < until) {
+      const inside = slowAt(parts, now);
+      const rate = inside ? Math.min(speed, inside.rate) : speed;
+      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge, until);
+      if (now + left * rate < next) return now + left * rate;
+      left -= (next - now) / rate;
+      now = next;
+    }
+    return Math.min(now, until);
+  }
+
+  // src/scene/time/player.js
+  var SAME = 1e-12;
+  var STEP = 0.04;
+  var STILL = 1;
+  var LONGEST_FRAME = 0.1;
+  var Player = class {
+    time = 0;
+    own = 0;
+    // s that the reader has watched since the start
+    playing = false;
+    speed = 1;
+    slow = true;
+    until = 1;
+    /** As far as the run was watched, in s: a reader goes back and forth up to there. Infinity: all of it. */
+    seen = Infinity;
+    ended = () => {
+    };
+    // what to do at the end of the run
+    /** What to do after steps. @type {(before: number) => void} */
+    stepped = () => {
+    };
+    /** @type {import("./slow.js").SlowPart[]} */
+    parts = [];
+    /** @type {number[]} s, where playing stops by itself */
+    halts = [];
+    halting = false;
+    /** @type {number[]} */
+    stops = [];
+    /** Whether playing shows a still each second, and each event, in place of motion. */
+    stills = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    #waited = 0;
+    // s since the last still
+    #frame = 0;
+    #last = 0;
+    /** @param {(before: number, playing: boolean) => void} changed after every change of time or state */
+    constructor(changed) {
+      this.changed = changed;
+    }
+    get #parts() {
+      return this.slow ? this.parts : [];
+    }
+    /** @returns {number} cart seconds per second now */
+    get rate() {
+      return Math.min(this.speed, slowAt(this.#parts, this.time)?.rate ?? this.speed);
+    }
+    /** @returns {boolean} whether slow motion is on at this instant */
+    get isSlow() {
+      return this.rate < this.speed;
+    }
+    toggle() {
+      if (this.playing) this.pause();
+      else this.play();
+    }
+    play() {
+      if (this.playing) return;
+      if (this.time >= this.until) this.#move(0);
+      if (this.time === 0) this.own = 0;
+      this.playing = true;
+      this.#last = 0;
+      this.#waited = 0;
+      this.changed(this.time, false);
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      cancelAnimationFrame(this.#frame);
+      this.changed(this.time, false);
+    }
+    /** @param {number} t in s */
+    seek(t) {
+      this.#move(Math.min(t, this.seen));
+      if (t <= 0) this.own = 0;
+      this.#tell(this.time, false);
+    }
+    /** Goes there, watched or not. @param {number} t in s */
+    show(t) {
+      this.seen = Math.max(this.seen, t);
+      this.seek(t);
+    }
+    /** One step; it does not pass over an event. @param {1 | -1} way @param {number} count */
+    step(way, count = 1) {
+      this.pause();
+      const start = this.time;
+      for (let k = 0; k < count; k += 1) {
+        const before = this.time;
+        const target = before + way * STEP * this.rate;
+        const event = way > 0 ? this.stops.find((t) => t > before + SAME) : this.stops.findLast((t) => t < before - SAME);
+        const passed = event !== void 0 && (way > 0 ? event < target : event > target);
+        this.#move(passed ? event : target);
+        this.#tell(before, way > 0);
+      }
+      this.stepped(start);
+    }
+    /** @param {number} now */
+    #tick(now) {
+      if (!this.playing) return;
+      const seconds = this.#last ? Math.min(LONGEST_FRAME, (now - this.#last) / 1e3) : 0;
+      this.#last = now;
+      const before = this.time;
+      this.own += seconds;
+      this.#waited += seconds;
+      if (this.stills && this.#waited < STILL) {
+        this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+        return;
+      }
+      const shown = this.stills ? this.#waited : seconds;
+      this.#waited = 0;
+      let next = advance(before, shown, this.speed, this.#parts, this.until);
+      if (this.stills) next = this.stops.find((t) => t > before + SAME && t < next) ?? next;
+      const halt = this.halting ? this.halts.find((t) => t > before + SAME && t <= next) : void 0;
+      this.#move(halt ?? next);
+      if (halt !== void 0 || this.time >= this.until) this.playing = false;
+      this.#tell(before, true);
+      if (this.playing) this.#frame = requestAnimationFrame((next2) => this.#tick(next2));
+    }
+    /** @param {number} t */
+    #move(t) {
+      this.time = Math.min(this.until, Math.max(0, t));
+      this.seen = Math.max(this.seen, this.time);
+    }
+    /** @param {number} before @param {boolean} playing */
+    #tell(before, playing) {
+      this.changed(before, playing);
+      if (this.time >= this.until) this.ended();
+    }
+  };
+
+  // src/worlds/pictures.js
+  var SIGN = 60;
+  var Pictures = class {
+    /** @param {Baked} baked @param {Shown[]} shown */
+    constructor(baked, shown) {
+      this.root = html("div", "carts-worlds-pictures");
+      this.decimals = baked.view.decimals.t ?? 2;
+      this.player = new Player(() => this.#at());
+      const all = shown.map(({ run }) => touches(run.header.events, run.header.until));
+      this.player.until = Math.max(...shown.map(({ run }) => run.header.until));
+      this.player.parts = slowParts(all.flat().sort((a, b) => a.start - b.start));
+      this.stages = [];
+      for (const [k, one] of shown.entries()) this.#picture(baked, one, all[k] ?? []);
+      this.root.append(this.#bar());
+      this.#at();
+    }
+    /** Nothing moves any more. */
+    leave() {
+      this.player.pause();
+    }
+    /**
+     * @param {Baked} baked @param {Shown} shown
+     * @param {import("../../../view/windows.js").Touch[]} windows
+     */
+    #picture(baked, { run, caption, impossible = false }, windows) {
+      const figure = html("figure", impossible ? "carts-impossible" : "");
+      const own2 = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-other` } };
+      const template = document.createElement("template");
+      template.innerHTML = baked.view.layouts.map((layout) => stage(own2, layout)).join("");
+      const label = html("figcaption", "", caption);
+      if (impossible) label.prepend(html("b", "", tr("Impossible:")), " ");
+      figure.append(label, template.content);
+      for (const root of figure.querySelectorAll("svg")) {
+        const made = new Stage(root, baked);
+        made.show(run, windows);
+        this.stages.push(made);
+        if (!impossible) continue;
+        const { width, track } = made.layout;
+        const place2 = { x: width / 2, y: track - SIGN, "text-anchor": "middle" };
+        const text = svg("text", { class: "carts-impossible-sign", ...place2 });
+        text.textContent = tr("impossible");
+        root.prepend(text);
+      }
+      this.root.append(figure);
+    }
+    #bar() {
+      const bar = html("div", "carts-worlds-bar");
+      this.play = html("button", "carts-button", "");
+      this.play.setAttribute("type", "button");
+      this.play.addEventListener("click", () => this.player.toggle());
+      this.scrub = document.createElement("input");
+      Object.assign(this.scrub, { type: "range", min: "0", max: String(this.player.until) });
+      this.scrub.step = String(this.player.until / 1e3);
+      this.scrub.setAttribute(
+        "aria-label",
+        this.stages.length > 2 ? tr("Time in both pictures") : tr("Time")
+      );
+      this.scrub.addEventListener("input", () => {
+        this.player.pause();
+        this.player.seek(Number(this.scrub?.value));
+      });
+      this.clock = html("output", "carts-worlds-clock", "");
+      bar.append(this.play, this.scrub, this.clock);
+      return bar;
+    }
+    #at() {
+      const t = this.player.time;
+      for (const one of this.stages) one.at(t);
+      if (!this.scrub || !this.clock || !this.play) return;
+      this.scrub.value = String(t);
+      const words = tr("{time} s", { time: fixed(t, 2) });
+      this.scrub.setAttribute("aria-valuetext", words);
+      say(this.clock, words);
+      say(this.play, this.player.playing ? tr("Pause") : tr("Play"));
+    }
+  };
+
+  // src/law/editor.js
+  var STEP2 = "    ";
+  var LONGEST2 = 2e4;
+  var Editor = class {
+    /** @param {string} id @param {(text: string) => void} changed */
+    constructor(id, changed) {
+      this.root = html("div", "carts-law-editor");
+      const label = html("label", "carts-heading", tr("Your law, in Python"));
+      label.setAttribute("for", `${id}-text`);
+      this.box = document.createElement("textarea");
+      Object.assign(this.box, { id: `${id}-text`, rows: 10, spellcheck: false, wrap: "off" });
+      this.box.maxLength = LONGEST2;
+      this.box.setAttribute("autocapitalize", "off");
+      this.box.setAttribute("autocomplete", "off");
+      this.box.setAttribute("aria-describedby", `${id}-gets`);
+      this.box.addEventListener("input", () => changed(this.box.value));
+      this.box.addEventListener("keydown", (event) => this.#key(event));
+      const gets = html(
+        "p",
+        "carts-quiet",
+        tr(
+          "force is asked once for each of the two carts while they touch, and returns N: above 0 it pushes away from the other. It may ask for: {names}.",
+          { names: ARGUMENTS.join(", ") }
+        )
+      );
+      gets.id = `${id}-gets`;
+      this.root.append(label, this.box, gets);
+    }
+    get text() {
+      return this.box.value;
+    }
+    set text(text) {
+      this.box.value = text;
+      this.box.rows = Math.min(24, Math.max(8, text.split("\n").length + 1));
+    }
+    /** The cursor goes to a line. @param {number} line from 1 */
+    go(line) {
+      const lines2 = this.box.value.split("\n");
+      const start = lines2.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
+      this.box.focus();
+      this.box.setSelectionRange(start, start + (lines2[line - 1] ?? "").length);
+    }
+    /** @param {KeyboardEvent} event */
+    #key(event) {
+      if (event.key !== "Enter" || event.shiftKey || event.ctrlKey || event.metaKey) return;
+      if (event.altKey || event.isComposing) return;
+      const { value, selectionStart } = this.box;
+      const line = value.slice(value.lastIndexOf("\n", selectionStart - 1) + 1, selectionStart);
+      const indent = /^ */.exec(line)?.[0] ?? "";
+      const more = /:\s*(#.*)?$/.test(line) ? STEP2 : "";
+      event.preventDefault();
+      if (document.execCommand("insertText", false, `
+${indent}${more}`)) return;
+      this.box.setRangeText(`
+${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
+      this.box.dispatchEvent(new Event("input", { bubbles: true }));
+    }
+  };
+  var ARGUMENTS = [
+    "overlap",
+    "rate",
+    "mass_self",
+    "mass_other",
+    "reduced_mass",
+    "velocity_self",
+    "velocity_other",
+    "time",
+    "stiffness",
+    "restitution",
+    "name_self",
+    "name_other",
+    "side"
+  ];
+
+  // src/answers/outline.js
+  var found;
+  function outline() {
+    if (found === void 0) {
+      const text = document.getElementById("carts-lesson")?.textContent;
+      found = text ? JSON.parse(text) : null;
+    }
+    return found ?? null;
+  }
+  function itemOf(entry) {
+    const form = entry?.form ?? "worksheet";
+    return outline()?.items.find((item) => item.id === entry?.id && item.form === form) ?? null;
+  }
+  function isCurrent(entry) {
+    const item = itemOf(entry);
+    return !item || !entry.hash || entry.hash === item.hash;
+  }
+  function stamped(entry) {
+    const page2 = outline();
+    const item = itemOf(entry);
+    if (!page2 || !item) return entry;
+    return {
+      form: item.form,
+      lesson: page2.lesson,
+      lessonHash: page2.hash,
+      hash: item.hash,
+      ...entry
+    };
+  }
+
+  // src/answers/entry.js
+  var MOST_EARLIER = 500;
+  function isEmpty(value) {
+    if (typeof value === "string") return !value.trim();
+    if (value === null || value === void 0) return true;
+    return typeof value === "object" && Object.keys(value).length === 0;
+  }
+  function keepEarlier(old, value) {
+    if (!old || typeof old !== "object" || typeof value !== "object" || value === null) return value;
+    const earlier = union(old.earlier, value.earlier);
+    const other = old.hash && value.hash && old.hash !== value.hash && !isEmpty(old.value);
+    const all = other ? union(earlier, [alone(old)]) : earlier;
+    return all.length ? { ...value, earlier: all } : value;
+  }
+  function alone({ earlier: _, ...entry }) {
+    return entry;
+  }
+  function union(a, b) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const entry of [...a ?? [], ...b ?? []]) {
+      found2.set(JSON.stringify([entry.hash, entry.value]), entry);
+    }
+    const all = [...found2.values()];
+    all.sort((x, y) => String(x.last ?? "").localeCompare(String(y.last ?? "")));
+    return all.slice(-MOST_EARLIER);
+  }
+
+  // src/shared/newest-first.js
+  function newestFirst(put2) {
+    const flights = /* @__PURE__ */ new Map();
+    function start(key, value, alone2) {
+      const now = put2(key, value, alone2);
+      flights.set(key, { now, next: null });
+      const over = () => {
+        if (flights.get(key)?.now === now && !flights.get(key)?.next) flights.delete(key);
+      };
+      now.then(over, over);
+      return now;
+    }
+    return (key, value, alone2 = false) => {
+      const flight = flights.get(key);
+      if (!flight) return start(key, value, alone2);
+      if (flight.next) {
+        flight.next.value = value;
+        flight.next.alone &&= alone2;
+        return flight.next.written;
+      }
+      const next = { value, alone: alone2, written: Promise.resolve() };
+      const begin = () => start(key, next.value, next.alone);
+      next.written = flight.now.then(begin, begin);
+      flight.next = next;
+      return next.written;
+    };
+  }
+
+  // src/shared/indexed-store.js
+  var SETTLED = "settled";
+  var STORE = "answers";
+  var PATIENCE = 2e4;
+  var SETTLE_AFTER = 400;
+  function open(name) {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(name, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+      request.onsuccess = () => {
+        request.result.onversionchange = () => request.result.close();
+        resolve(request.result);
+      };
+      request.onerror = () => reject(request.error);
+      request.onblocked = () => reject(new Error("another page holds an older version"));
+      setTimeout(() => reject(new Error("no answer")), PATIENCE);
+    });
+  }
+  async function reopening(name) {
+    let base = await open(name);
+    return async (mode, durability = "relaxed") => {
+      try {
+        return base.transaction(STORE, mode, { durability });
+      } catch {
+        base = await open(name);
+        return base.transaction(STORE, mode, { durability });
+      }
+    };
+  }
+  async function indexed(name) {
+    const begin = await reopening(name);
+    const read = async (ask) => {
+      const work = await begin("readonly");
+      return new Promise((resolve, reject) => {
+        const request = ask(work.objectStore(STORE));
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    };
+    return {
+      kind: "kept",
+      how: "indexed",
+      get: (key) => read((answers) => answers.get(key)),
+      put: newestFirst(
+        (key, value, alone2) => write2(begin, (answers) => {
+          if (alone2) {
+            answers.put(value, key);
+            answers.transaction.commit();
+            return;
+          }
+          const request = answers.get(key);
+          request.onsuccess = () => answers.put(keepEarlier(request.result, value), key);
+        })
+      ),
+      remove: (key) => write2(begin, (answers) => answers.delete(key)),
+      entries: async () => {
+        const [keys, values] = await Promise.all([
+          read((answers) => answers.getAllKeys()),
+          read((answers) => answers.getAll())
+        ]);
+        return keys.map((key, k) => [String(key), values[k]]);
+      }
+    };
+  }
+  var settling;
+  async function write2(begin, act) {
+    await transaction(begin, act, "relaxed");
+    clearTimeout(settling);
+    settling = setTimeout(() => {
+      const mark = (answers) => void answers.put(Date.now(), SETTLED);
+      transaction(begin, mark, "strict").catch(() => {
+      });
+    }, SETTLE_AFTER);
+  }
+  async function transaction(begin, act, durability) {
+    const work = await begin("readwrite", durability);
+    return new Promise((resolve, reject) => {
+      act(work.objectStore(STORE));
+      work.oncomplete = () => resolve();
+      work.onerror = () => reject(work.error);
+      work.onabort = () => reject(work.error);
+    });
+  }
+
+  // src/shared/shelter.js
+  function shelter() {
+    const page2 = (
+      /** @type {any} */
+      globalThis
+    );
+    const name = /* @__PURE__ */ Symbol.for("carts-shelter");
+    page2[name] ??= /* @__PURE__ */ new Map();
+    return page2[name];
+  }
+  function sheltered(store) {
+    return {
+      ...store,
+      put: async (key, value, alone2) => {
+        try {
+          await store.put(key, value, alone2);
+          shelter().delete(key);
+        } catch (error) {
+          shelter().set(key, keepEarlier(shelter().get(key), value));
+          throw error;
+        }
+      },
+      remove: async (key) => {
+        shelter().delete(key);
+        await store.remove(key);
+      },
+      entries: async () => [...new Map([...await store.entries(), ...shelter()])]
+    };
+  }
+  function memory() {
+    const kept = shelter();
+    return {
+      kind: "memory",
+      how: "memory",
+      get: async (key) => kept.get(key),
+      put: async (key, value) => void kept.set(key, keepEarlier(kept.get(key), value)),
+      remove: async (key) => void kept.delete(key),
+      entries: async () => [...kept]
+    };
+  }
+
+  // src/shared/text-store.js
+  function textStore(site) {
+    const before = `carts:${site}:`;
+    try {
+      localStorage.setItem(`${before}probe`, "1");
+      localStorage.removeItem(`${before}probe`);
+    } catch {
+      return null;
+    }
+    const get = (key) => JSON.parse(localStorage.getItem(before + key) ?? "null");
+    return {
+      kind: "kept",
+      how: "text",
+      get: async (key) => get(key),
+      put: async (key, value) => localStorage.setItem(before + key, JSON.stringify(keepEarlier(get(key), value))),
+      remove: async (key) => localStorage.removeItem(before + key),
+      entries: async () => Object.keys(localStorage).filter((name) => name.startsWith(before)).map((name) => [name.slice(before.length), get(name.slice(before.length))])
+    };
+  }
+
+  // src/shared/storage.js
+  var STUDENT = "student";
+  var opened = /* @__PURE__ */ new Map();
+  function openAll(site) {
+    const found2 = opened.get(site) ?? openOnce(site);
+    opened.set(site, found2);
+    return found2;
+  }
+  async function openStore(site) {
+    const all = await openAll(site);
+    return forStudent(all, await readStudent(all));
+  }
+  async function readStudent(all) {
+    const found2 = await all.get(STUDENT).catch(() => null);
+    return typeof found2?.code === "string" ? found2.code : "";
+  }
+  function forStudent(all, code) {
+    const before = code ? `@${code}/` : "";
+    const mine = (key) => before ? key.startsWith(before) : !key.startsWith("@") && key !== STUDENT && key !== SETTLED;
+    return {
+      kind: all.kind,
+      how: all.how,
+      get: (key) => all.get(before + key),
+      put: (key, value, alone2) => all.put(before + key, stamped(value), alone2),
+      remove: (key) => all.remove(before + key),
+      entries: async () => (await all.entries()).filter(([key]) => mine(key)).map(([key, value]) => [key.slice(before.length), value])
+    };
+  }
+  async function openOnce(site) {
+    try {
+      return sheltered(await indexed(`carts:${site}`));
+    } catch {
+      const texts = textStore(site);
+      return texts ? sheltered(texts) : memory();
+    }
+  }
+  function place() {
+    const { cartsSite, cartsPage } = document.documentElement.dataset;
+    const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
+    const path = location.pathname.split("/").slice(-2).join("/");
+    return {
+      site: cartsSite ?? meta("carts-site") ?? "site",
+      page: cartsPage ?? meta("carts-page") ?? path
+    };
+  }
+
+  // src/law/keep.js
+  function lawKeeper({ id, hash, ask }) {
+    const { site, page: page2 } = place();
+    const key = `${page2}#${id}`;
+    const opened2 = openStore(site);
+    let entry = { id, hash, type: "law", value: null, first: null, last: null, tries: 0 };
+    return {
+      /** @returns {Promise<string | null>} what was written here before */
+      async get() {
+        const found2 = await (await opened2).get(key).catch(() => null);
+        if (found2?.type !== "law" || typeof found2.value !== "string") return null;
+        if (isCurrent(found2)) entry = found2;
+        return found2.value;
+      },
+      /** @param {string} text @param {boolean} tried whether it was run @returns {Promise<boolean>} whether the browser says that it is kept */
+      async put(text, tried = false) {
+        const now = (/* @__PURE__ */ new Date()).toISOString();
+        const tries = (entry.tries ?? 0) + (tried ? 1 : 0);
+        entry = { ...entry, hash, value: text, said: text, asked: ask.slice(0, 300), tries };
+        entry = { ...entry, first: entry.first ?? now, last: now };
+        try {
+          const store = await opened2;
+          await store.put(key, entry);
+          document.dispatchEvent(new Event("carts-kept"));
+          return store.kind === "kept";
+        } catch {
+          return false;
+        }
+      }
+    };
+  }
+
+  // src/runtime/failure.js
+  var MESSAGES = {
+    "not-packed": tr("This page was built without Python. It shows only the runs that came with it."),
+    "payload-missing": tr(
+      "A file of this page is missing, so Python can't start. Copy the whole folder again."
+    ),
+    "payload-damaged": tr(
+      "A file of this page is damaged, so Python can't start. Copy the whole folder again."
+    ),
+    "no-wasm": tr(
+      "This browser has no WebAssembly, so Python can't start here. Try another browser."
+    ),
+    "wasm-refused": tr(
+      "This browser, or the rules of this network, do not allow Python to start. Try another browser."
+    ),
+    "too-old": tr(
+      "This browser is too old to run Python. Try Chrome or Edge 111, Firefox 113, Safari 16.4, or newer."
+    ),
+    "no-memory": tr(
+      "This computer has too little memory free for Python. Close other programs and load the page again."
+    ),
+    "no-worker": tr("This browser has no workers, so Python can't start here. Try another browser."),
+    "worker-refused": tr("This browser does not let the page start Python. Try another browser."),
+    "worker-lost": tr("Python stopped. It may have run out of memory."),
+    "snapshot-refused": tr("Python could not start the quick way."),
+    "python-failed": tr(
+      "Python could not start. Copy the whole folder again or try another browser."
+    ),
+    stalled: tr("Python does not answer. Close other programs and load the page again."),
+    stopped: tr("Python was stopped.")
+  };
+  var RuntimeFailure = class extends Error {
+    /**
+     * @param {Reason} reason
+     * @param {string} [detail]
+     * @param {string} [file] the payload that is missing or damaged
+     */
+    constructor(reason, detail = "", file = "") {
+      super(MESSAGES[reason] ?? MESSAGES["python-failed"]);
+      this.name = "RuntimeFailure";
+      this.reason = reason;
+      this.detail = detail;
+      this.file = file;
+    }
+  };
+
+  // src/shared/leaving.js
+  var STAYS = 3e3;
+  var leaving = false;
+  var waiting = [];
+  function stay() {
+    leaving = false;
+    for (const go of waiting) go();
+    waiting = [];
+  }
+  addEventListener("beforeunload", () => {
+    leaving = true;
+    setTimeout(stay, STAYS);
+  });
+  addEventListener("pagehide", () => {
+    leaving = true;
+  });
+  addEventListener("pageshow", stay);
+  if (navigator.userAgent.includes("Firefox/")) addEventListener("unload", () => {
+  });
+  var isLeaving = () => leaving;
+  function staying() {
+    return leaving ? new Promise((resolve) => waiting.push(resolve)) : Promise.resolve();
+  }
+
+  // src/runtime/watch.js
+  var SECOND = 1e3;
+  var PATIENCE2 = 8;
+  function watch(patience, late) {
+    let left = patience;
+    const timer = setInterval(() => {
+      left -= 1;
+      if (left > 0) return;
+      clearInterval(timer);
+      late();
+    }, SECOND);
+    return {
+      progress() {
+        left = patience;
+      },
+      stop() {
+        clearInterval(timer);
+      }
+    };
+  }
+
+  // src/runtime/payload.js
+  var page = self;
+  var indexes = /* @__PURE__ */ new Map();
+  function runScript(src, name) {
+    return new Promise((resolve, reject) => {
+      const script2 = document.createElement("script");
+      script2.src = src;
+      script2.async = true;
+      const settle = (then) => () => {
+        script2.remove();
+        then();
+      };
+      script2.onload = settle(resolve);
+      script2.onerror = settle(() => {
+        if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
+        else reject(new RuntimeFailure("payload-missing", src, name));
+      });
+      document.head.append(script2);
+    });
+  }
+  function indexOf(base) {
+    return new URL(`index.js${new URL(base).search}`, base).href;
+  }
+  function patiently(promise) {
+    return new Promise((resolve, reject) => {
+      const waiting2 = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled", "index.js")));
+      promise.then(resolve, reject).finally(waiting2.stop);
+    });
+  }
+  function loadIndex(base) {
+    const known2 = indexes.get(base);
+    if (known2) return known2;
+    const inside = Boolean(page.__cartsInside);
+    const read = inside ? Promise.resolve() : patiently(runScript(indexOf(base), "index.js"));
+    const loading = read.then(() => {
+      const index = page.__cartsRuntime;
+      if (!inside) delete page.__cartsRuntime;
+      if (!index) throw new RuntimeFailure("payload-damaged", "index.js", "index.js");
+      if (!index.files) throw new RuntimeFailure("not-packed", index.missing);
+      return index;
+    });
+    loading.catch(() => indexes.delete(base));
+    indexes.set(base, loading);
+    return loading;
+  }
+  async function loadPart(base, name, number, part) {
+    const inside = Boolean(page.__cartsInside);
+    if (!inside) await runScript(new URL(part.src, base).href, name);
+    const key = `${name}.${number}`;
+    const text = page.__cartsParts?.[key];
+    if (text === void 0) throw new RuntimeFailure("payload-damaged", part.src, name);
+    if (!inside) delete page.__cartsParts[key];
+    const bytes = decode(text, part.src, name);
+    if (bytes.length !== part.size || !await matches(bytes, part.sha256)) {
+      throw new RuntimeFailure("payload-damaged", part.src, name);
+    }
+    return bytes;
+  }
+  function decode(text, src, name) {
+    try {
+      const fast = Uint8Array;
+      return fast.fromBase64 ? fast.fromBase64(text) : Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    } catch {
+      throw new RuntimeFailure("payload-damaged", src, name);
+    }
+  }
+  async function matches(bytes, sha256) {
+    if (!globalThis.crypto?.subtle) return true;
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+    return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
+  }
+  async function gunzip(parts) {
+    const zip = new DecompressionStream("gzip");
+    const writer = zip.writable.getWriter();
+    const written = Promise.all([...parts.map((part) => writer.write(part)), writer.close()]);
+    const [bytes] = await Promise.all([new Response(zip.readable).arrayBuffer(), written]);
+    return bytes;
+  }
+
+  // src/runtime/memory.js
+  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));
+
+  // src/runtime/wasm.js
+  var NOTHING = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
+  function requireWasm() {
+    if (typeof WebAssembly !== "object") throw new RuntimeFailure("no-wasm");
+    try {
+      new WebAssembly.Module(NOTHING);
+    } catch (error) {
+      throw new RuntimeFailure("wasm-refused", String(error));
+    }
+  }
+  function compileFailure(error) {
+    const reason = isOutOfMemory(error) ? "no-memory" : "too-old";
+    return new RuntimeFailure(reason, String(error), "pyodide.asm.wasm");
+  }
+  async function compile(parts) {
+    const zip = new DecompressionStream("gzip");
+    const headers = { "Content-Type": "application/wasm" };
+    const compiled = WebAssembly.compileStreaming(new Response(zip.readable, { headers }));
+    const written = write3(zip.writable.getWriter(), parts);
+    const [module] = await Promise.all([compiled, written]);
+    return module;
+  }
+  async function write3(writer, parts) {
+    for (const part of parts) await writer.write(await part);
+    await writer.close();
+  }
+
+  // as-text:src/runtime/worker.js
+  var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (Date.now() - seen < 1e3) return;\n    seen = Date.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
+
+  // src/runtime/start.js
+  var SNAPSHOT = "memory.snapshot";
+  var LOADER = "pyodide.js";
+  var WASM = "pyodide.asm.wasm";
+  var STDLIB = "python.zip";
+  var MORE = "python-more.zip";
+  var modules = /* @__PURE__ */ new Map();
+  var Start = class {
+    /**
+     * @param {{folder: string, index: Index, packages: string[],
+     *   onProgress: (progress: Progress) => void}} options
+     * @param {boolean} snapshot
+     */
+    constructor({ folder, index, packages, onProgress }, snapshot) {
+      this.folder = folder;
+      this.index = index;
+      this.packages = packages;
+      this.onProgress = onProgress;
+      this.snapshot = snapshot;
+      this.worker = null;
+      this.over = false;
+      this.done = 0;
+      this.names = this.files();
+      this.total = this.names.flatMap((name) => index.files[name].parts).reduce((sum, part) => sum + part.size, 0);
+    }
+    /** The files to load, the most urgent first. */
+    files() {
+      const { index, packages, snapshot } = this;
+      const names = modules.has(this.folder) ? [LOADER] : [LOADER, WASM];
+      if (snapshot) names.push(SNAPSHOT);
+      names.push(STDLIB);
+      if (packages.length && index.tableAt) names.push(MORE);
+      names.push(...this.toLoad().map((name) => index.wheels[name]));
+      if (names.every((name) => name in index.files)) return names;
+      throw new RuntimeFailure("not-packed", index.missing || packages.join());
+    }
+    /** Packages that are not in memory yet. Ours is in the snapshot, but for modules that need others. */
+    toLoad() {
+      const { index, packages, snapshot } = this;
+      const ours = !snapshot || packages.length > 0 && index.later.length > 0;
+      return ours ? [index.package, ...packages] : packages;
+    }
+    /** @returns {Promise<Started>} */
+    async run() {
+      let reject = () => {
+      };
+      const failed = new Promise((_, no) => {
+        reject = no;
+      });
+      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
+      try {
+        const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
+        return await Promise.race([failed, this.boot(parts, reject)]);
+      } catch (error) {
+        this.worker?.terminate();
+        throw error;
+      } finally {
+        this.over = true;
+        this.watch.stop();
+      }
+    }
+    /**
+     * All parts of a file are asked for at once and come in any order.
+     * @param {string} name
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<Uint8Array<ArrayBuffer>>[]}
+     */
+    load(name, reject) {
+      return this.index.files[name].parts.map(async (part, number) => {
+        try {
+          const bytes = await loadPart(this.folder, name, number, part);
+          this.done += part.size;
+          this.progress(name);
+          return bytes;
+        } catch (error) {
+          reject(
+            /** @type {RuntimeFailure} */
+            error
+          );
+          return new Promise(() => {
+          });
+        }
+      });
+    }
+    /** @param {string} stage */
+    progress(stage2) {
+      if (this.over) return;
+      this.watch?.progress();
+      this.onProgress({ fraction: 0.9 * this.done / this.total, stage: stage2 });
+    }
+    /**
+     * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
+     * @param {(error: RuntimeFailure) => void} reject
+     * @returns {Promise<any>}
+     */
+    async boot(parts, reject) {
+      const compiling = this.module(parts.get(WASM) ?? []);
+      compiling.catch((error) => reject(compileFailure(error)));
+      const loader = await gunzip(await Promise.all(parts.get(LOADER) ?? []));
+      if (this.over) return null;
+      const { worker, address } = startWorker(loader);
+      this.worker = worker;
+      const ready = new Promise((resolve) => {
+        worker.onmessage = ({ data }) => {
+          if (data.tell === "hello") URL.revokeObjectURL(address);
+          else if (data.tell === "ready") resolve(data);
+          else if (data.tell === "failed") {
+            reject(new RuntimeFailure(data.reason, data.detail, data.file));
+          }
+          this.progress(data.stage ?? data.tell);
+        };
+        worker.onerror = (event) => {
+          event.preventDefault();
+          reject(new RuntimeFailure("worker-refused", event.message));
+        };
+      });
+      const { index, packages, snapshot } = this;
+      worker.postMessage({
+        do: "boot",
+        lock: index.lock,
+        entry: index.entry,
+        snapshot,
+        tableAt: packages.length ? index.tableAt : 0,
+        load: this.toLoad(),
+        modules: packages.length ? [...packages, ...index.later] : []
+      });
+      for (const [name, its] of parts) if (name !== LOADER && name !== WASM) this.send(name, its);
+      worker.postMessage({ do: "wasm", module: await compiling });
+      this.progress(WASM);
+      const { start } = await ready;
+      this.onProgress({ fraction: 1, stage: "ready" });
+      return { worker, start };
+    }
+    /** @param {Promise<Uint8Array<ArrayBuffer>>[]} parts */
+    async module(parts) {
+      const module = modules.get(this.folder) ?? await compile(parts);
+      modules.set(this.folder, module);
+      return module;
+    }
+    /**
+     * @param {string} name
+     * @param {Promise<Uint8Array<ArrayBuffer>>[]} parts
+     */
+    async send(name, parts) {
+      for (const [number, part] of parts.entries()) {
+        const bytes = await part;
+        if (this.over) return;
+        const last2 = number === parts.length - 1;
+        this.worker?.postMessage({ do: "part", name, bytes, last: last2 }, [bytes.buffer]);
+      }
+    }
+  };
+  function startWorker(loader) {
+    const address = URL.createObjectURL(new Blob([loader, worker_default], { type: "text/javascript" }));
+    try {
+      return { worker: new Worker(address), address };
+    } catch (error) {
+      throw new RuntimeFailure("worker-refused", String(error));
+    }
+  }
+
+  // src/runtime/runtime.js
+  var PICK_UP = 3;
+  async function startRuntime({ base, packages = [], onProgress = () => {
+  } }) {
+    requireWasm();
+    if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
+    if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
+    const folder = new URL(base, document.baseURI).href;
+    const index = await loadIndex(folder);
+    const options = { folder, index, packages: order(packages), onProgress };
+    const start = (snapshot) => new Start(options, snapshot).run();
+    if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
+    try {
+      return new Runtime(await start(true));
+    } catch (error) {
+      if (!(error instanceof RuntimeFailure) || !snapshotIsToBlame(error)) throw error;
+      console.warn(`Python starts the plain way: ${error.reason} ${error.detail}`);
+      return new Runtime(await start(false));
+    }
+  }
+  var snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" || file === SNAPSHOT;
+  var order = (packages) => [
+    ...new Set(packages.flatMap((name) => name === "scipy" ? ["numpy", "scipy"] : [name]))
+  ];
+  var Runtime = class {
+    /** @param {import("./start.js").Started} started */
+    constructor({ worker, start }) {
+      this.start = start;
+      this.onlost = () => {
+      };
+      this.worker = worker;
+      this.gone = "";
+      this.number = 0;
+      this.queue = [];
+      worker.onmessage = ({ data }) => this.hear(data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        this.lose("worker-lost", event.message);
+      };
+    }
+    /**
+     * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
+     * @param {{patience?: number, [key: string]: unknown}} message `patience`: seconds without a sign until it is lost, where a
+     *   reader knows that it takes long and can stop it
+     * @returns {Promise<Answer>}
+     */
+    request(message) {
+      if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
+      return new Promise((resolve, reject) => {
+        this.number += 1;
+        const { patience = PATIENCE2 } = message;
+        const text = JSON.stringify(message);
+        this.queue.push({ number: this.number, text, patience, resolve, reject });
+        if (this.queue.length === 1) this.send();
+      });
+    }
+    /** Ends Python. What is under way is rejected. */
+    stop() {
+      this.end("stopped", "");
+    }
+    send() {
+      const next = this.queue[0];
+      if (!next) return;
+      this.watch = watch(PICK_UP, () => this.lose("worker-lost", "no sign of life"));
+      this.worker.postMessage({ do: "request", number: next.number, text: next.text });
+    }
+    /** @param {any} data */
+    hear(data) {
+      const current = this.queue[0];
+      if (data.number !== current?.number) return;
+      if (data.tell === "alive") return void this.watch?.progress();
+      this.watch?.stop();
+      if (data.tell === "begun") {
+        const { patience } = current;
+        this.watch = watch(patience - PICK_UP, () => this.lose("worker-lost", "no answer"));
+        return;
+      }
+      this.queue.shift();
+      if (data.tell === "answer") {
+        current.resolve({ header: JSON.parse(data.header), numbers: data.numbers });
+      } else {
+        current.reject(new RuntimeFailure(data.dead ? "worker-lost" : "python-failed", data.detail));
+        if (data.dead) this.lose("worker-lost", data.detail);
+      }
+      if (!this.gone) this.send();
+    }
+    /** @param {Reason} reason @param {string} detail */
+    lose(reason, detail) {
+      if (this.end(reason, detail)) this.onlost(new RuntimeFailure(reason, detail));
+    }
+    /** @param {Reason} reason @param {string} detail @returns {boolean} whether it was alive */
+    end(reason, detail) {
+      if (this.gone) return false;
+      this.gone = reason;
+      this.watch?.stop();
+      this.worker.terminate();
+      for (const { reject } of this.queue.splice(0)) reject(new RuntimeFailure(reason, detail));
+      return true;
+    }
+  };
+
+  // src/shared/waiting.js
+  function refusal(problems) {
+    const [first] = problems;
+    if (!first) return new Error(tr("This value does not work."));
+    const message = told(first.message);
+    return new Error(first.hint ? `${message}: ${told(first.hint)}` : message);
+  }
+
+  // src/law/own-python.js
+  var PACKAGES = ["newtons-carts-law"];
+  var LIMIT = 4;
+  var OwnPython = class {
+    /** @type {Promise<Runtime> | null} */
+    #runtime = null;
+    /** @type {(error: Error) => void} */
+    #end = () => {
+    };
+    /** @param {string} base address of the folder `runtime/` */
+    constructor(base) {
+      this.base = base;
+    }
+    /** Starts it, so that a reader who types need not wait later. */
+    wake() {
+      this.#runtime ??= startRuntime({ base: this.base, packages: PACKAGES });
+      return this.#runtime;
+    }
+    /**
+     * The answer to a request; rejects with what a reader is to be told.
+     * @param {Record<string, unknown>} message @returns {Promise<{header: any, numbers: Float64Array}>}
+     */
+    async ask(message) {
+      const started = this.wake();
+      const late = new Promise((_, reject) => {
+        this.#end = reject;
+      });
+      late.catch(() => {
+      });
+      const failed = started.catch((error) => {
+        if (this.#runtime === started) this.#runtime = null;
+        throw error;
+      });
+      const runtime = await Promise.race([failed, late]);
+      const timer = watch(LIMIT, () => {
+        this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+        this.stop();
+      });
+      try {
+        const answer = runtime.request({ kind: "law", ...message });
+        answer.catch(() => {
+        });
+        const { header, numbers } = (
+          /** @type {any} */
+          await Promise.race([answer, late])
+        );
+        if (!header.ok) throw refusal(header.problems ?? []);
+        return { header, numbers };
+      } catch (error) {
+        if (runtime.gone) this.#runtime = null;
+        throw error;
+      } finally {
+        timer.stop();
+      }
+    }
+    /** Ends it, whatever it does. */
+    stop() {
+      const runtime = this.#runtime;
+      this.#runtime = null;
+      void runtime?.then(
+        (one) => one.stop(),
+        () => {
+        }
+      );
+      this.#end(new Error(tr("Stopped.")));
+    }
+  };
+
+  // src/law/verdicts.js
+  function verdicts(judged, show) {
+    const root = html("div", "carts-law-verdicts");
+    root.append(html("p", "carts-heading", tr("What the judge found")));
+    root.append(html("p", "", told(judged.sentence)));
+    const list = html("ul");
+    for (const one of judged.verdicts) {
+      const item = html("li", one.holds ? "carts-law-holds" : "carts-law-broken");
+      item.dataset.check = one.check;
+      const word = one.holds ? tr("no counterexample") : tr("broken");
+      item.append(html("b", "", word), ` ${told(one.says)}`);
+      if (!one.holds) item.append(...counterexample(one, show));
+      list.append(item);
+    }
+    root.append(list);
+    return root;
+  }
+  function counterexample(verdict, show) {
+    const button = html("button", "carts-button", tr("Show this scene"));
+    button.setAttribute("type", "button");
+    button.setAttribute("aria-label", `${tr("Show this scene")}: ${told(verdict.says)}`);
+    button.addEventListener("click", () => show(verdict));
+    const details = html("details");
+    const text = html("pre", "", verdict.yaml ?? "");
+    text.tabIndex = 0;
+    details.append(html("summary", "", tr("As a scene file")), text);
+    return [html("p", "", told(verdict.sentence)), button, details];
+  }
+
+  // src/law/element.js
+  var LATER = 300;
+  var LINE2 = /^\D*(\d+)/;
+  function lawElement(base) {
+    return class CartsLaw extends HTMLElement {
+      /** @type {Facts | null} */
+      #facts = null;
+      /** @type {Baked | null} */
+      #baked = null;
+      /** @type {Pictures | null} */
+      #pictures = null;
+      #python = new OwnPython(base);
+      #turn = 0;
+      #timer = 0;
+      /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
+      complete = Promise.resolve();
+      connectedCallback() {
+        if (this.#facts) return;
+        const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
+        this.#facts = facts;
+        this.#baked = bakedOf(facts.baked);
+        this.keeper = lawKeeper(facts);
+        this.editor = new Editor(facts.id, (text) => this.#typed(text));
+        this.editor.text = facts.start;
+        this.note = html("p", "carts-law-note");
+        this.note.setAttribute("role", "status");
+        this.fault = html("p", "carts-law-fault");
+        this.fault.setAttribute("role", "alert");
+        this.shown = html("div", "carts-law-shown");
+        this.found = html("div", "carts-law-found");
+        const bar = this.#buttons();
+        const live = need(this, ".carts-law-live");
+        live.append(this.editor.root, bar, this.fault, this.note, this.shown, this.found);
+        live.hidden = false;
+        this.classList.add("carts-law-ready");
+        this.#first();
+        this.complete = this.#restore();
+      }
+      disconnectedCallback() {
+        this.#pictures?.leave();
+        this.#python.stop();
+      }
+      #buttons() {
+        const button = (text, act) => {
+          const made = (
+            /** @type {HTMLButtonElement} */
+            html("button", "carts-button", text)
+          );
+          made.type = "button";
+          made.addEventListener("click", act);
+          return made;
+        };
+        const bar = html("div", "carts-law-bar");
+        this.run = button(tr("Run"), () => this.#do(() => this.#run()));
+        this.judge = button(tr("Judge"), () => this.#do(() => this.#judge()));
+        this.end = button(tr("Stop"), () => this.#python.stop());
+        this.end.disabled = true;
+        bar.append(
+          this.run,
+          this.judge,
+          this.end,
+          button(tr("Save as a file"), () => this.#save()),
+          button(tr("Begin again"), () => this.#again())
+        );
+        return bar;
+      }
+      async #restore() {
+        const text = await this.keeper?.get();
+        if (text && this.editor && this.editor.text === this.#facts?.start) this.editor.text = text;
+        this.#paper();
+        this.dataset.state = "live";
+      }
+      /** @param {string} text */
+      #typed(text) {
+        void this.#python.wake().catch(() => {
+        });
+        clearTimeout(this.#timer);
+        this.#timer = window.setTimeout(() => void this.#keep(text), LATER);
+        this.#paper();
+      }
+      /** @param {string} text @param {boolean} tried */
+      async #keep(text, tried = false) {
+        clearTimeout(this.#timer);
+        const kept = await this.keeper?.put(text, tried);
+        if (!kept) say(
+          /** @type {HTMLElement} */
+          this.note,
+          tr("Not saved")
+        );
+        this.toggleAttribute("data-kept", Boolean(kept));
+      }
+      /** On paper stands what is in the box now. */
+      #paper() {
+        say(need(this, ".carts-law-paper code"), this.editor?.text ?? "");
+      }
+      #again() {
+        if (!this.editor || !this.#facts || !this.#baked) return;
+        this.editor.text = this.#facts.start;
+        this.#typed(this.editor.text);
+        this.#tell("");
+        this.found?.replaceChildren();
+        this.#first();
+        this.editor.box.focus();
+      }
+      #save() {
+        if (!this.editor || !this.#facts) return;
+        download(this.#facts.file, this.editor.text, "text/x-python");
+      }
+      /** One thing at a time; what goes wrong is told, and the text stays. @param {() => Promise<void>} act */
+      #do(act) {
+        this.#turn += 1;
+        const turn = this.#turn;
+        this.#tell("");
+        this.#working(true);
+        this.complete = act().catch((error) => {
+          if (turn === this.#turn) this.#tell(
+            /** @type {Error} */
+            error.message
+          );
+        }).finally(() => {
+          if (turn === this.#turn) this.#working(false);
+        });
+      }
+      async #run() {
+        say(
+          /** @type {HTMLElement} */
+          this.note,
+          tr("Computing …")
+        );
+        const { header, numbers } = await this.#asked({ do: "run", scene: this.#scene() });
+        const run = { header, trajectory: fromWire(header, numbers) };
+        this.#show(
+          run,
+          /** @type {Baked} */
+          this.#baked,
+          tr("Your law")
+        );
+        const unequal = (
+          /** @type {any} */
+          header.unequal
+        );
+        const note = unequal ? tr("The two carts do not push each other equally hard.") : "";
+        say(
+          /** @type {HTMLElement} */
+          this.note,
+          note
+        );
+      }
+      async #judge() {
+        const note = (
+          /** @type {HTMLElement} */
+          this.note
+        );
+        this.found?.replaceChildren();
+        const scene = this.#scene();
+        let before = null;
+        for (let part = 0, parts = 6; part !== null; ) {
+          say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
+          const { header } = await this.#asked({ do: "judge", scene, part, before });
+          before = header.judged;
+          parts = header.parts;
+          part = header.next;
+        }
+        say(note, "");
+        this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
+      }
+      /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
+      async #example(verdict) {
+        const { header, numbers } = await this.#asked({ do: "run", scene: verdict.scene });
+        const run = { header, trajectory: fromWire(header, numbers) };
+        this.#show(run, alongWith(
+          /** @type {Baked} */
+          this.#baked,
+          run
+        ), tr("A counterexample"));
+        this.shown?.scrollIntoView({ block: "nearest" });
+      }
+      /** @param {Record<string, unknown>} message */
+      async #asked(message) {
+        void this.#keep(this.editor?.text ?? "", true);
+        return this.#python.ask(message);
+      }
+      /** The scene of the page, with the law as it is in the box. */
+      #scene() {
+        const { file } = (
+          /** @type {Facts} */
+          this.#facts
+        );
+        const scene = (
+          /** @type {Baked} */
+          this.#baked.fence.scene
+        );
+        return { ...scene, laws: { [file]: this.editor?.text || "\n" } };
+      }
+      /** @param {Run} run @param {Baked} baked @param {string} caption */
+      #show(run, baked, caption) {
+        this.#picture(run, baked, caption);
+        this.shown?.append(ends([{ label: caption, run }], baked.view.decimals));
+      }
+      /** @param {Run} run @param {Baked} baked @param {string} caption */
+      #picture(run, baked, caption) {
+        this.#pictures?.leave();
+        this.#pictures = new Pictures(baked, [{ run, caption }]);
+        this.shown?.replaceChildren(this.#pictures.root);
+      }
+      /** What the reader begins with, without its numbers: a lesson may ask for them first. */
+      #first() {
+        const baked = (
+          /** @type {Baked} */
+          this.#baked
+        );
+        this.#picture(baked.run, baked, tr("The law that you begin with"));
+      }
+      /** @param {string} message */
+      #tell(message) {
+        say(
+          /** @type {HTMLElement} */
+          this.fault,
+          message
+        );
+        if (message) say(
+          /** @type {HTMLElement} */
+          this.note,
+          ""
+        );
+        const line = LINE2.exec(message);
+        if (message && line) this.editor?.go(Number(line[1]));
+      }
+      /** @param {boolean} on */
+      #working(on) {
+        for (const one of [this.run, this.judge]) if (one) one.disabled = on;
+        if (this.end) this.end.disabled = !on;
+        this.toggleAttribute("data-working", on);
+      }
+    };
+  }
+  function alongWith(baked, { header }) {
+    const mass = header.bodies.reduce((sum, body2) => sum + body2.mass, 0);
+    const camera = header.bodies.reduce((sum, body2) => sum + body2.mass * body2.velocity, 0) / mass;
+    return { ...baked, fence: { ...baked.fence, camera } };
+  }
+
+  // src/law-main.js
+  var script = (
+    /** @type {HTMLScriptElement | null} */
+    document.currentScript
+  );
+  var own = new URL(script?.src || document.baseURI);
+  customElements.define("carts-law", lawElement(new URL(`runtime/${own.search}`, own).href));
+})();

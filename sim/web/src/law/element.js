@@ -1,0 +1,236 @@
+/** `<carts-law>`: a law of force that a reader writes, its run, and the judge. */
+
+import { tr } from "../../../view/language.js";
+import { fromWire } from "../../../view/trajectory.js";
+import { bakedOf } from "../scene/baked.js";
+import { html, need, say } from "../shared/dom.js";
+import { download } from "../shared/download.js";
+import { ends } from "../worlds/ends.js";
+import { Pictures } from "../worlds/pictures.js";
+import { Editor } from "./editor.js";
+import { lawKeeper } from "./keep.js";
+import { OwnPython } from "./own-python.js";
+import { verdicts } from "./verdicts.js";
+
+/** @typedef {import("../../../view/types.js").Run} Run */
+/** @typedef {import("../../../view/types.js").Baked} Baked */
+/** @typedef {import("./verdicts.js").Judged} Judged */
+/** @typedef {{id: string, hash: string, ask: string, file: string, start: string, baked: any}} Facts */
+
+const LATER = 300; // ms after the last key until the text is put away
+const LINE = /^\D*(\d+)/; // "line 4: …", in any language
+
+/** @param {string} base address of the folder `runtime/` */
+export function lawElement(base) {
+  return class CartsLaw extends HTMLElement {
+    /** @type {Facts | null} */
+    #facts = null;
+    /** @type {Baked | null} */
+    #baked = null;
+    /** @type {Pictures | null} */
+    #pictures = null;
+    #python = new OwnPython(base);
+    #turn = 0;
+    #timer = 0;
+    /** Resolves when what was asked for last is shown. @type {Promise<unknown>} */
+    complete = Promise.resolve();
+
+    connectedCallback() {
+      if (this.#facts) return;
+      /** @type {Facts} */
+      const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
+      this.#facts = facts;
+      this.#baked = bakedOf(facts.baked);
+      this.keeper = lawKeeper(facts);
+      this.editor = new Editor(facts.id, (text) => this.#typed(text));
+      this.editor.text = facts.start;
+      this.note = html("p", "carts-law-note");
+      this.note.setAttribute("role", "status");
+      this.fault = html("p", "carts-law-fault");
+      this.fault.setAttribute("role", "alert");
+      this.shown = html("div", "carts-law-shown");
+      this.found = html("div", "carts-law-found");
+      const bar = this.#buttons();
+      const live = need(this, ".carts-law-live");
+      live.append(this.editor.root, bar, this.fault, this.note, this.shown, this.found);
+      live.hidden = false;
+      this.classList.add("carts-law-ready");
+      this.#first();
+      this.complete = this.#restore();
+    }
+
+    disconnectedCallback() {
+      this.#pictures?.leave();
+      this.#python.stop();
+    }
+
+    #buttons() {
+      const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
+        const made = /** @type {HTMLButtonElement} */ (html("button", "carts-button", text));
+        made.type = "button";
+        made.addEventListener("click", act);
+        return made;
+      };
+      const bar = html("div", "carts-law-bar");
+      this.run = button(tr("Run"), () => this.#do(() => this.#run()));
+      this.judge = button(tr("Judge"), () => this.#do(() => this.#judge()));
+      this.end = button(tr("Stop"), () => this.#python.stop());
+      this.end.disabled = true;
+      bar.append(
+        this.run,
+        this.judge,
+        this.end,
+        button(tr("Save as a file"), () => this.#save()),
+        button(tr("Begin again"), () => this.#again()),
+      );
+      return bar;
+    }
+
+    async #restore() {
+      const text = await this.keeper?.get();
+      if (text && this.editor && this.editor.text === this.#facts?.start) this.editor.text = text;
+      this.#paper();
+      this.dataset.state = "live"; // from now on it takes a law
+    }
+
+    /** @param {string} text */
+    #typed(text) {
+      void this.#python.wake().catch(() => {}); // Python is there when the law is
+      clearTimeout(this.#timer);
+      this.#timer = window.setTimeout(() => void this.#keep(text), LATER);
+      this.#paper();
+    }
+
+    /** @param {string} text @param {boolean} tried */
+    async #keep(text, tried = false) {
+      clearTimeout(this.#timer);
+      const kept = await this.keeper?.put(text, tried);
+      if (!kept) say(/** @type {HTMLElement} */ (this.note), tr("Not saved"));
+      this.toggleAttribute("data-kept", Boolean(kept));
+    }
+
+    /** On paper stands what is in the box now. */
+    #paper() {
+      say(need(this, ".carts-law-paper code"), this.editor?.text ?? "");
+    }
+
+    #again() {
+      if (!this.editor || !this.#facts || !this.#baked) return;
+      this.editor.text = this.#facts.start;
+      this.#typed(this.editor.text);
+      this.#tell("");
+      this.found?.replaceChildren();
+      this.#first();
+      this.editor.box.focus();
+    }
+
+    #save() {
+      if (!this.editor || !this.#facts) return;
+      download(this.#facts.file, this.editor.text, "text/x-python");
+    }
+
+    /** One thing at a time; what goes wrong is told, and the text stays. @param {() => Promise<void>} act */
+    #do(act) {
+      this.#turn += 1;
+      const turn = this.#turn;
+      this.#tell("");
+      this.#working(true);
+      this.complete = act()
+        .catch((error) => {
+          if (turn === this.#turn) this.#tell(/** @type {Error} */ (error).message);
+        })
+        .finally(() => {
+          if (turn === this.#turn) this.#working(false);
+        });
+    }
+
+    async #run() {
+      say(/** @type {HTMLElement} */ (this.note), tr("Computing …"));
+      const { header, numbers } = await this.#asked({ do: "run", scene: this.#scene() });
+      const run = { header, trajectory: fromWire(header, numbers) };
+      this.#show(run, /** @type {Baked} */ (this.#baked), tr("Your law"));
+      const unequal = /** @type {any} */ (header).unequal;
+      const note = unequal ? tr("The two carts do not push each other equally hard.") : "";
+      say(/** @type {HTMLElement} */ (this.note), note);
+    }
+
+    async #judge() {
+      const note = /** @type {HTMLElement} */ (this.note);
+      this.found?.replaceChildren();
+      const scene = this.#scene();
+      /** @type {any} */
+      let before = null;
+      for (let part = 0, parts = 6; part !== null; ) {
+        say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
+        const { header } = await this.#asked({ do: "judge", scene, part, before });
+        before = header.judged;
+        parts = header.parts;
+        part = header.next;
+      }
+      say(note, "");
+      this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
+    }
+
+    /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
+    async #example(verdict) {
+      const { header, numbers } = await this.#asked({ do: "run", scene: verdict.scene });
+      const run = { header, trajectory: fromWire(header, numbers) };
+      this.#show(run, alongWith(/** @type {Baked} */ (this.#baked), run), tr("A counterexample"));
+      this.shown?.scrollIntoView({ block: "nearest" });
+    }
+
+    /** @param {Record<string, unknown>} message */
+    async #asked(message) {
+      void this.#keep(this.editor?.text ?? "", true);
+      return this.#python.ask(message);
+    }
+
+    /** The scene of the page, with the law as it is in the box. */
+    #scene() {
+      const { file } = /** @type {Facts} */ (this.#facts);
+      const scene = /** @type {Baked} */ (this.#baked).fence.scene;
+      return { ...scene, laws: { [file]: this.editor?.text || "\n" } };
+    }
+
+    /** @param {Run} run @param {Baked} baked @param {string} caption */
+    #show(run, baked, caption) {
+      this.#picture(run, baked, caption);
+      this.shown?.append(ends([{ label: caption, run }], baked.view.decimals));
+    }
+
+    /** @param {Run} run @param {Baked} baked @param {string} caption */
+    #picture(run, baked, caption) {
+      this.#pictures?.leave();
+      this.#pictures = new Pictures(baked, [{ run, caption }]);
+      this.shown?.replaceChildren(this.#pictures.root);
+    }
+
+    /** What the reader begins with, without its numbers: a lesson may ask for them first. */
+    #first() {
+      const baked = /** @type {Baked} */ (this.#baked);
+      this.#picture(baked.run, baked, tr("The law that you begin with"));
+    }
+
+    /** @param {string} message */
+    #tell(message) {
+      say(/** @type {HTMLElement} */ (this.fault), message);
+      if (message) say(/** @type {HTMLElement} */ (this.note), "");
+      const line = LINE.exec(message);
+      if (message && line) this.editor?.go(Number(line[1]));
+    }
+
+    /** @param {boolean} on */
+    #working(on) {
+      for (const one of [this.run, this.judge]) if (one) one.disabled = on;
+      if (this.end) this.end.disabled = !on;
+      this.toggleAttribute("data-working", on);
+    }
+  };
+}
+
+/** The same picture, moving with the middle of the two: so they stay in it. @param {Baked} baked @param {Run} run @returns {Baked} */
+function alongWith(baked, { header }) {
+  const mass = header.bodies.reduce((sum, body) => sum + body.mass, 0);
+  const camera = header.bodies.reduce((sum, body) => sum + body.mass * body.velocity, 0) / mass;
+  return { ...baked, fence: { ...baked.fence, camera } };
+}

@@ -1,0 +1,77 @@
+/**
+ * A Python for one reader's law, apart from that of the scenes: what runs away in it is ended, and
+ * nothing else of the page notices. It starts when it is first asked for something.
+ */
+
+import { tr } from "../../../view/language.js";
+import { startRuntime } from "../runtime/runtime.js";
+import { watch } from "../runtime/watch.js";
+import { refusal } from "../shared/waiting.js";
+
+/** @typedef {import("../runtime/runtime.js").Runtime} Runtime */
+
+const PACKAGES = ["newtons-carts-law"];
+const LIMIT = 4; // s of one answer, in which the page was awake; a usual law takes a tenth of that
+
+export class OwnPython {
+  /** @type {Promise<Runtime> | null} */
+  #runtime = null;
+  /** @type {(error: Error) => void} */
+  #end = () => {};
+
+  /** @param {string} base address of the folder `runtime/` */
+  constructor(base) {
+    this.base = base;
+  }
+
+  /** Starts it, so that a reader who types need not wait later. */
+  wake() {
+    this.#runtime ??= startRuntime({ base: this.base, packages: PACKAGES });
+    return this.#runtime;
+  }
+
+  /**
+   * The answer to a request; rejects with what a reader is to be told.
+   * @param {Record<string, unknown>} message @returns {Promise<{header: any, numbers: Float64Array}>}
+   */
+  async ask(message) {
+    const started = this.wake();
+    /** @type {Promise<never>} */
+    const late = new Promise((_, reject) => {
+      this.#end = reject; // from now on: also while Python still starts
+    });
+    late.catch(() => {});
+    const failed = started.catch((error) => {
+      if (this.#runtime === started) this.#runtime = null;
+      throw error;
+    });
+    const runtime = await Promise.race([failed, late]);
+    const timer = watch(LIMIT, () => {
+      this.#end(new Error(tr("Your law took more than {time} s and was ended.", { time: LIMIT })));
+      this.stop();
+    });
+    try {
+      const answer = runtime.request({ kind: "law", ...message });
+      answer.catch(() => {}); // where the limit was first, nobody waits for it any more
+      const { header, numbers } = /** @type {any} */ (await Promise.race([answer, late]));
+      if (!header.ok) throw refusal(header.problems ?? []);
+      return { header, numbers };
+    } catch (error) {
+      if (runtime.gone) this.#runtime = null;
+      throw error;
+    } finally {
+      timer.stop();
+    }
+  }
+
+  /** Ends it, whatever it does. */
+  stop() {
+    const runtime = this.#runtime;
+    this.#runtime = null;
+    void runtime?.then(
+      (one) => one.stop(),
+      () => {},
+    );
+    this.#end(new Error(tr("Stopped.")));
+  }
+}
