@@ -28,6 +28,9 @@ SAMPLES_PER_STEP = {
 }
 """A motion solved in many short steps is sampled in each of them: fewer do for the same picture."""
 
+SAMPLES_OF_SPHERES = 3
+"""Per stretch, of which a contact of spheres has many: ever shorter ones towards its ends."""
+
 FORMLESS = ("hertz",)
 INTEGRATED = {"numpy", "scipy"}
 """Contact laws without a closed form or a power series, and what integrates them."""
@@ -87,7 +90,9 @@ def bake_with(scene: Mapping[str, Any], changes: Mapping[str, Any]) -> Run:
     header, numbers = answer(request)
     if header["ok"]:
         solvers = header["evaluations"]["solvers"]
-        if solvers.get("adaptive", 0) + solvers.get("power-series", 0) > MANY_STEPS:
+        if any(contact["law"] in FORMLESS for contact in header["contacts"]):
+            header, numbers = answer(request | {"samples": SAMPLES_OF_SPHERES})
+        elif solvers.get("adaptive", 0) + solvers.get("power-series", 0) > MANY_STEPS:
             fewer = max(SAMPLES_PER_STEP.get(name, 1) for name in solvers)
             header, numbers = answer(request | {"samples": fewer})
         elif header["rows"] > MANY_ROWS:

@@ -135,7 +135,10 @@ def finish(
         f'    <meta name="carts-page" content="{escape(page_id)}">'
     )
     last = [f"<script>{watching}</script>"]
-    last += [f'<link rel="stylesheet" href="{assets}{name}">' for name in ("site.css", "carts.css")]
+    sheets = ["site.css", "carts.css"]
+    sheets += ["measured.css"] if needs.measured else []
+    sheets += ["class.css"] if needs.classroom else []
+    last += [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]
     if needs.formulas:
         last += [
             f'<link rel="stylesheet" href="{assets}katex/katex.min.css">',

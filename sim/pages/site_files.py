@@ -17,6 +17,8 @@ import sim
 ASSETS = "assets/carts/"
 FILM = "film.js"
 """Loaded when a reader chooses a film; no page names it."""
+OWN_STYLES = ("measured.css", "class.css")
+"""Of the pages with readings of real carts, and of class results, beside that of all."""
 SEARCH_FROM_DISK = ASSETS + "iframe-worker.js"  # a name that keeps the theme from adding its own
 
 _WEB = Path(sim.__file__).parent / "web"
@@ -82,8 +84,12 @@ def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     yield "site.css", _style_sheet(node_modules)
     yield "formulas.js", _read(_WEB / "site" / "formulas.js", "git restore sim/web/site")
     yield "answers.js", _read(_WEB / "dist" / "answers.js", "make bundle")
-    sheets = [*sorted(_WEB.glob("css/*.css")), _CLASSROOM / "show" / "report.css"]
+    own = {name: _WEB / "css" / name for name in OWN_STYLES}
+    sheets = [path for path in sorted(_WEB.glob("css/*.css")) if path not in own.values()]
     yield "carts.css", b"\n".join(path.read_bytes() for path in sheets)
+    report = (_CLASSROOM / "show" / "report.css").read_bytes()
+    for name, path in own.items():
+        yield name, path.read_bytes() + (report if name == "class.css" else b"")
     for font in FONTS:
         path = node_modules / font
         yield f"fonts/{path.name}", _read(path, "make site")

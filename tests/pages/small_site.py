@@ -37,7 +37,9 @@ def make_site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> MakeSite:
 
     The Python runtime is not packed and the page's script is empty: other tests look at those.
     """
-    monkeypatch.setattr(runtime, "pack", lambda *_, **__: None)
+    monkeypatch.setattr(
+        runtime, "pack", lambda *_, **__: runtime.RuntimeFacts(Path(), {}, {}, "not here")
+    )
     monkeypatch.setattr(site_files, "scene_script", lambda: b"")
     monkeypatch.chdir(tmp_path)
 

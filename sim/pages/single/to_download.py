@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from sim.pages.findings import SiteError
 from sim.pages.single.all_inside import runtime_files
 from sim.pages.single.of_lesson import single_lesson
 from sim.pages.site_files import ASSETS
@@ -30,13 +31,16 @@ def with_place(html: str, name: str, assets: str) -> str:
 def write_shells(
     site: Path, lessons: Mapping[str, frozenset[str]], root: Path, report: Callable[[str], None]
 ) -> None:
-    """Write the shells of `lessons` (packages by page) into the built site; raises SiteError."""
+    """Write the shells of `lessons` (packages by page) into the built site: none without Python."""
     folder = site / ASSETS / FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     runtimes: dict[frozenset[str], dict[str, str]] = {}
     for name, packages in sorted(lessons.items()):
         if packages not in runtimes:
-            runtimes[packages] = runtime_files(packages, root, report)
+            try:
+                runtimes[packages] = runtime_files(packages, root, report)
+            except SiteError:
+                return  # it cannot be had here; the pages of this site say so themselves
         page = (site / name).with_suffix(".html")
         text = _shell(page, site, runtimes[packages])
         (folder / _file(name)).write_text(text, encoding="utf-8", newline="\n")

@@ -2321,11 +2321,9 @@
           );
         });
         this.#controls = new Controls(this, facts.controls, {
-          change: (target, value, at3) => {
-            this.set({ [target]: value }, at3).catch((error) => {
-              this.#controls?.complain(target, error.message);
-            });
-          }
+          change: (target, value, at3) => void this.set({ [target]: value }, at3).catch(
+            (error) => this.#controls?.complain(target, error.message)
+          )
         });
         this.#figure.mark(facts.here, facts.at ?? Number.NaN);
         for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;
@@ -3071,7 +3069,7 @@
     }
     /**
      * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {{patience?: number, [key: string]: unknown}} message `patience`: seconds without a sign until it is lost, where a
+     * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
      *   reader knows that it takes long and can stop it
      * @returns {Promise<Answer>}
      */
@@ -3079,7 +3077,7 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const { patience = PATIENCE2 } = message;
+        const patience = Number(message.patience ?? PATIENCE2);
         const text = JSON.stringify(message);
         this.queue.push({ number: this.number, text, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

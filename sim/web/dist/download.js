@@ -36,6 +36,7 @@
     /** @type {HTMLScriptElement} */
     document.currentScript.src
   );
+  var MARK = /<script data-from="([^"]+)"><.script>/;
   var place = (
     /** @type {HTMLElement | null} */
     document.querySelector(".carts-download")
@@ -46,7 +47,7 @@
     return answer.text();
   }
   async function whole(shell, tell) {
-    const pieces = (await textOf(shell)).split(/<script data-from="([\w./-]+)"><\/script>/);
+    const pieces = (await textOf(shell)).split(MARK);
     const names = pieces.filter((_, k) => k % 2 === 1);
     let done = 0;
     const scripts = await Promise.all(
@@ -57,7 +58,7 @@
         return `<script>${text}<\/script>`;
       })
     );
-    const parts = pieces.map((piece, k) => k % 2 ? scripts[(k - 1) / 2] ?? "" : piece);
+    const parts = pieces.map((piece, k) => k % 2 ? scripts[Math.floor(k / 2)] ?? "" : piece);
     return new Blob(parts, { type: "text/html" });
   }
   function offer(root) {

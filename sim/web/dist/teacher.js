@@ -585,7 +585,7 @@
     }
     /**
      * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-     * @param {{patience?: number, [key: string]: unknown}} message `patience`: seconds without a sign until it is lost, where a
+     * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
      *   reader knows that it takes long and can stop it
      * @returns {Promise<Answer>}
      */
@@ -593,7 +593,7 @@
       if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
       return new Promise((resolve, reject) => {
         this.number += 1;
-        const { patience = PATIENCE } = message;
+        const patience = Number(message.patience ?? PATIENCE);
         const text2 = JSON.stringify(message);
         this.queue.push({ number: this.number, text: text2, patience, resolve, reject });
         if (this.queue.length === 1) this.send();

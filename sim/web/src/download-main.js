@@ -8,6 +8,7 @@ import { say } from "./shared/dom.js";
 import { downloadBlob } from "./shared/download.js";
 
 const assets = new URL(".", /** @type {HTMLScriptElement} */ (document.currentScript).src);
+const MARK = /<script data-from="([^"]+)"><.script>/;
 const place = /** @type {HTMLElement | null} */ (document.querySelector(".carts-download"));
 
 /** @param {URL} address @returns {Promise<string>} */
@@ -22,7 +23,7 @@ async function textOf(address) {
  * @returns {Promise<Blob>} the whole file
  */
 async function whole(shell, tell) {
-  const pieces = (await textOf(shell)).split(/<script data-from="([\w./-]+)"><\/script>/);
+  const pieces = (await textOf(shell)).split(MARK);
   const names = pieces.filter((_, k) => k % 2 === 1);
   let done = 0;
   const scripts = await Promise.all(
@@ -33,7 +34,7 @@ async function whole(shell, tell) {
       return `<script>${text}</script>`;
     }),
   );
-  const parts = pieces.map((piece, k) => (k % 2 ? (scripts[(k - 1) / 2] ?? "") : piece));
+  const parts = pieces.map((piece, k) => (k % 2 ? (scripts[Math.floor(k / 2)] ?? "") : piece));
   return new Blob(parts, { type: "text/html" });
 }
 

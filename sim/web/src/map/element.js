@@ -59,11 +59,10 @@ export function mapElement(client) {
         );
       });
       this.#controls = new Controls(this, facts.controls, {
-        change: (target, value, at) => {
-          this.set({ [target]: value }, at).catch((error) => {
-            this.#controls?.complain(target, error.message);
-          });
-        },
+        change: (target, value, at) =>
+          void this.set({ [target]: value }, at).catch((error) =>
+            this.#controls?.complain(target, error.message),
+          ),
       });
       this.#figure.mark(facts.here, facts.at ?? Number.NaN);
       for (const part of [".carts-map-open", ".carts-map-wait"]) need(this, part).hidden = false;

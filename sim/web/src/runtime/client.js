@@ -4,7 +4,7 @@
  */
 
 /** @typedef {{header: import("../../../view/types.js").Header, numbers: Float64Array, sent: Record<string, any>}} Reply */
-/** @typedef {{request: (message: object) => Promise<{header: any, numbers: Float64Array}>, stop: () => void, onlost: (reason: any) => void}} Runtime */
+/** @typedef {{request: (message: Record<string, unknown>) => Promise<{header: any, numbers: Float64Array}>, stop: () => void, onlost: (reason: any) => void}} Runtime */
 /** @typedef {(more: string[]) => Promise<Runtime>} Start `more`: packages beside those of the scenes */
 /** @typedef {"idle" | "starting" | "ready" | "failed"} State */
 /** @typedef {() => Record<string, unknown>} Message made when it is sent, so that it is the newest */

@@ -71,7 +71,7 @@ export class Runtime {
 
   /**
    * Sends a request and returns its answer. Rejects if Python breaks on it or is lost.
-   * @param {{patience?: number, [key: string]: unknown}} message `patience`: seconds without a sign until it is lost, where a
+   * @param {Record<string, unknown>} message `patience`: seconds without a sign until it is lost, where a
    *   reader knows that it takes long and can stop it
    * @returns {Promise<Answer>}
    */
@@ -79,7 +79,7 @@ export class Runtime {
     if (this.gone) return Promise.reject(new RuntimeFailure(this.gone));
     return new Promise((resolve, reject) => {
       this.number += 1;
-      const { patience = PATIENCE } = message;
+      const patience = Number(message.patience ?? PATIENCE);
       const text = JSON.stringify(message);
       this.queue.push({ number: this.number, text, patience, resolve, reject });
       if (this.queue.length === 1) this.send();
