@@ -16,7 +16,7 @@ from collections.abc import Callable
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.located import CLOSE, Key, crossed, first_zero
 from sim.dynamics.stepping.pairs import Row
-from sim.dynamics.stepping.stepper import LocatedStepper
+from sim.dynamics.stepping.sided import OwnSteps
 from sim.mine.field import WrittenField
 from sim.scene.model import Scene
 from sim.scene.said import said
@@ -32,8 +32,8 @@ ROWS: tuple[tuple[float, ...], ...] = (
     (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
 )
 FIFTH = (*ROWS[6], 0.0)
-FOURTH = (5179 / 57600, 0.0, 7571 / 16695, 393 / 640, -92097 / 339200, 187 / 2100, 1 / 40)
-DIFFERENCE = tuple(a - b for a, b in zip(FIFTH, FOURTH, strict=True))
+DIFFERENCE = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
+"""The weights of the fifth order less those of the fourth."""
 
 RTOL = 1e-9
 """Error of one step, relative to the greatest closing speed."""
@@ -56,11 +56,8 @@ SHORTEST = 1e-13
 Dense = Callable[[float], tuple[Row, Row]]
 """Places and velocities at s after the beginning of a step."""
 
-STUCK = 40
-"""Events at one instant, one after the other, without a step between them."""
 
-
-class EmbeddedStepper(LocatedStepper):
+class EmbeddedStepper(OwnSteps):
     """`method` is not used: the steps are those of this module."""
 
     def __init__(
@@ -73,34 +70,33 @@ class EmbeddedStepper(LocatedStepper):
         own = [abs(cart.velocity) for cart in scene.carts]
         self.speed = max([*closing, 1e-3] if any(closing) else [*own, 1e-3])
         self.longest = scene.until / PARTS
-        self.next = self.longest
+        self.next = min(self.longest, FIRST) if self._touching() else self.longest
 
     def make_field(self, scene: Scene, lanes: int) -> WrittenField:
         """With the laws of the scene."""
         self.own = WrittenField(scene, right_first=self.right_first)
         return self.own
 
-    def drive(self, until: float) -> None:
-        """To the end of the scene; raises UnsolvedError where the steps do not come to it."""
-        t, still = 0.0, 0
-        self.next = min(self.longest, FIRST if self._touching() else self.longest)
-        while t < until:
-            stop = min([until, *(time for time in self.times if time > t)])
-            end = min(stop, t + self.next)
-            self.field.force_time = 0.5 * (t + end)
-            done, keys = self.part(t, end - t)
-            self.steps += 1
-            if keys:
-                self.located.change(keys, t + done, self.s, self.v)
-                self.next = FIRST if self._touching() else self.longest
-            t = end if done == end - t else t + done
-            self.field.force_time = None
-            still = still + 1 if done == 0.0 else 0
-            self.impacts.settle(t, self.s, self.v)
-            if t in self.times:
-                self.located.begin(t, self.s, self.v)
-            if still > STUCK or self.own.calls > self.most_calls:
-                raise self._lost(t)
+    def length(self, t: float) -> float:
+        """s. What the error of the last one allows."""
+        return self.next
+
+    def changed(self) -> None:
+        """A contact that has just begun is tried carefully."""
+        self.next = FIRST if self._touching() else self.longest
+
+    def spent(self) -> bool:
+        """Too many questions."""
+        return self.own.calls > self.most_calls
+
+    def lost(self, t: float) -> UnsolvedError:
+        """A law without values that belong together."""
+        return UnsolvedError(
+            said("the steps became too short: the law has no values that belong together here"),
+            said("a force changes little when overlap and rate change little"),
+            t,
+            (),
+        )
 
     def _touching(self) -> bool:
         return any(mode != "apart" for mode in (self.field.modes or {}).values())
@@ -115,8 +111,8 @@ class EmbeddedStepper(LocatedStepper):
             if error <= 1.0:
                 break
             h *= factor
-            if h < SHORTEST * self.field.scene.until or self.own.calls > self.most_calls:
-                raise self._lost(t)
+            if h < SHORTEST * self.field.scene.until or self.spent():
+                raise self.lost(t)
         after = self.located.guards(t + h, s1, v1)
         roots: dict[Key, float] = {}
         for key in crossed(before, after):
@@ -172,14 +168,6 @@ class EmbeddedStepper(LocatedStepper):
         before, self.s, self.v = self.s, s, v
         if self.seen is not None:
             self.tell(t + h, h, before, FIFTH)
-
-    def _lost(self, t: float) -> UnsolvedError:
-        return UnsolvedError(
-            said("the steps became too short: the law has no values that belong together here"),
-            said("a force changes little when overlap and rate change little"),
-            t,
-            (),
-        )
 
 
 def _sum(weights: tuple[float, ...], stages: list[Row], k: int) -> float:

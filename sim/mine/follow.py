@@ -7,14 +7,14 @@ sides were answered differently, stands under `field.OWN`.
 
 from __future__ import annotations
 
-from array import array
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping.methods import Way
-from sim.dynamics.stepping.pairs import Detail, Row
-from sim.dynamics.stepping.recorded import Recorder
+from sim.dynamics.stepping.pairs import Detail
+from sim.dynamics.stepping.sided import Side, SidedRecorder
 from sim.mine.embedded import RTOL, EmbeddedStepper
 from sim.mine.field import OWN
 from sim.scene.model import Scene
@@ -34,26 +34,21 @@ class WrittenRun:
     unequal: bool
 
 
-class WrittenRecorder(Recorder):
-    """Keeps what came from nowhere, and the push on each side of every gap."""
+class WrittenRecorder(SidedRecorder):
+    """Of laws that somebody wrote, under `field.OWN`."""
 
     def __init__(self, scene: Scene, run: EmbeddedStepper) -> None:
         self.own = run.own
-        self.on: dict[tuple[int, int], array[float]] = {
-            (pair.gap, side): array("d") for pair, _ in run.own.written for side in (0, 1)
-        }
-        super().__init__(scene, Way(METHOD, rtol=run.rtol), run, run.longest)
+        gaps = (pair.gap for pair, _ in run.own.written)
+        super().__init__(scene, Way(METHOD, rtol=run.rtol), run, run.longest, OWN, gaps)
 
-    def from_outside(self) -> list[tuple[str, int]]:
-        """The laws beside the scene's own effects."""
-        return [*super().from_outside(), *((OWN, k) for k in range(self.own.count))]
-
-    def _row(self, t: float, a: Row, detail: Detail) -> None:
-        super()._row(t, a, detail)  # the forces were evaluated for this very instant
+    def pushes(self, detail: Detail) -> Mapping[Side, float]:
+        """What the law answered to each side."""
+        found = {}
         for pair, force in self.own.written:
             push = detail.push[pair.gap]
-            self.on[pair.gap, 0].append(push + force.odd)
-            self.on[pair.gap, 1].append(push - force.odd)
+            found[pair.gap, 0], found[pair.gap, 1] = push + force.odd, push - force.odd
+        return found
 
 
 def follow(scene: Scene, rtol: float = RTOL) -> WrittenRun:
@@ -63,11 +58,9 @@ def follow(scene: Scene, rtol: float = RTOL) -> WrittenRun:
     recorder = WrittenRecorder(scene, stepper)
     stepper.drive(scene.until)
     done = recorder.finish()
-    columns, unequal = dict(done.samples.columns), stepper.own.unequal
-    for (gap, side), column in recorder.on.items():
-        names = scene.names_at(gap)
-        if unequal:
-            columns["on", "-".join(names), names[side]] = column
-    if not unequal:  # nothing came from nowhere, and nothing is told of it
+    columns, unequal = done.samples.columns, stepper.own.unequal
+    if unequal:
+        columns = columns | recorder.columns_on()
+    else:  # nothing came from nowhere, and nothing is told of it
         columns = {key: column for key, column in columns.items() if key[:2] != ("E", OWN)}
     return WrittenRun(scene, done.run, Trajectory(columns), stepper.own.calls, unequal)

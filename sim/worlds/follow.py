@@ -8,7 +8,7 @@ alone has a closed form also here (that of carts of mass m/α), which is what th
 from __future__ import annotations
 
 import math
-from array import array
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
@@ -16,8 +16,7 @@ from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.pairs import Detail, Row
-from sim.dynamics.stepping.recorded import Recorder
-from sim.dynamics.stepping.stepper import LocatedStepper
+from sim.dynamics.stepping.sided import OwnSteps, Side, SidedRecorder
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 from sim.worlds.describe import World
@@ -36,9 +35,6 @@ LATE = 1 / 2
 MOST = 200_000
 """Steps of one run: some seconds."""
 
-STUCK = 40
-"""Events at one instant, one after the other, without a step between them."""
-
 
 @dataclass(frozen=True, slots=True)
 class WorldRun:
@@ -50,7 +46,7 @@ class WorldRun:
     samples: Trajectory
 
 
-class WorldStepper(LocatedStepper):
+class WorldStepper(OwnSteps):
     """Steps as long as the stiffest contact just now allows."""
 
     def __init__(self, scene: Scene, name: str, world: Impossible) -> None:
@@ -70,6 +66,14 @@ class WorldStepper(LocatedStepper):
         if late and self.own.echoes(t):
             least = min((self._swing(pair.gap) for pair in self.field.pairs), default=whole)
         return min(whole, least * LATE if late else least)
+
+    def spent(self) -> bool:
+        """Too many steps."""
+        return self.steps >= MOST
+
+    def lost(self, t: float) -> UnsolvedError:
+        """Of a world there is no other way than steps."""
+        return UnsolvedError("this world does not come to its end", "a shorter run (until)", t, ())
 
     def _pressed(self) -> list[int]:
         modes = self.field.modes or {}
@@ -91,24 +95,18 @@ class WorldStepper(LocatedStepper):
             self.own.remember(t + h, push, links)
 
 
-class WorldRecorder(Recorder):
-    """Keeps what came from nowhere, and the push on each side of every gap."""
+class WorldRecorder(SidedRecorder):
+    """Of a world, under its name."""
 
     def __init__(self, scene: Scene, run: WorldStepper) -> None:
         self.own = run.own
-        self.on: dict[tuple[int, int], array[float]] = {
-            (pair.gap, side): array("d") for pair in run.field.pairs for side in (0, 1)
-        }
-        super().__init__(scene, Way("rk4-events"), run, scene.until / PARTS)
+        gaps = (pair.gap for pair in run.field.pairs)
+        way = Way("rk4-events")
+        super().__init__(scene, way, run, scene.until / PARTS, run.own.name, gaps)
 
-    def from_outside(self) -> list[tuple[str, int]]:
-        """The world beside the scene's own effects."""
-        return [*super().from_outside(), *((self.own.name, k) for k in range(self.own.count))]
-
-    def _row(self, t: float, a: Row, detail: Detail) -> None:
-        super()._row(t, a, detail)  # the forces were evaluated for this very instant
-        for key, column in self.on.items():
-            column.append(self.own.on.get(key, 0.0))
+    def pushes(self, detail: Detail) -> Mapping[Side, float]:
+        """What the world gave to each side."""
+        return self.own.on
 
 
 def follow(scene: Scene, world: World) -> WorldRun:
@@ -117,32 +115,7 @@ def follow(scene: Scene, world: World) -> WorldRun:
     changed = acts.scene(scene)
     stepper = WorldStepper(changed, world.kind.name, acts)
     recorder = WorldRecorder(changed, stepper)
-    _drive(stepper, changed.until)
+    stepper.drive(changed.until)
     done = recorder.finish()
-    columns = dict(done.samples.columns)
-    for (gap, side), column in recorder.on.items():
-        names = changed.names_at(gap)
-        columns["on", "-".join(names), names[side]] = column
+    columns = done.samples.columns | recorder.columns_on()
     return WorldRun(scene, world, done.run, Trajectory(columns))
-
-
-def _drive(run: WorldStepper, until: float) -> None:
-    t, still = 0.0, 0
-    for _ in range(MOST):
-        if t >= until:
-            return
-        stop = min([until, *(time for time in run.times if time > t)])
-        end = min(stop, t + run.length(t))
-        run.field.force_time = 0.5 * (t + end)
-        done, keys = run.part(t, end - t)
-        if keys:
-            run.located.change(keys, t + done, run.s, run.v)
-        t = end if done == end - t else t + done
-        run.field.force_time = None
-        still = still + 1 if done == 0.0 else 0
-        run.impacts.settle(t, run.s, run.v)
-        if t in run.times:
-            run.located.begin(t, run.s, run.v)
-        if still > STUCK:
-            break
-    raise UnsolvedError("this world does not come to its end", "a shorter run (until)", t, ())

@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sim.mine.contact import WrittenForce
-from sim.mine.embedded import FIRST, QUICK, SHORTEST
+from sim.mine.embedded import DIFFERENCE, FIRST, QUICK, ROWS, SHORTEST
 
 Two = tuple[float, float]
 State = tuple[float, float, float, float]
@@ -133,8 +133,6 @@ class Contact:
         return (x7, w7, u7, v7), (p, q), error / small
 
 
-ROW5 = (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729)
-ROW6 = (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656)
-ROW7 = (35 / 384, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84)
-ERROR = (71 / 57600, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
-"""Of the embedded pair, without its noughts; ERROR is the fifth order less the fourth."""
+ROW5, ROW6 = ROWS[4], ROWS[5]
+ROW7, ERROR = (tuple(c for c in row if c) for row in (ROWS[6], DIFFERENCE))
+"""Of the embedded pair, without its noughts."""
