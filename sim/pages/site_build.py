@@ -192,7 +192,7 @@ class SiteBuild:
         works = licences.notices(modules, scenes=scenes, packages=packages)
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
         if self.hosting:
-            lessons = {name: self.asked[name] for name in self.needs if self._to_download(name)}
+            lessons = {n: self.asked[n] for n, needs in self.needs.items() if needs.download}
             to_download.write_shells(site, lessons, self.root, report)
             self.hosting.write(site, self.site_id)  # the last: it lists all files
 

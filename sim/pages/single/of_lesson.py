@@ -11,7 +11,7 @@ import html
 import json
 import mimetypes
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -32,7 +32,7 @@ dark.addEventListener("change", follow);
 follow();
 """
 _ONLY_IN_A_SITE = ("iframe-worker", "teacher", "download.js", "offline.js")
-_WITH_PYTHON = ("/carts.js", "/measured.js")
+_WITH_PYTHON = ("/carts.js", "/measured.js", "/law.js")
 _PAGE = """\
 <!doctype html>
 <html lang="{language}"><head><meta charset="utf-8">
@@ -53,8 +53,13 @@ _PAGE = """\
 """
 
 
-def single_lesson(page: Path, site: Path, runtime: Iterable[str]) -> str:
-    """The file for the built page; `runtime`: scripts of a runtime that has what the page needs."""
+def single_lesson(
+    page: Path, site: Path, runtime: Iterable[str], elsewhere: Mapping[str, str] | None = None
+) -> str:
+    """The file for the built page; `runtime`: scripts of a runtime that has what the page needs.
+
+    `elsewhere`: scripts that are put in later, with their addresses: `data-from` names them.
+    """
     text = page.read_text(encoding="utf-8")
     sheets = [
         _beside(page, href) for href in re.findall(r'<link rel="stylesheet" href="(.+?)"', text)
@@ -82,7 +87,7 @@ def single_lesson(page: Path, site: Path, runtime: Iterable[str]) -> str:
         article=_article(text, page),
         licences=html.escape(licences),
         data="\n".join(data),
-        scripts="\n".join(f"<script>{_closed(script)}</script>" for script in scripts),
+        scripts="\n".join(_script(script, elsewhere or {}) for script in scripts),
     )
 
 
@@ -133,10 +138,12 @@ def _data(path: Path) -> str:
     return f"data:{kind or 'application/octet-stream'};base64,{coded}"
 
 
-def _closed(script: str) -> str:
+def _script(script: str, elsewhere: Mapping[str, str]) -> str:
     if re.search(r"</script", script, re.IGNORECASE):
         raise ValueError("a script that holds the end of a script cannot stand in a page")
-    return script
+    if script in elsewhere:
+        return f'<script data-from="{elsewhere[script]}"></script>'
+    return f"<script>{script}</script>"
 
 
 def _first(pattern: str, text: str) -> str:

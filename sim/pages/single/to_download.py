@@ -15,25 +15,29 @@ from sim.pages.findings import SiteError
 from sim.pages.single.all_inside import runtime_files
 from sim.pages.single.of_lesson import single_lesson
 from sim.pages.site_files import ASSETS
+from sim.pages.teach.doors import END
 
 FOLDER = "download/"
 """Beside the page's scripts. The shells are text there, no pages to be opened or listed."""
-
-_END = "</article>"
 
 
 def with_place(html: str, name: str, assets: str) -> str:
     """The page with the place of the button at its foot; the script fills and shows it."""
     place = f'<p class="carts-download" data-shell="{assets}{FOLDER}{_file(name)}" hidden></p>'
-    return html.replace(_END, f"{place}\n{_END}", 1)
+    return html.replace(END, f"{place}\n{END}", 1)
 
 
 def write_shells(
     site: Path, lessons: Mapping[str, frozenset[str]], root: Path, report: Callable[[str], None]
 ) -> None:
     """Write the shells of `lessons` (packages by page) into the built site: none without Python."""
-    folder = site / ASSETS / FOLDER
+    assets = site / ASSETS
+    folder = assets / FOLDER
     folder.mkdir(parents=True, exist_ok=True)
+    own = {
+        path.read_text(encoding="utf-8"): path.relative_to(assets).as_posix()
+        for path in sorted(assets.rglob("*.js"))
+    }
     runtimes: dict[frozenset[str], dict[str, str]] = {}
     for name, packages in sorted(lessons.items()):
         if packages not in runtimes:
@@ -42,18 +46,8 @@ def write_shells(
             except SiteError:
                 return  # it cannot be had here; the pages of this site say so themselves
         page = (site / name).with_suffix(".html")
-        text = _shell(page, site, runtimes[packages])
+        text = single_lesson(page, site, runtimes[packages].values(), own)
         (folder / _file(name)).write_text(text, encoding="utf-8", newline="\n")
-
-
-def _shell(page: Path, site: Path, runtime: Mapping[str, str]) -> str:
-    whole = single_lesson(page, site, runtime.values())
-    assets = site / ASSETS
-    for path in sorted(assets.rglob("*.js")):
-        script = f"<script>{path.read_text(encoding='utf-8')}</script>"
-        mark = f'<script data-from="{path.relative_to(assets).as_posix()}"></script>'
-        whole = whole.replace(script, mark)
-    return whole
 
 
 def _file(name: str) -> str:

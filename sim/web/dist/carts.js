@@ -6638,7 +6638,7 @@ ${lines4.join("\n")}
     #generation = 0;
     // of resets: what was asked for before one is not shown after it
     #asked = 0;
-    // changes so far: a prepared run is shown for the newest only, and before the exact one
+    // changes and resets so far: a prepared run is shown for the newest only, and before the exact one
     /**
      * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
      * @param {{scene: () => object | undefined, draw: (run: Run) => unknown, say: (message: string) => void}} acts
@@ -6707,9 +6707,9 @@ ${lines4.join("\n")}
     /** Shows the nearest prepared run if nothing newer has come before it. */
     async #meanwhile() {
       if (!this.prepared?.there) return;
-      const [asked3, generation] = [this.#asked, this.#generation];
+      const asked3 = this.#asked;
       const found2 = await this.prepared.nearest(this.values.wanted).catch(() => null);
-      if (!found2?.header.ok || asked3 !== this.#asked || generation !== this.#generation) return;
+      if (!found2?.header.ok || asked3 !== this.#asked) return;
       this.values.good = found2.set;
       const { header, numbers } = found2;
       await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
@@ -6717,6 +6717,7 @@ ${lines4.join("\n")}
     /** Back to the values that the scene came with. */
     reset() {
       this.#generation += 1;
+      this.#asked += 1;
       this.values.reset();
     }
   };

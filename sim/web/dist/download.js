@@ -48,17 +48,16 @@
   }
   async function whole(shell, tell) {
     const pieces = (await textOf(shell)).split(MARK);
-    const names = pieces.filter((_, k) => k % 2 === 1);
     let done = 0;
-    const scripts = await Promise.all(
-      names.map(async (name) => {
-        const text = await textOf(new URL(name, assets));
+    const parts = await Promise.all(
+      pieces.map(async (piece, k) => {
+        if (k % 2 === 0) return piece;
+        const text = await textOf(new URL(piece, assets));
         done += 1;
-        tell(done, names.length);
+        tell(done, (pieces.length - 1) / 2);
         return `<script>${text}<\/script>`;
       })
     );
-    const parts = pieces.map((piece, k) => k % 2 ? scripts[Math.floor(k / 2)] ?? "" : piece);
     return new Blob(parts, { type: "text/html" });
   }
   function offer(root) {

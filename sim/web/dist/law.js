@@ -404,8 +404,8 @@
     ]);
   }
   function greatestOn(run, pair, on) {
-    const own2 = run.trajectory.on?.[`${pair} ${on}`];
-    return own2 ? Math.max(0, ...Array.from(own2)) : greatest(run, pair);
+    const own = run.trajectory.on?.[`${pair} ${on}`];
+    return own ? Math.max(0, ...Array.from(own)) : greatest(run, pair);
   }
   function last({ trajectory }, name) {
     return Number(trajectory.v[name]?.[trajectory.t.length - 1]);
@@ -1036,15 +1036,15 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         (effect) => effect.kind === kind && (always ? effect.active : actsAt(effect, t))
       );
       for (const { name } of header.bodies) {
-        const own2 = acting.filter((effect) => effect.carts.includes(name));
+        const own = acting.filter((effect) => effect.carts.includes(name));
         const column = trajectory.E[`${kind} ${name}`];
-        if (!own2.length || !column?.length) continue;
+        if (!own.length || !column?.length) continue;
         const peak = greatest2(column);
-        const on = own2.some((effect) => actsAt(effect, t));
+        const on = own.some((effect) => actsAt(effect, t));
         const exact = on ? valueAt(trajectory.t, column, null, t) : 0;
         const value = Math.abs(exact) <= NOISE * peak ? 0 : exact;
         const size = value ? fixed(Math.abs(value), decimalsFor(peak || 1)) : "0";
-        found2.push({ kind, on: name, by: listed([...new Set(own2.map(agent))]), value, size });
+        found2.push({ kind, on: name, by: listed([...new Set(own.map(agent))]), value, size });
       }
     }
     return found2;
@@ -1778,9 +1778,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
      */
     #picture(baked, { run, caption, impossible = false }, windows) {
       const figure = html("figure", impossible ? "carts-impossible" : "");
-      const own2 = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-other` } };
+      const own = { ...baked, run, fence: { ...baked.fence, id: `${baked.fence.id}-other` } };
       const template = document.createElement("template");
-      template.innerHTML = baked.view.layouts.map((layout) => stage(own2, layout)).join("");
+      template.innerHTML = baked.view.layouts.map((layout) => stage(own, layout)).join("");
       const label = html("figcaption", "", caption);
       if (impossible) label.prepend(html("b", "", tr("Impossible:")), " ");
       figure.append(label, template.content);
@@ -2307,19 +2307,19 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
   var indexes = /* @__PURE__ */ new Map();
   function runScript(src, name) {
     return new Promise((resolve, reject) => {
-      const script2 = document.createElement("script");
-      script2.src = src;
-      script2.async = true;
+      const script = document.createElement("script");
+      script.src = src;
+      script.async = true;
       const settle = (then) => () => {
-        script2.remove();
+        script.remove();
         then();
       };
-      script2.onload = settle(resolve);
-      script2.onerror = settle(() => {
+      script.onload = settle(resolve);
+      script.onerror = settle(() => {
         if (isLeaving()) staying().then(() => runScript(src, name).then(resolve, reject));
         else reject(new RuntimeFailure("payload-missing", src, name));
       });
-      document.head.append(script2);
+      document.head.append(script);
     });
   }
   function indexOf(base) {
@@ -3023,11 +3023,16 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
     return { ...baked, fence: { ...baked.fence, camera } };
   }
 
+  // src/runtime/page-python.js
+  function besideScript(folder) {
+    const script = (
+      /** @type {HTMLScriptElement | null} */
+      document.currentScript
+    );
+    const own = new URL(script?.src || document.baseURI);
+    return new URL(`${folder}${own.search}`, own).href;
+  }
+
   // src/law-main.js
-  var script = (
-    /** @type {HTMLScriptElement | null} */
-    document.currentScript
-  );
-  var own = new URL(script?.src || document.baseURI);
-  customElements.define("carts-law", lawElement(new URL(`runtime/${own.search}`, own).href));
+  customElements.define("carts-law", lawElement(besideScript("runtime/")));
 })();

@@ -2,7 +2,6 @@
 
 import "./shared/older.js";
 import { lawElement } from "./law/element.js";
+import { besideScript } from "./runtime/page-python.js";
 
-const script = /** @type {HTMLScriptElement | null} */ (document.currentScript);
-const own = new URL(script?.src || document.baseURI);
-customElements.define("carts-law", lawElement(new URL(`runtime/${own.search}`, own).href));
+customElements.define("carts-law", lawElement(besideScript("runtime/")));

@@ -15,7 +15,7 @@ export class Runs {
   /** @type {import("./prepared.js").Prepared | null} */
   prepared = null;
   #generation = 0; // of resets: what was asked for before one is not shown after it
-  #asked = 0; // changes so far: a prepared run is shown for the newest only, and before the exact one
+  #asked = 0; // changes and resets so far: a prepared run is shown for the newest only, and before the exact one
 
   /**
    * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
@@ -93,9 +93,9 @@ export class Runs {
   /** Shows the nearest prepared run if nothing newer has come before it. */
   async #meanwhile() {
     if (!this.prepared?.there) return;
-    const [asked, generation] = [this.#asked, this.#generation];
+    const asked = this.#asked;
     const found = await this.prepared.nearest(this.values.wanted).catch(() => null); // Python will say
-    if (!found?.header.ok || asked !== this.#asked || generation !== this.#generation) return;
+    if (!found?.header.ok || asked !== this.#asked) return;
     this.values.good = found.set;
     const { header, numbers } = found;
     await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
@@ -104,6 +104,7 @@ export class Runs {
   /** Back to the values that the scene came with. */
   reset() {
     this.#generation += 1;
+    this.#asked += 1;
     this.values.reset();
   }
 }
