@@ -65,7 +65,7 @@ class Needs:
     language: str = ENGLISH  # of the interface words
     challenge: bool = False  # a goal for the runs of a scene
     worlds: bool = False  # impossible ones, beside a scene
-    download: bool = False  # the page as one file
+    hosted: bool = False  # on a web server: how to take it home
     law: bool = False  # a law that a reader writes
 
 
@@ -161,10 +161,10 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     """The scripts of ours that a page needs: the words of its language before those that say them,
     and on every page the one that keeps answers and has the panel “My answers”."""
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
-    names += ["carts.js"] if needs.scenes else []
+    names += ["carts.js", "tour.js"] if needs.scenes else []
     names += ["challenge.js"] if needs.challenge else []
     names += ["worlds.js"] if needs.worlds else []
-    names += ["download.js"] if needs.download else []
+    names += ["hosted.js"] if needs.hosted else []
     names += ["law.js"] if needs.law else []
     names += ["measured.js"] if needs.measured else []
     names += ["class-keys.js", "class.js"] if needs.classroom else []

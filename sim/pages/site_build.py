@@ -107,7 +107,7 @@ class SiteBuild:
         challenge, worlds = "<carts-challenge" in html, "<carts-worlds" in html
         self.needs[name] = Needs(
             page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
-            page.language, challenge, worlds, self._to_download(name), "<carts-law" in html,
+            page.language, challenge, worlds, self._has_foot(name), "<carts-law" in html,
         )  # fmt: skip
         kinds = "scene|map|cost|hard|measured|law|question|quiz|challenge"
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
@@ -134,8 +134,9 @@ class SiteBuild:
         needs = self.needs.get(name, Needs()) if name else Needs()
         if any(other.scenes for other in self.needs.values()):  # else there is no Python to do it
             html = self.doors.with_door(html, name, assets, self.ids.used)
-        if name and needs.download:
-            html = to_download.with_place(html, name, assets)
+        if name and self.hosting and needs.hosted:
+            lesson = name if self._is_lesson(name) else ""
+            html = to_download.with_place(html, assets, lesson=lesson, kept=self.hosting.offline)
         page = finish(
             html,
             audience=self.audience,
@@ -192,14 +193,17 @@ class SiteBuild:
         works = licences.notices(modules, scenes=scenes, packages=packages)
         (site / licences.FILE_NAME).write_text(licences.licence_file(works), encoding="utf-8")
         if self.hosting:
-            lessons = {n: self.asked[n] for n, needs in self.needs.items() if needs.download}
+            lessons = {n: self.asked[n] for n in self.needs if self._is_lesson(n)}
             to_download.write_shells(site, lessons, self.root, report)
             self.hosting.write(site, self.site_id)  # the last: it lists all files
 
-    def _to_download(self, name: str) -> bool:
-        """Whether the page is a lesson on a web server: it can be had as one file."""
-        folder = self.lessons.name if self.lessons else None
-        return self.hosting is not None and bool(folder) and name.startswith(f"{folder}/")
+    def _is_lesson(self, name: str) -> bool:
+        """Whether the page lies in the folder of lessons."""
+        return self.lessons is not None and name.startswith(f"{self.lessons.name}/")
+
+    def _has_foot(self, name: str) -> bool:
+        """Whether a reader on a web server is told at the page's foot how to take it home."""
+        return self.hosting is not None and (self._is_lesson(name) or name == "index.md")
 
     def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:
         from sim.pages import runtime  # only where a page has a scene
@@ -207,13 +211,14 @@ class SiteBuild:
         try:
             assets = site / site_files.ASSETS
             (assets / "carts.js").write_bytes(site_files.scene_script())
+            (assets / "tour.js").write_bytes(site_files.own_script("tour"))
             packages = set(self.packages)
             if any(needs.classroom for needs in self.needs.values()):
                 (assets / "class.js").write_bytes(site_files.class_script())
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
                 )
-            for name in ("challenge", "worlds", "law", "download"):
+            for name in ("challenge", "worlds", "law", "hosted"):
                 if any(getattr(needs, name) for needs in self.needs.values()):
                     (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             if any(needs.measured for needs in self.needs.values()):

@@ -62,7 +62,7 @@ def film_script() -> bytes:
 
 
 def own_script(name: str) -> bytes:
-    """The committed bundle of pages with challenges, worlds or laws: assets/carts/NAME.js."""
+    """A committed bundle that only some pages have: assets/carts/NAME.js."""
     return _read(_WEB / "dist" / f"{name}.js", "make bundle")
 
 

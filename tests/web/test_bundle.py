@@ -14,7 +14,8 @@ ENTRIES |= {"measured.js": "measured-main.js", "teacher.js": "teacher-main.js"}
 ENTRIES |= {
     "challenge.js": "challenge-main.js",
     "film.js": "film-main.js",
-    "download.js": "download-main.js",
+    "hosted.js": "hosted-main.js",
+    "tour.js": "tour-main.js",
 }
 ENTRIES |= {"draw.js": "draw-main.js", "worlds.js": "worlds-main.js"}
 

@@ -21,7 +21,7 @@ def test_a_lesson_that_was_downloaded_is_live_alone_in_a_folder(
     hosted_site: Path, site_server: Callable[[Path], str], open_page: OpenPage, tmp_path: Path
 ) -> None:
     page = open_page(f"{site_server(hosted_site)}/worksheets/{LESSON}.html")
-    place = page.locator(".carts-download")
+    place = page.locator(".carts-hosted")
     with page.expect_download(timeout=LIVE * 3) as saving:
         place.get_by_role("button", name="Download this lesson").click()
     alone = tmp_path / "alone" / saving.value.suggested_filename
@@ -32,7 +32,7 @@ def test_a_lesson_that_was_downloaded_is_live_alone_in_a_folder(
     assert "data-from=" not in text
     page = open_page(alone)
     page.wait_for_selector('carts-scene[data-state="live"]', timeout=LIVE * 2)
-    assert page.locator(".carts-download").count() == 0
+    assert page.locator(".carts-hosted").count() == 0
 
 
 def test_shells_hold_no_python_and_a_site_for_double_click_has_none(
@@ -43,4 +43,4 @@ def test_shells_hold_no_python_and_a_site_for_double_click_has_none(
     assert len(shells) == len(lessons)
     assert all(shell.stat().st_size < 1_500_000 for shell in shells)
     assert not (site / "assets" / "carts" / "download").exists()
-    assert "carts-download" not in (site / "worksheets" / f"{LESSON}.html").read_text("utf-8")
+    assert "carts-hosted" not in (site / "worksheets" / f"{LESSON}.html").read_text("utf-8")

@@ -31,7 +31,7 @@ const follow = () => { document.body.dataset.mdColorScheme = dark.matches ? "sla
 dark.addEventListener("change", follow);
 follow();
 """
-_ONLY_IN_A_SITE = ("iframe-worker", "teacher", "download.js", "offline.js")
+_ONLY_IN_A_SITE = ("iframe-worker", "teacher", "hosted.js", "offline.js")
 _WITH_PYTHON = ("/carts.js", "/measured.js", "/law.js")
 _PAGE = """\
 <!doctype html>
@@ -102,7 +102,10 @@ def _article(text: str, page: Path) -> str:
     """The text of the page, its pictures inside; links to other pages are only words here."""
     start, end = text.index("<article"), text.rindex("</article>") + len("</article>")
     article = re.sub(
-        r'<p class="carts-(?:teach-door|download)".*?</p>', "", text[start:end], flags=re.S
+        r'<p class="carts-teach-door".*?</p>|<div class="carts-hosted".*?</div>',
+        "",
+        text[start:end],
+        flags=re.S,
     )
     article = re.sub(r"<a [^>]*md-content__button.*?</a>", "", article, flags=re.S)
 

@@ -2,7 +2,7 @@
 
 A whole file for each lesson would hold Python once a lesson. So the site has a shell of it: the
 file as `of_lesson` writes it, with a mark in the place of each script that the site has anyway. The
-page's script (`download-main.js`) fetches them, most of them out of its cache, and puts them in.
+page's script (`hosted/download.js`) fetches them, most of them out of its cache, and puts them in.
 The policy of the file names every script by its hash: one that is not as it was will not run.
 """
 
@@ -21,9 +21,11 @@ FOLDER = "download/"
 """Beside the page's scripts. The shells are text there, no pages to be opened or listed."""
 
 
-def with_place(html: str, name: str, assets: str) -> str:
-    """The page with the place of the button at its foot; the script fills and shows it."""
-    place = f'<p class="carts-download" data-shell="{assets}{FOLDER}{_file(name)}" hidden></p>'
+def with_place(html: str, assets: str, *, lesson: str, kept: bool) -> str:
+    """The page with a place at its foot that its script fills: how to take `lesson` home as a file
+    ("": it is no lesson), and how to keep the site on a tablet, if it can be `kept` there."""
+    shell = f' data-shell="{assets}{FOLDER}{_file(lesson)}"' if lesson else ""
+    place = f'<div class="carts-hosted"{shell}{" data-kept" if kept else ""}></div>'
     return html.replace(END, f"{place}\n{END}", 1)
 
 

@@ -120,6 +120,18 @@
   }
 
   // src/answers/bar.js
+  var SHEET = "M3 1.5h7l3 3v10H3zM5.5 7.5h5M5.5 10.5h3";
+  function sheet() {
+    const drawn = svg("svg", {
+      class: "carts-bar-sheet",
+      viewBox: "0 0 16 16",
+      width: 18,
+      height: 18,
+      "aria-hidden": "true"
+    });
+    drawn.append(svg("path", { d: SHEET }));
+    return drawn;
+  }
   var Bar = class {
     /** @param {import("./book.js").Book} book @param {() => void} openPanel */
     constructor(book2, openPanel) {
@@ -130,7 +142,8 @@
       this.meter = document.createElement("progress");
       this.meter.setAttribute("aria-label", tr("questions answered on this page"));
       this.count = html("span", "carts-bar-count");
-      const button2 = html("button", "carts-button carts-bar-open", tr("My answers"));
+      const button2 = html("button", "carts-button carts-bar-open");
+      button2.append(sheet(), html("span", "carts-bar-name", tr("My answers")));
       button2.setAttribute("type", "button");
       button2.setAttribute("aria-haspopup", "dialog");
       button2.addEventListener("click", openPanel);
@@ -147,8 +160,14 @@
       void book2.ready.then(() => {
         this.show();
         this.root.dataset.ready = "";
-        document.body.append(this.root);
+        this.#place();
       });
+    }
+    /** Where nothing is asked, only the button is wanted: in the page's head, where it covers nothing. */
+    #place() {
+      const title = outline() ? null : document.querySelector(".md-header__title");
+      if (title) title.after(this.root);
+      else document.body.append(this.root);
     }
     show() {
       const { done, of } = this.book.progress();

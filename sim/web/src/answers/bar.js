@@ -4,8 +4,23 @@
  */
 
 import { tr } from "../../../view/language.js";
-import { html, say } from "../shared/dom.js";
+import { html, say, svg } from "../shared/dom.js";
 import { outline } from "./outline.js";
+
+const SHEET = "M3 1.5h7l3 3v10H3zM5.5 7.5h5M5.5 10.5h3";
+
+/** A written sheet, in place of the words where a phone has no room for them. */
+function sheet() {
+  const drawn = svg("svg", {
+    class: "carts-bar-sheet",
+    viewBox: "0 0 16 16",
+    width: 18,
+    height: 18,
+    "aria-hidden": "true",
+  });
+  drawn.append(svg("path", { d: SHEET }));
+  return drawn;
+}
 
 export class Bar {
   /** @param {import("./book.js").Book} book @param {() => void} openPanel */
@@ -17,7 +32,8 @@ export class Bar {
     this.meter = document.createElement("progress");
     this.meter.setAttribute("aria-label", tr("questions answered on this page"));
     this.count = html("span", "carts-bar-count");
-    const button = html("button", "carts-button carts-bar-open", tr("My answers"));
+    const button = html("button", "carts-button carts-bar-open");
+    button.append(sheet(), html("span", "carts-bar-name", tr("My answers")));
     button.setAttribute("type", "button");
     button.setAttribute("aria-haspopup", "dialog");
     button.addEventListener("click", openPanel);
@@ -34,8 +50,15 @@ export class Bar {
     void book.ready.then(() => {
       this.show();
       this.root.dataset.ready = ""; // what was kept is back
-      document.body.append(this.root); // whole: nothing in it moves any more
+      this.#place(); // whole: nothing in it moves any more
     });
+  }
+
+  /** Where nothing is asked, only the button is wanted: in the page's head, where it covers nothing. */
+  #place() {
+    const title = outline() ? null : document.querySelector(".md-header__title");
+    if (title) title.after(this.root);
+    else document.body.append(this.root);
   }
 
   show() {

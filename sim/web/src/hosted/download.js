@@ -3,13 +3,11 @@
  * The site has a shell of it (`sim/pages/single/to_download.py`); what it names is fetched and put in.
  */
 
-import { tr } from "../../view/language.js";
-import { say } from "./shared/dom.js";
-import { downloadBlob } from "./shared/download.js";
+import { tr } from "../../../view/language.js";
+import { say } from "../shared/dom.js";
+import { downloadBlob } from "../shared/download.js";
 
-const assets = new URL(".", /** @type {HTMLScriptElement} */ (document.currentScript).src);
 const MARK = /<script data-from="([^"]+)"><.script>/;
-const place = /** @type {HTMLElement | null} */ (document.querySelector(".carts-download"));
 
 /** @param {URL} address @returns {Promise<string>} */
 async function textOf(address) {
@@ -19,10 +17,10 @@ async function textOf(address) {
 }
 
 /**
- * @param {URL} shell @param {(done: number, all: number) => void} tell
+ * @param {URL} shell @param {string} assets address of the folder of scripts @param {(done: number, all: number) => void} tell
  * @returns {Promise<Blob>} the whole file
  */
-async function whole(shell, tell) {
+async function whole(shell, assets, tell) {
   const pieces = (await textOf(shell)).split(MARK); // every other one is a name
   let done = 0;
   const parts = await Promise.all(
@@ -37,8 +35,12 @@ async function whole(shell, tell) {
   return new Blob(parts, { type: "text/html" });
 }
 
-/** @param {HTMLElement} root */
-function offer(root) {
+/**
+ * A button and what it says. @param {string} address of the shell @param {string} assets address of the folder of scripts
+ * @returns {HTMLElement}
+ */
+export function downloadLine(address, assets) {
+  const line = document.createElement("p");
   const button = document.createElement("button");
   button.type = "button";
   button.className = "md-button";
@@ -46,11 +48,11 @@ function offer(root) {
   const said = document.createElement("span");
   said.setAttribute("role", "status");
   said.textContent = tr("One file that opens by double click, without a network.");
-  const shell = new URL(root.dataset.shell ?? "", document.baseURI);
+  const shell = new URL(address, document.baseURI);
   button.addEventListener("click", async () => {
     button.disabled = true;
     try {
-      const file = await whole(shell, (done, all) =>
+      const file = await whole(shell, assets, (done, all) =>
         say(said, tr("{done} of {all}", { done, all })),
       );
       const name = location.pathname
@@ -65,8 +67,6 @@ function offer(root) {
       button.disabled = false;
     }
   });
-  root.append(button, " ", said);
-  root.hidden = false;
+  line.append(button, " ", said);
+  return line;
 }
-
-if (place) offer(place);

@@ -1,0 +1,156 @@
+"use strict";
+(() => {
+  // ../view/language.js
+  var catalogue = (
+    /** @type {any} */
+    globalThis.cartsWords ?? {}
+  );
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
+  }
+  function filled(template, values) {
+    return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  }
+
+  // src/shared/dom.js
+  function html(tag, className = "", text = "") {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text) made.textContent = text;
+    return made;
+  }
+  function say(element, text) {
+    if (element.textContent !== text) element.textContent = text;
+  }
+
+  // src/tour/hints.js
+  var PULLED = ".carts-draggable";
+  var HINTS = [
+    {
+      name: "drag",
+      text: (scene) => pulled(scene)?.classList.contains("carts-cart") ? tr("Pull a cart: where shall it start?") : tr("Pull the arrow: how fast shall the cart start?"),
+      place: pulled,
+      can: (scene) => scene.time === 0 && scene.querySelector(".carts-panel input:enabled") !== null
+    },
+    {
+      name: "play",
+      text: () => tr("Press Play."),
+      place: (scene) => scene.querySelector(".carts-play:enabled"),
+      can: (scene) => scene.time === 0
+    },
+    {
+      name: "back",
+      text: () => tr("Pull the time back: you see it again."),
+      place: (scene) => scene.querySelector(".carts-scrub:enabled"),
+      can: (scene) => scene.time > 0
+    }
+  ];
+  function pulled(scene) {
+    const seen = [...scene.querySelectorAll(PULLED)].filter((part) => part.getClientRects().length);
+    return seen.find((part) => part.classList.contains("carts-cart")) ?? seen[0] ?? null;
+  }
+  function isPulled(event) {
+    return event.target instanceof Element && event.target.closest(PULLED) !== null;
+  }
+
+  // src/tour/tour.js
+  var KEY = "carts-tour";
+  var HERE = "carts-tour-here";
+  function showTour(scene) {
+    const done = new Set(known());
+    if (HINTS.every(({ name }) => done.has(name))) return;
+    const card = html("div", "carts-tour");
+    const text = html("span", "carts-tour-text");
+    const close = html("button", "carts-tour-close", "×");
+    close.setAttribute("type", "button");
+    close.setAttribute("aria-label", tr("No more hints"));
+    card.setAttribute("role", "note");
+    card.append(text, close);
+    const finish = (...names) => {
+      if (names.every((name) => done.has(name))) return;
+      for (const name of names) done.add(name);
+      keep([...done]);
+    };
+    let before = 0;
+    const look = () => {
+      const playing = scene.querySelector(".carts-is-playing") !== null;
+      if (playing) finish("play");
+      else if (scene.time > 0 && scene.time < before) finish("back");
+      before = scene.time;
+      const busy = playing || scene.matches(".carts-asks, .carts-projector");
+      point(scene, card, text, busy ? void 0 : nextHint(scene, done));
+      if (done.size >= HINTS.length) end();
+    };
+    let asked = false;
+    const soon = () => {
+      if (asked) return;
+      asked = true;
+      requestAnimationFrame(() => {
+        asked = false;
+        look();
+      });
+    };
+    const leaving = new AbortController();
+    const options = { signal: leaving.signal, capture: true, passive: true };
+    for (const kind of ["click", "input", "keyup", "pointerup", "carts-watched"]) {
+      scene.addEventListener(kind, soon, options);
+    }
+    const pull = (event) => {
+      if (isPulled(event)) finish("drag");
+    };
+    scene.addEventListener("pointerdown", pull, options);
+    close.addEventListener("click", () => {
+      finish(...HINTS.map(({ name }) => name));
+      look();
+    });
+    const changes = new MutationObserver(soon);
+    changes.observe(scene, {
+      attributes: true,
+      attributeFilter: ["class", "data-state", "disabled"],
+      subtree: true
+    });
+    const end = () => {
+      leaving.abort();
+      changes.disconnect();
+    };
+    look();
+  }
+  function nextHint(scene, done) {
+    return HINTS.find((hint) => !done.has(hint.name) && hint.place(scene) && hint.can(scene));
+  }
+  function point(scene, card, text, hint) {
+    const place = hint?.place(scene);
+    for (const old of scene.querySelectorAll(`.${HERE}`)) {
+      if (old !== place) old.classList.remove(HERE);
+    }
+    const world = scene.querySelector(".carts-world");
+    if (!hint || !place || !world) {
+      card.remove();
+      return;
+    }
+    say(text, hint.text(scene));
+    if (!place.classList.contains(HERE)) place.classList.add(HERE);
+    if (card.parentElement !== world) world.append(card);
+  }
+  function known() {
+    try {
+      const kept = JSON.parse(localStorage.getItem(KEY) ?? "[]");
+      return Array.isArray(kept) ? kept : [];
+    } catch {
+      return [];
+    }
+  }
+  function keep(names) {
+    try {
+      localStorage.setItem(KEY, JSON.stringify(names));
+    } catch {
+    }
+  }
+
+  // src/tour-main.js
+  var first = (
+    /** @type {import("./tour/hints.js").Scene | null} */
+    document.querySelector("carts-scene")
+  );
+  if (first) showTour(first);
+})();
