@@ -35,12 +35,13 @@ wheel: node_modules/ready
 	@rm -rf build/wheel
 	@$(PY) -m hatchling build -t wheel -d build/wheel
 
-#   make release       what is given away, into build/release/: wheel, zips, checksums
+#   make release       what is given away, into build/release/: wheel, zips, bill of materials, checksums
 release: wheel
 	@rm -rf build/release && mkdir -p build/release
 	@cp build/wheel/*.whl build/release/
 	@$(PY) -m sim pack --out build/release/newtons-carts-for-students.zip
 	@$(PY) -m sim pack --single --out build/release/newtons-carts-single-lessons.zip
+	@$(PY) -m sim.pages.licences.materials build/release/newtons-carts.cdx.json
 	@cd build/release && sha256sum * > SHA256SUMS && cat SHA256SUMS
 
 # The loop of the README, from the built site; needs ffmpeg.

@@ -36,6 +36,7 @@ class Notice:
     copyright: str
     note: str
     texts: tuple[tuple[str, str], ...]  # title and text
+    package: str  # where its version is from: `npm:katex`, `numpy` of pip; "" or a number: neither
 
     def __str__(self) -> str:
         lines = [f"{self.name} {self.version}".rstrip(), f"  licence: {self.licence}"]
@@ -48,8 +49,7 @@ class Notice:
 def notices(node_modules: Path, *, scenes: bool, packages: Iterable[str] = ()) -> Iterator[Notice]:
     """The works in a site: with the Python runtime if it has `scenes`, and with `packages`."""
     parts = {"site", *(["scenes"] if scenes else []), *packages}
-    rows = yaml.safe_load((_HERE / "notices.yml").read_text(encoding="utf-8"))
-    for row in rows:
+    for row in _rows():
         if row["in"] in parts:
             version = _version(row.get("version", ""), node_modules)
             yield Notice(
@@ -60,12 +60,18 @@ def notices(node_modules: Path, *, scenes: bool, packages: Iterable[str] = ()) -
                 row.get("copyright", ""),
                 row.get("note", ""),
                 tuple(_texts(row, node_modules)),
+                row.get("version", ""),
             )
+
+
+def all_notices(node_modules: Path) -> Iterator[Notice]:
+    """The works in a site that has everything."""
+    return notices(node_modules, scenes=True, packages={row["in"] for row in _rows()})
 
 
 def npm_packages() -> list[str]:
     """The packages from npm whose version or licence text is asked for."""
-    rows = yaml.safe_load((_HERE / "notices.yml").read_text(encoding="utf-8"))
+    rows = _rows()
     named = {row.get(key, "") for row in rows for key in ("version", "from")}
     return sorted(n.removeprefix("npm:") for n in named if n.startswith("npm:"))
 
@@ -79,6 +85,10 @@ def licence_file(works: Iterable[Notice]) -> str:
     parts = [_HEAD.format(rule=_RULE), *(f"{work}\n" for work in works)]
     parts += [f"{_RULE}\n{title}\n{_RULE}\n\n{text.strip()}\n" for title, text in texts.items()]
     return "\n".join(parts)
+
+
+def _rows() -> list[dict[str, Any]]:
+    return list(yaml.safe_load((_HERE / "notices.yml").read_text(encoding="utf-8")))
 
 
 def _version(named: str, node_modules: Path) -> str:
