@@ -31,6 +31,7 @@ OURS = {
     "measured",
     "challenge",
     "law",
+    "picture",
 }
 SHOWN_AS_IT_IS = {"text", "markdown", "csv", "html"}  # output, lessons (their blocks are found too)
 PROGRAMS = re.compile(r"^(?:\.venv/bin/)?(carts|make|pip|cd|python|mkdocs) ?(.*)$")

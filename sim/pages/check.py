@@ -16,6 +16,7 @@ from sim.pages.law_files import with_law_files
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
+from sim.pages.picture import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
@@ -53,6 +54,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
                 evidence_block(block, lesson, first_line=1)
             elif block.name == "measured":
                 read_measured_block(block, lesson, ids, first_line=1)
+            elif block.name == "picture":
+                read_picture_block(block, lesson, first_line=1)
             elif block.name == "law":
                 _check_law(read_law_block(block, lesson, ids, first_line=1))
             else:

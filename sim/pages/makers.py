@@ -27,6 +27,7 @@ class Page:
     ids: SiteIds = field(default_factory=SiteIds)
     report: Callable[[Finding], None] | None = None
     scenes: int = 0
+    pictures: int = 0
     packages: set[str] = field(default_factory=set)
     blocks: tuple[Block, ...] = ()
     items: PageItems = field(default_factory=PageItems)
@@ -151,6 +152,16 @@ def _law(block: Block, page: Page) -> str:
     return render_law(read, run).replace("<carts-law", "<carts-law data-search-exclude", 1)
 
 
+def _picture(block: Block, page: Page) -> str:
+    """A `picture` block: the carts of a scene at one instant. Nothing is loaded for it."""
+    from sim.pages.picture import read_picture_block, render_picture
+
+    read = read_picture_block(block, page.lesson, first_line=page.first_line)
+    page.pictures += 1
+    made = render_picture(read, page.pictures)
+    return made.replace("<div", "<div data-search-exclude", 1)
+
+
 MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "scene": _scene,
     "map": _map,
@@ -162,6 +173,7 @@ MAKERS: dict[str, Callable[[Block, Page], str]] = {
     "evidence": _evidence,
     "measured": _measured,
     "law": _law,
+    "picture": _picture,
 }
 
 

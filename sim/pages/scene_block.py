@@ -196,7 +196,7 @@ def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Pla
         return AuthorError([Finding(lesson.file, *source.key_place(path), code, message, hint)])
 
     name = source.plain["file"]
-    path = _find(name, lesson.scene_folders) if isinstance(name, str) else None
+    path = found_in(name, lesson.scene_folders) if isinstance(name, str) else None
     if path is None:
         raise refuse(
             ("file",),
@@ -223,10 +223,15 @@ def with_scene_file(source: Source, lesson: Lesson) -> tuple[dict[str, Any], Pla
     return {**scene.plain, **own}, Places(lesson.file, source, shown, scene)
 
 
-def _find(name: str, folders: Iterable[Path]) -> Path | None:
+SCENE_FILES = (".yml", ".yaml")
+
+
+def found_in(
+    name: str, folders: Iterable[Path], endings: tuple[str, ...] = SCENE_FILES
+) -> Path | None:
     """The file called `name` in the first of `folders` that has it; never outside of them."""
     relative = PurePosixPath(name)
-    if relative.is_absolute() or ".." in relative.parts or relative.suffix not in (".yml", ".yaml"):
+    if relative.is_absolute() or ".." in relative.parts or relative.suffix not in endings:
         return None
     for folder in folders:
         path = folder / relative

@@ -2,10 +2,9 @@
 
     python -m tests.benchmarks [AREA ...]
 
-Every module of this folder with a function `rows()` is an area. A row is a dictionary with `name`,
-`value`, `unit`, `goal` (None where there is none) and `reference`, what it was measured against.
-The goal is an upper bound, or a lower one with `"at_least": True`. A missed goal is marked, and is
-not an error.
+Every module of this folder with a function `rows()` is an area. A missed goal is marked, and is not
+an error; nor is an area that cannot be measured here. A run of all areas is kept, and the page
+*Measured* and the badges are made from it.
 """
 
 from __future__ import annotations
@@ -15,33 +14,32 @@ import json
 import os
 import pkgutil
 import platform
+import subprocess
 import sys
 from collections.abc import Iterable
+from datetime import UTC, datetime
+from importlib import metadata
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
+from tests.benchmarks import _kept
+from tests.benchmarks._rows import Row, goal_text, missed
+
 ROOT = Path(__file__).parents[2]
-Row = dict[str, Any]
+BROWSERS = ("chromium", "firefox-esr")
+PACKAGES = ("numpy", "scipy")
 
 
-def areas() -> list[str]:
-    """The names of all areas."""
-    found = (module.name for module in pkgutil.iter_modules([str(Path(__file__).parent)]))
-    return sorted(name for name in found if not name.startswith("_"))
-
-
-def missed(row: Row) -> bool:
-    """Whether the row has a goal and does not reach it."""
-    if row["goal"] is None:
-        return False
-    return bool(row["value"] < row["goal"] if row.get("at_least") else row["value"] > row["goal"])
-
-
-def goal_text(row: Row) -> str:
-    """The goal as the table shows it."""
-    if row["goal"] is None:
-        return ""
-    return f"{'≥' if row.get('at_least') else '≤'} {row['goal']:.3g}"
+def areas() -> dict[str, ModuleType]:
+    """The areas by name."""
+    names = sorted(module.name for module in pkgutil.iter_modules([str(Path(__file__).parent)]))
+    found = {
+        name: importlib.import_module(f"tests.benchmarks.{name}")
+        for name in names
+        if not name.startswith("_")
+    }
+    return {name: module for name, module in found.items() if hasattr(module, "rows")}
 
 
 def table(rows: Iterable[Row]) -> str:
@@ -56,26 +54,59 @@ def table(rows: Iterable[Row]) -> str:
     return "\n".join(line.rstrip() for line in lines)
 
 
-def main(chosen: list[str]) -> int:
-    """Run the chosen areas, or all of them. Returns the exit code."""
+def measure(chosen: dict[str, ModuleType]) -> tuple[list[Row], dict[str, str]]:
+    """The rows of all areas, and why an area has none."""
+    rows: list[Row] = []
+    left_out: dict[str, str] = {}
+    for name, module in chosen.items():
+        print(f"measuring {name} …", file=sys.stderr, flush=True)
+        try:
+            rows += [{"area": name, **row} for row in module.rows()]
+        except Exception as error:  # whatever it is: the others are measured
+            left_out[name] = f"{type(error).__name__}: {error}".splitlines()[0]
+            print(f"  {left_out[name]}", file=sys.stderr)
+    return rows, left_out
+
+
+def about() -> dict[str, Any]:
+    """The day, the machine, and what ran on it."""
+    machine = f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores"
+    versions = {"Python": platform.python_version()}
+    versions |= {name: metadata.version(name) for name in PACKAGES}
+    for browser in BROWSERS:
+        told = subprocess.run([browser, "--version"], capture_output=True, text=True, check=False)
+        number = next((word for word in told.stdout.split() if word[:1].isdigit()), "")
+        versions |= {browser: number} if number else {}
+    return {
+        "date": datetime.now(UTC).date().isoformat(),
+        "machine": machine,
+        "versions": versions,
+    }
+
+
+def main(asked: list[str]) -> int:
+    """Run the areas asked for, or all of them. Returns the exit code."""
     known = areas()
-    if unknown := sorted(set(chosen) - set(known)):
+    if unknown := sorted(set(asked) - set(known)):
         print(f"no area {', '.join(unknown)}; there are: {', '.join(known)}", file=sys.stderr)
         return 2
-    rows: list[Row] = []
-    for name in chosen or known:
-        module = importlib.import_module(f"tests.benchmarks.{name}")
-        if not hasattr(module, "rows"):
-            continue
-        print(f"measuring {name} …", file=sys.stderr, flush=True)
-        rows += module.rows()
+    chosen = {name: known[name] for name in asked or known}
+    rows, left_out = measure(chosen)
     print(table(rows))
-    machine = f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python "
-    result = {"format": 1, "machine": machine + platform.python_version(), "rows": rows}
+    told = {name: title(module) for name, module in chosen.items() if name not in left_out}
+    made = _kept.document(rows, told, left_out, about())
     target = ROOT / "build" / "bench.json"
     target.parent.mkdir(exist_ok=True)
-    target.write_text(json.dumps(result, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    target.write_text(json.dumps(made, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    if not asked:
+        _kept.keep(made)
     return 0
+
+
+def title(module: ModuleType) -> str:
+    """What an area is about: the first words of its module."""
+    first = (module.__doc__ or "").split("\n\n")[0].replace("\n", " ")
+    return first.partition(":")[0].rstrip(".")
 
 
 if __name__ == "__main__":

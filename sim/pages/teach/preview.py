@@ -210,7 +210,7 @@ class Desk:
 
 def meant_elsewhere(block: Block) -> bool:
     """Blocks that only the build can make: they compute for long, or read other files."""
-    return block.name in ("cost", "hard-cases", "evidence", "law")
+    return block.name in ("cost", "hard-cases", "evidence", "law", "picture")
 
 
 def _frame(lines: Sequence[str], parts: Sequence[Block], site: Site) -> str | None:

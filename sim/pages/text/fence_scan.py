@@ -25,6 +25,7 @@ KINDS = (
         "evidence",
         "measured",
         "law",
+        "picture",
     ),
 )
 

@@ -10841,14 +10841,14 @@ ${rows.map(row)}</tbody>
     }
     return path3;
   }
-  function under(facts, picture) {
+  function under(facts, picture2) {
     const [first, second] = facts.axes;
     const x = span(first?.low ?? 0, first?.high ?? 1, TICKS);
     const y = second ? span(second.low, second.high, TICKS) : valueAxis(facts);
     const labels2 = [first ? named(first) : "", second ? named(second) : named(facts)];
     const height = heightOf(facts);
-    const [bottom, right] = picture ? [BOTTOM2, LEFT2] : [TOP2, RIGHT2];
-    const image = html`<image href=${picture} x=${LEFT2} y=${TOP2} width=${RIGHT2 - LEFT2} height=${BOTTOM2 - TOP2} preserveAspectRatio="none"/>
+    const [bottom, right] = picture2 ? [BOTTOM2, LEFT2] : [TOP2, RIGHT2];
+    const image = html`<image href=${picture2} x=${LEFT2} y=${TOP2} width=${RIGHT2 - LEFT2} height=${BOTTOM2 - TOP2} preserveAspectRatio="none"/>
 `;
     const columns = ticks(x).map((tick) => {
       const at = px(across(tick, x));
@@ -10859,7 +10859,7 @@ ${rows.map(row)}</tbody>
       return html`<path class="carts-grid" d="M${LEFT2 - 4} ${px(at)}H${right}"/><text class="carts-tick-y" x=${LEFT2 - 7} y=${px(at + BASELINE)}>${fixed(tick, axisDecimals(y))}</text>`;
     });
     return html`<svg class="carts-map-under" viewBox="0 0 ${WIDTH2} ${height}" width=${WIDTH2} height=${height} aria-hidden="true" focusable="false">
-${picture !== "" && image}${columns}
+${picture2 !== "" && image}${columns}
 ${rows}
 <text class="carts-unit" x=${RIGHT2} y=${BOTTOM2 + 31} text-anchor="end">${labels2[0]}</text>
 <text class="carts-unit" transform="translate(13 ${(TOP2 + BOTTOM2) / 2}) rotate(-90)" text-anchor="middle">${labels2[1]}</text>
@@ -10911,14 +10911,14 @@ ${second && bar(facts)}
   }
 
   // ../view/map/skeleton.js
-  function inside3(facts, draw, picture) {
+  function inside3(facts, draw, picture2) {
     const { id, title, why } = draw;
     return html`<div class="carts-map-frame" role="group" aria-labelledby="${id}-title">
 <div class="carts-top"><p class="carts-title" id="${id}-title">${title}</p><span class="carts-mark" role="img" aria-label="not live yet"><span class="carts-mark-text" aria-hidden="true">live</span></span></div>
 <div class="carts-note" role="status" hidden></div>
 <div class="carts-map-body">
 <div class="carts-map-figure" role="group" aria-label="${facts.label} in ${facts.unit}">
-${under(facts, picture)}
+${under(facts, picture2)}
 ${over(facts, draw)}
 </div>
 ${side(facts, draw)}
@@ -12594,6 +12594,33 @@ ${found && html`<p class="carts-found" hidden></p>`}
     );
   }
 
+  // ../view/windows.js
+  function touches(events, until) {
+    const open = /* @__PURE__ */ new Map();
+    const peaks = /* @__PURE__ */ new Map();
+    const found = [];
+    for (const event of events) {
+      const pair = event.bodies.join("-");
+      const touch = open.get(pair);
+      if (event.kind === "contact" && !event.impulse) {
+        open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "peak") {
+        peaks.set(pair, event.t);
+      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
+        open.delete(pair);
+        found.push({ ...touch, end: event.t });
+      }
+    }
+    for (const touch of open.values()) {
+      const peak = peaks.get(touch.pair) ?? until;
+      found.push({ ...touch, end: peak > touch.start ? peak : until });
+    }
+    return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+  function latestTouch(windows, t) {
+    return windows.findLast((touch) => touch.start <= t);
+  }
+
   // src/shared/dom.js
   var SVG = "http://www.w3.org/2000/svg";
   function svg(tag, attributes2 = {}) {
@@ -12921,33 +12948,6 @@ ${found && html`<p class="carts-found" hidden></p>`}
       header
     );
     return { fence, view, run: { header: known2, trajectory: fromBaked(numbers, known2.events) } };
-  }
-
-  // ../view/windows.js
-  function touches(events, until) {
-    const open = /* @__PURE__ */ new Map();
-    const peaks = /* @__PURE__ */ new Map();
-    const found = [];
-    for (const event of events) {
-      const pair = event.bodies.join("-");
-      const touch = open.get(pair);
-      if (event.kind === "contact" && !event.impulse) {
-        open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
-      } else if (event.kind === "peak") {
-        peaks.set(pair, event.t);
-      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-        open.delete(pair);
-        found.push({ ...touch, end: event.t });
-      }
-    }
-    for (const touch of open.values()) {
-      const peak = peaks.get(touch.pair) ?? until;
-      found.push({ ...touch, end: peak > touch.start ? peak : until });
-    }
-    return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
-  }
-  function latestTouch(windows, t) {
-    return windows.findLast((touch) => touch.start <= t);
   }
 
   // ../view/series.js
@@ -13278,9 +13278,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
           this.#sentence(force, cut)
         );
       });
-      const picture = need(card, "svg");
-      put(picture, "viewBox", `0 ${-room} ${WIDTH5} ${HEIGHT4 + 2 * room}`);
-      put(picture, "height", String(HEIGHT4 + 2 * room));
+      const picture2 = need(card, "svg");
+      put(picture2, "viewBox", `0 ${-room} ${WIDTH5} ${HEIGHT4 + 2 * room}`);
+      put(picture2, "height", String(HEIGHT4 + 2 * room));
     }
     /** @param {Force} force @param {boolean} cut */
     #sentence({ name, way, value, size: written }, cut) {
@@ -14329,18 +14329,18 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }));
     return [...leaders, ...pieces];
   }
-  function fits(x, length, text3, picture) {
+  function fits(x, length, text3, picture2) {
     const needed = text3.length * PER_CHARACTER + GAP + 4;
-    return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture - needed;
+    return Math.min(x, x + length) >= needed || Math.max(x, x + length) <= picture2 - needed;
   }
-  function beside(x, length, width, picture) {
+  function beside(x, length, width, picture2) {
     const left = Math.min(x, x + length) - GAP;
     const right = Math.max(x, x + length) + GAP;
     const toLeft = left - width >= 4;
-    const toRight = right + width <= picture - 4;
+    const toRight = right + width <= picture2 - 4;
     if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
     if (toRight) return [right, "start"];
-    return left > picture - right ? [4, "start"] : [picture - 4, "end"];
+    return left > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
   }
 
   // src/scene/pushes.js
@@ -15047,10 +15047,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   var { document: document2 } = parseHTML("<!doctype html><html><body></body></html>");
   var KINDS2 = {
     scene,
+    picture,
     cost,
     "cost-file": (values) => standalone(values).text,
     hard: (values) => inside2(values).text,
-    map: ({ facts, draw, picture }) => inside3(facts, draw, picture).text,
+    map: ({ facts, draw, picture: picture2 }) => inside3(facts, draw, picture2).text,
     "map-picture": mapPicture,
     measured
   };
@@ -15064,6 +15065,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
     for (const { table: table4 } of drawing.graphs) table4.fill();
     for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", "");
     return root.innerHTML.replaceAll("&#160;", " ");
+  }
+  function picture({ baked: raw, at }) {
+    const baked = bakedOf(raw);
+    const narrow = baked.view.layouts.filter(({ kind }) => kind === "narrow");
+    const root = filled2("div", narrow.map((layout) => stage(baked, layout).text).join(""));
+    const drawing = new Stage(need(root, ".carts-stage"), baked);
+    const { events, until } = baked.run.header;
+    drawing.show(baked.run, touches(events, until));
+    drawing.at(at);
+    return root.innerHTML;
   }
   function cost(values) {
     const root = filled2("carts-cost", inside(values).text);

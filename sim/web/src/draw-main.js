@@ -12,10 +12,13 @@ import { palette, pixels } from "../../view/map/pixels.js";
 import { inside as mapInside } from "../../view/map/skeleton.js";
 import { inside as measuredInside } from "../../view/measured/skeleton.js";
 import { inside } from "../../view/skeleton/scene.js";
+import { stage } from "../../view/skeleton/stage.js";
+import { touches } from "../../view/windows.js";
 import { CostStage } from "./cost/stage.js";
 import { Figure, unitOf } from "./measured/figure.js";
 import { bakedOf } from "./scene/baked.js";
 import { Drawing } from "./scene/drawing.js";
+import { Stage } from "./scene/stage.js";
 import { need } from "./shared/dom.js";
 
 const { document } = parseHTML("<!doctype html><html><body></body></html>");
@@ -23,6 +26,7 @@ const { document } = parseHTML("<!doctype html><html><body></body></html>");
 /** @type {Record<string, (values: any) => string>} */
 const KINDS = {
   scene,
+  picture,
   cost,
   "cost-file": (values) => standalone(values).text,
   hard: (values) => hardInside(values).text,
@@ -42,6 +46,18 @@ function scene({ baked: raw, found }) {
   for (const { table } of drawing.graphs) table.fill();
   for (const jump of root.querySelectorAll(".carts-jump")) jump.setAttribute("disabled", ""); // until a script answers
   return root.innerHTML.replaceAll("&#160;", "\u00a0");
+}
+
+/** @param {{baked: Record<string, any>, at: number}} values @returns {string} the narrow picture of a scene at an instant, in s */
+function picture({ baked: raw, at }) {
+  const baked = bakedOf(raw);
+  const narrow = baked.view.layouts.filter(({ kind }) => kind === "narrow");
+  const root = filled("div", narrow.map((layout) => stage(baked, layout).text).join(""));
+  const drawing = new Stage(need(root, ".carts-stage"), baked);
+  const { events, until } = baked.run.header;
+  drawing.show(baked.run, touches(events, until));
+  drawing.at(at);
+  return root.innerHTML;
 }
 
 /** @param {import("../../view/cost/skeleton.js").Values} values @returns {string} the inside of `<carts-cost>`, at the end of its run */

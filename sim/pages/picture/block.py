@@ -1,0 +1,105 @@
+"""A `picture` block: the carts of a scene at one instant, drawn when the site is built.
+
+```picture
+of: newtons-third-law.md
+scene: third-wall
+at: 0.8 s
+```
+
+In place of `of` and `scene` a picture may name a scene file: `file: push-a-train.yml`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sim.pages.findings import AuthorError, Finding
+from sim.pages.scene_block import (
+    Lesson,
+    SceneBlock,
+    SiteIds,
+    found_in,
+    load_block,
+    read_scene_block,
+)
+from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.yaml_source import Source
+from sim.scene.quantity import TIME, QuantityError, read_quantity
+
+KEYS = ("of", "scene", "file", "at")
+_EXAMPLE = "of: newtons-third-law.md, and below it scene: third-wall"
+
+
+@dataclass(frozen=True, slots=True)
+class PictureBlock:
+    """The scene, and the instant of its run in s."""
+
+    scene: SceneBlock
+    at: float
+
+
+def read_picture_block(block: Block, lesson: Lesson, *, first_line: int) -> PictureBlock:
+    """Read it; raises `AuthorError` with what is wrong."""
+    source = load_block(block, lesson.file, first_line=first_line)
+
+    def refuse(key: str, code: str, message: str, hint: str) -> AuthorError:
+        place = source.key_place((key,)) if key in source.plain else source.place(())
+        return AuthorError([Finding(lesson.file, *place, code, message, hint)])
+
+    if unknown := sorted(set(source.plain) - set(KEYS)):
+        listed = ", ".join(KEYS)
+        raise refuse(unknown[0], "unknown-key", f"unknown key “{unknown[0]}”", f"keys: {listed}")
+    if ("file" in source.plain) == ("of" in source.plain):
+        raise refuse("file", "missing", "a picture shows one scene: of a page, or a file", _EXAMPLE)
+    if "file" in source.plain:
+        scene = _of_file(block, lesson, first_line, source)
+    else:
+        path = found_in(str(source.plain["of"]), _lesson_folders(lesson), (".md",))
+        if path is None:
+            raise refuse("of", "no-such-file", f"there is no page “{source.plain['of']}”", _EXAMPLE)
+        scenes = _scenes(path)
+        wanted = str(source.plain.get("scene"))
+        if wanted not in scenes:
+            names = ", ".join(scenes) or "none that can be read"
+            message = f"there is no scene “{wanted}” on that page"
+            raise refuse("scene", "no-such-scene", message, f"scenes on it: {names}")
+        scene = scenes[wanted]
+    try:
+        at = float(read_quantity(source.plain.get("at", 0), TIME))
+    except QuantityError as error:
+        raise refuse("at", "not-a-time", f"at: {error}", "at: 0.8 s") from None
+    if not 0 <= at <= scene.fence.scene.until:
+        message = f"the run lasts from 0 to {scene.fence.scene.until:g} s"
+        raise refuse("at", "out-of-range", message, "at: 0 s")
+    if at > 0 and scene.fence.predict is not None:
+        message = "the scene asks for a prediction, and this instant would give it away"
+        raise refuse("at", "tells-the-answer", message, "remove at: the picture shows the start")
+    return PictureBlock(scene, at)
+
+
+def _lesson_folders(lesson: Lesson) -> list[Path]:
+    """Where a page is looked for: beside this one, and among the lessons."""
+    own, *others = lesson.scene_folders or (Path(),)
+    return [own, *(folder.parent for folder in others if folder.name == "scenes")]
+
+
+def _of_file(block: Block, lesson: Lesson, first_line: int, source: Source) -> SceneBlock:
+    """The scene of the file, read as a scene block would read it."""
+    body = "\n".join(("id: picture", f"file: {source.plain['file']}"))
+    plain = Block("scene", "", block.start, block.end, block.indent, body, block.body_indent, True)
+    return read_scene_block(plain, lesson, SiteIds(), first_line=first_line)
+
+
+def _scenes(page: Path) -> dict[str, SceneBlock]:
+    """The good scenes of a page by id; the others are reported where they stand."""
+    lesson = Lesson(page.as_posix(), (page.parent,))
+    found = {}
+    for block in scan(page.read_text(encoding="utf-8").splitlines()):
+        if block.name == "scene":
+            try:
+                scene = read_scene_block(block, lesson, SiteIds(), first_line=1)
+            except AuthorError:
+                continue
+            found[scene.fence.id] = scene
+    return found
