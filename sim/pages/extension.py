@@ -35,7 +35,7 @@ _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
 _WORD = "cartsblock"
-_HEADING = re.compile(r" {0,3}#{1,6}\s")
+_HEADING = re.compile(r" {0,3}(?P<signs>#{1,6})\s")
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
 
@@ -77,8 +77,9 @@ class _TakeOut(Preprocessor):
         # Front matter has been removed by the generator: a line of --- here is only a line.
         page.blocks = tuple(scan(lines, front_matter=False))
         for block in page.blocks:
-            if any(_HEADING.match(line) for line in lines[done : block.start]):
+            if headings := [h for h in map(_HEADING.match, lines[done : block.start]) if h]:
                 page.items.asking = ""  # a new section: its questions are about other scenes
+                page.level = len(headings[-1]["signs"])
             try:
                 html = made(block, page)
             except AuthorError as error:

@@ -28,6 +28,7 @@ class Page:
     report: Callable[[Finding], None] | None = None
     scenes: int = 0
     pictures: int = 0
+    level: int = 1  # of the heading above the block that is made
     packages: set[str] = field(default_factory=set)
     blocks: tuple[Block, ...] = ()
     items: PageItems = field(default_factory=PageItems)
@@ -41,11 +42,20 @@ def made(block: Block, page: Page) -> str:
     """The HTML of a block in the page's language; raises `AuthorError`."""
     with speaking(words(page.language)):
         try:
-            return MAKERS.get(block.name, _scene)(block, page)
+            return with_headings(MAKERS.get(block.name, _scene)(block, page), page.level + 1)
         except DrawingError as error:
             line = page.first_line + block.start
             finding = Finding(page.lesson.file, line, 1, "not-drawn", str(error), "")
             raise AuthorError([finding]) from error
+
+
+def with_headings(html: str, level: int) -> str:
+    """Titles of scenes and numbers of questions as headings of that level: who hears the page goes
+    from one to the next."""
+    for name in ("carts-title", "carts-q-number"):
+        mark = f'class="{name}"'
+        html = html.replace(mark, f'{mark} role="heading" aria-level="{level}"')
+    return html
 
 
 def _scene(block: Block, page: Page) -> str:

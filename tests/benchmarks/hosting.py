@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[2]
 EDITS = 7
 FEW, MANY = 50, 200
 CARTS = [sys.executable, "-m", "sim"]
-SITE = ("docs", "worksheets", "tests/scenes", "mkdocs.yml")
+SITE = ("docs", "worksheets", "tests/scenes", "sim/effects", "mkdocs.yml")
 
 
 def rows() -> list[dict[str, Any]]:

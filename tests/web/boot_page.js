@@ -16,8 +16,10 @@ setInterval(() => {
 window.booted = startRuntime({
   base,
   packages: packages.split(" ").filter(Boolean),
+  patience: window.bootPatience,
   onProgress: (progress) => {
-    window.waited = 0;
+    if (progress.stage === "slow") window.slowAfter = window.waited;
+    else window.waited = 0;
     window.progress.push(progress);
   },
 }).then(

@@ -179,3 +179,21 @@ def test_a_script_with_runs_that_is_gone_is_told_and_the_picture_stays(
     )
     assert "missing" in said
     assert on_scene(page, "return el.trajectory.t.length", name="slides") > 2
+
+
+@pytest.mark.one_browser
+def test_a_computer_that_is_slow_is_not_given_up_and_its_reader_is_told(
+    site: Path, open_page: OpenPage
+) -> None:
+    """A worker that says nothing for eight seconds; the sliders work meanwhile."""
+    page = open_page(site / "about.html")
+    page.add_init_script(
+        "const Own = Worker; window.Worker = class extends Own { constructor(...given) {"
+        " super(...given); setTimeout(() => this.terminate(), 10); } };"
+    )
+    page.goto((site / "index.html").as_uri())
+    scene = page.locator("#home")
+    expect(scene.locator(".carts-note")).to_contain_text("still trying", timeout=30_000)
+    expect(scene).to_have_attribute("data-state", "starting")
+    scene.locator(".carts-slider").first.press("ArrowRight")
+    expect(scene.locator(".carts-note")).not_to_contain_text("not run here")

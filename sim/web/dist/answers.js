@@ -1482,7 +1482,9 @@
     return typeof value === "string" ? value : JSON.stringify(value);
   }
   function print(empty) {
-    document.documentElement.classList.toggle("carts-print-empty", empty);
+    const { classList } = document.documentElement;
+    classList.toggle("carts-print-empty", empty);
+    addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
     for (const dialog of document.querySelectorAll("dialog")) dialog.close();
     window.print();
   }

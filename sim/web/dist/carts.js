@@ -2736,6 +2736,7 @@
   // src/runtime/watch.js
   var SECOND = 1e3;
   var PATIENCE2 = 8;
+  var LOST = 60;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -2867,6 +2868,7 @@
   var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (Date.now() - seen < 1e3) return;\n    seen = Date.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
+  var SLOW2 = "slow";
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -2876,14 +2878,16 @@
   var Start = class {
     /**
      * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void}} options
+     *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
+     *   progress after which it is given up
      * @param {boolean} snapshot
      */
-    constructor({ folder, index, packages: packages2, onProgress }, snapshot) {
+    constructor({ folder, index, packages: packages2, onProgress, patience = LOST }, snapshot) {
       this.folder = folder;
       this.index = index;
       this.packages = packages2;
       this.onProgress = onProgress;
+      this.patience = patience;
       this.snapshot = snapshot;
       this.worker = null;
       this.over = false;
@@ -2915,7 +2919,8 @@
       const failed = new Promise((_2, no) => {
         reject = no;
       });
-      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
+      this.slow = watch(PATIENCE2, () => this.onProgress({ fraction: this.fraction, stage: SLOW2 }));
+      this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts2 = new Map(this.names.map((name2) => [name2, this.load(name2, reject)]));
         return await Promise.race([failed, this.boot(parts2, reject)]);
@@ -2924,6 +2929,7 @@
         throw error;
       } finally {
         this.over = true;
+        this.slow.stop();
         this.watch.stop();
       }
     }
@@ -2953,8 +2959,12 @@
     /** @param {string} stage */
     progress(stage) {
       if (this.over) return;
+      this.slow?.progress();
       this.watch?.progress();
-      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
+      this.onProgress({ fraction: this.fraction, stage });
+    }
+    get fraction() {
+      return 0.9 * this.done / this.total;
     }
     /**
      * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
@@ -3029,14 +3039,14 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  async function startRuntime({ base, packages: packages2 = [], onProgress = () => {
+  async function startRuntime({ base, packages: packages2 = [], patience, onProgress = () => {
   } }) {
     requireWasm();
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
     const index = await loadIndex(folder);
-    const options = { folder, index, packages: order(packages2), onProgress };
+    const options = { folder, index, packages: order(packages2), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
     if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
     try {
@@ -3131,7 +3141,12 @@
   // src/runtime/page-python.js
   function pagePython(packages2) {
     const base = besideScript("runtime/");
-    const client2 = new Client((more) => startRuntime({ base, packages: [...packages2(), ...more] }));
+    const onProgress = ({ stage }) => {
+      if (stage === SLOW2) client2.dispatchEvent(new Event(SLOW2));
+    };
+    const client2 = new Client(
+      (more) => startRuntime({ base, packages: [...packages2(), ...more], onProgress })
+    );
     client2.addEventListener("state", () => tell(client2.state));
     return client2;
   }
@@ -3753,7 +3768,9 @@
   var STILL_PLAYS = tr("The prepared run still plays; values cannot be changed.");
   var NOT_SHOWN = tr("Your prediction is kept; the run cannot be shown.");
   var STEPWISE = tr("The scene still works: its sliders go from one prepared run to the next.");
+  var SLOW3 = tr("This computer needs long to start Python. It is still trying.");
   var PREDICTION_KEPT = tr("Your prediction is kept.");
+  var slow = (stepwise) => stepwise ? `${SLOW3} ${STEPWISE}` : SLOW3;
   function without(told3, stepwise) {
     if (stepwise) return STEPWISE;
     return told3 ? STILL_PLAYS : NOT_SHOWN;
@@ -6442,7 +6459,15 @@ ${lines4.join("\n")}
       for (const kind of ["pointerdown", "keydown", "focusin"]) {
         this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
       }
+      this.client.addEventListener("slow", () => this.#slow(), { once: true });
       requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+    }
+    /** A weak computer needs long for a step of the start: that is said, and no reason to give up. */
+    #slow() {
+      if (this.element.dataset.state !== "starting") return;
+      note(this.element, slow(this.acts.stepwise()));
+      this.#waiting.promise.then(() => note(this.element, "")).catch(() => {
+      });
     }
     /** Follows the page's worker. */
     follow() {
@@ -9137,7 +9162,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
      */
     constructor(root, baked, views, now, acts) {
       const place3 = need(root, ".carts-choices");
-      const { show, forces: forces2, slow } = baked.fence;
+      const { show, forces: forces2, slow: slow2 } = baked.fence;
       const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
         key: quantity,
         label: `${lower(QUANTITIES[quantity]?.[0] ?? "")} ${QUANTITIES[quantity]?.[1]}`,
@@ -9147,7 +9172,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       const areas = { key: "areas", label: AREAS, seen: !baked.view.alike };
       const still = { key: "stills", label: STILLS, seen: now.stills };
       const sound = { key: "sound", label: SOUND, seen: now.sound };
-      const stops = { key: "stops", label: STOPS, seen: slow === "stops" };
+      const stops = { key: "stops", label: STOPS, seen: slow2 === "stops" };
       place3.replaceChildren(
         group(tr("Graphs"), graphs, acts.graph),
         group(tr("Views"), views, acts.view),
@@ -9155,7 +9180,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         group(
           tr("Playing"),
           [
-            ...lasting && slow !== "never" ? [stops] : [],
+            ...lasting && slow2 !== "never" ? [stops] : [],
             still,
             ...baked.run.header.contacts.length ? [sound] : []
           ],
@@ -9280,13 +9305,13 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         player.speed = Number(speed.value);
         player.changed(player.time, false);
       });
-      const slow = (
+      const slow2 = (
         /** @type {HTMLInputElement | null} */
         root.querySelector(".carts-slow")
       );
-      player.slow = slow?.checked ?? false;
-      slow?.addEventListener("change", () => {
-        player.slow = slow.checked;
+      player.slow = slow2?.checked ?? false;
+      slow2?.addEventListener("change", () => {
+        player.slow = slow2.checked;
         player.changed(player.time, false);
       });
       this.world.addEventListener("keydown", (event) => {

@@ -1983,6 +1983,7 @@
   // src/runtime/watch.js
   var SECOND = 1e3;
   var PATIENCE2 = 8;
+  var LOST = 60;
   function watch(patience, late) {
     let left = patience;
     const timer = setInterval(() => {
@@ -2114,6 +2115,7 @@
   var worker_default = '"use strict";\n(() => {\n  // src/runtime/memory.js\n  var isOutOfMemory = (error) => error instanceof RangeError || /memory|allocat/i.test(String(error));\n\n  // src/runtime/worker.js\n  var scope = self;\n  var BASE = "https://runtime.invalid/";\n  var WASM = "pyodide.asm.wasm";\n  var STDLIB = "python.zip";\n  var SNAPSHOT = "memory.snapshot";\n  var MORE = "python-more.zip";\n  var stdlib;\n  var files = /* @__PURE__ */ new Map();\n  var python;\n  var answer;\n  var current = 0;\n  var seen = 0;\n  var tell = (message, transfer = []) => scope.postMessage(message, transfer);\n  var fail = (reason, error, name = "") => tell({ tell: "failed", reason, detail: String(error), file: name });\n  var progress = (stage) => tell({ tell: "progress", stage });\n  function file(name) {\n    let found = files.get(name);\n    if (!found) {\n      const zip = new DecompressionStream("gzip");\n      found = { writer: zip.writable.getWriter(), response: new Response(zip.readable) };\n      files.set(name, found);\n    }\n    return found;\n  }\n  function take({ name, bytes, last }) {\n    const { writer } = file(name);\n    const damaged = (error) => fail("payload-damaged", error, name);\n    writer.write(bytes).catch(damaged);\n    if (last) writer.close().catch(damaged);\n  }\n  var bytesOf = async (name) => new Uint8Array(await file(name).response.arrayBuffer());\n  scope.fetch = async (address) => {\n    const name = String(address).split("/").pop() ?? "";\n    if (name === WASM) return new Response();\n    if (name === STDLIB) return stdlib;\n    return file(name).response;\n  };\n  async function wholeStdlib(tableAt) {\n    if (!tableAt) return file(STDLIB).response;\n    const [first, more] = await Promise.all([bytesOf(STDLIB), bytesOf(MORE)]);\n    const whole = new Uint8Array(tableAt + more.length);\n    whole.set(first.subarray(0, tableAt));\n    whole.set(more, tableAt);\n    return new Response(whole);\n  }\n  var giveWasm = () => {\n  };\n  var wasm = new Promise((resolve) => {\n    giveWasm = resolve;\n  });\n  function useCompiledWasm() {\n    const api = WebAssembly;\n    api.instantiateStreaming = async (_, imports) => {\n      const module = await wasm;\n      try {\n        return { module, instance: await WebAssembly.instantiate(module, imports) };\n      } catch (error) {\n        fail(isOutOfMemory(error) ? "no-memory" : "too-old", error);\n        throw error;\n      }\n    };\n  }\n  async function boot({ lock, snapshot, tableAt, load, modules, entry }) {\n    try {\n      useCompiledWasm();\n      stdlib = wholeStdlib(tableAt);\n      const { loadPyodide, createPyodideModule } = scope.__pyodide;\n      python = await loadPyodide({\n        indexURL: BASE,\n        packageBaseUrl: BASE,\n        stdLibURL: BASE + STDLIB,\n        lockFileContents: lock,\n        createPyodideModule,\n        _loadSnapshot: snapshot ? bytesOf(SNAPSHOT) : void 0,\n        args: [],\n        env: { HOME: "/home/pyodide" }\n      });\n      python._api.config._loadSnapshot = void 0;\n      progress("python");\n      if (snapshot) reseed();\n      tellOfImports();\n    } catch (error) {\n      return fail(snapshot ? "snapshot-refused" : "python-failed", error);\n    }\n    try {\n      if (load.length) await loadPackages(load);\n      for (const name of modules) {\n        importIfPossible(name);\n        progress(name);\n      }\n      const module = python.pyimport(entry);\n      module.listen?.(alive);\n      answer = module.answer;\n    } catch (error) {\n      return fail("python-failed", error);\n    }\n    files.clear();\n    return tell({ tell: "ready", start: snapshot ? "snapshot" : "plain" });\n  }\n  function reseed() {\n    python.runPython(`\nimport sys\nif "random" in sys.modules:\n    sys.modules["random"].seed()\n`);\n  }\n  function alive() {\n    if (Date.now() - seen < 1e3) return;\n    seen = Date.now();\n    if (current) tell({ tell: "alive", number: current });\n    else progress("packages");\n  }\n  function tellOfImports() {\n    const locals = python.toPy({ alive });\n    python.runPython(\n      `\nimport sys\nclass Alive:\n    @staticmethod\n    def find_spec(name, path=None, target=None, alive=alive):\n        alive()\nsys.meta_path.insert(0, Alive)\n`,\n      { globals: locals }\n    );\n  }\n  async function loadPackages(names) {\n    const alive2 = setInterval(() => progress("packages"), 1e3);\n    try {\n      await python.loadPackage(names, { messageCallback: () => {\n      } });\n    } finally {\n      clearInterval(alive2);\n    }\n    progress("packages");\n  }\n  function importIfPossible(name) {\n    try {\n      python.pyimport(name).destroy();\n    } catch (error) {\n      if (\n        /** @type {any} */\n        error?.type !== "ModuleNotFoundError"\n      ) throw error;\n    }\n  }\n  function respond({ number, text }) {\n    tell({ tell: "begun", number });\n    current = number;\n    try {\n      const [header, numbers] = answer(text);\n      tell({ tell: "answer", number, header, numbers }, [numbers.buffer]);\n    } catch (error) {\n      tell({ tell: "broken", number, detail: String(error), dead: isDead() });\n    }\n  }\n  function isDead() {\n    try {\n      return python.runPython("1") !== 1;\n    } catch {\n      return true;\n    }\n  }\n  scope.onmessage = ({ data }) => {\n    if (data.do === "boot") boot(data);\n    else if (data.do === "part") take(data);\n    else if (data.do === "wasm") giveWasm(data.module);\n    else if (data.do === "request") respond(data);\n  };\n  tell({ tell: "hello" });\n})();\n';
 
   // src/runtime/start.js
+  var SLOW = "slow";
   var SNAPSHOT = "memory.snapshot";
   var LOADER = "pyodide.js";
   var WASM = "pyodide.asm.wasm";
@@ -2123,14 +2125,16 @@
   var Start = class {
     /**
      * @param {{folder: string, index: Index, packages: string[],
-     *   onProgress: (progress: Progress) => void}} options
+     *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
+     *   progress after which it is given up
      * @param {boolean} snapshot
      */
-    constructor({ folder, index, packages, onProgress }, snapshot) {
+    constructor({ folder, index, packages, onProgress, patience = LOST }, snapshot) {
       this.folder = folder;
       this.index = index;
       this.packages = packages;
       this.onProgress = onProgress;
+      this.patience = patience;
       this.snapshot = snapshot;
       this.worker = null;
       this.over = false;
@@ -2162,7 +2166,8 @@
       const failed = new Promise((_, no) => {
         reject = no;
       });
-      this.watch = watch(PATIENCE2, () => reject(new RuntimeFailure("stalled")));
+      this.slow = watch(PATIENCE2, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
+      this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
       try {
         const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
         return await Promise.race([failed, this.boot(parts, reject)]);
@@ -2171,6 +2176,7 @@
         throw error;
       } finally {
         this.over = true;
+        this.slow.stop();
         this.watch.stop();
       }
     }
@@ -2200,8 +2206,12 @@
     /** @param {string} stage */
     progress(stage) {
       if (this.over) return;
+      this.slow?.progress();
       this.watch?.progress();
-      this.onProgress({ fraction: 0.9 * this.done / this.total, stage });
+      this.onProgress({ fraction: this.fraction, stage });
+    }
+    get fraction() {
+      return 0.9 * this.done / this.total;
     }
     /**
      * @param {Map<string, Promise<Uint8Array<ArrayBuffer>>[]>} parts
@@ -2276,14 +2286,14 @@
 
   // src/runtime/runtime.js
   var PICK_UP = 3;
-  async function startRuntime({ base, packages = [], onProgress = () => {
+  async function startRuntime({ base, packages = [], patience, onProgress = () => {
   } }) {
     requireWasm();
     if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
     if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
     const folder = new URL(base, document.baseURI).href;
     const index = await loadIndex(folder);
-    const options = { folder, index, packages: order(packages), onProgress };
+    const options = { folder, index, packages: order(packages), onProgress, patience };
     const start = (snapshot) => new Start(options, snapshot).run();
     if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
     try {
@@ -2378,7 +2388,12 @@
   // src/runtime/page-python.js
   function pagePython(packages) {
     const base = besideScript("runtime/");
-    const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
+    const onProgress = ({ stage }) => {
+      if (stage === SLOW) client.dispatchEvent(new Event(SLOW));
+    };
+    const client = new Client(
+      (more) => startRuntime({ base, packages: [...packages(), ...more], onProgress })
+    );
     client.addEventListener("state", () => tell(client.state));
     return client;
   }

@@ -66,7 +66,9 @@ function plainValue(value) {
 
 /** @param {boolean} empty without the answers, to be filled in by hand */
 function print(empty) {
-  document.documentElement.classList.toggle("carts-print-empty", empty);
+  const { classList } = document.documentElement;
+  classList.toggle("carts-print-empty", empty);
+  addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
   for (const dialog of document.querySelectorAll("dialog")) dialog.close();
   window.print();
 }

@@ -12,6 +12,7 @@
 
 const RESTARTS = 3;
 
+/** Events: `state`, after each change of it; `slow`, when a start has shown no progress for seconds. */
 export class Client extends EventTarget {
   /** @type {State} */
   state = "idle";

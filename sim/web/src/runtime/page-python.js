@@ -1,7 +1,7 @@
 /** The Python of a page: one for all its elements, started when the page is idle or first touched. */
 
 import { Client } from "./client.js";
-import { startRuntime } from "./runtime.js";
+import { SLOW, startRuntime } from "./runtime.js";
 
 /**
  * To be called while the page's script runs for the first time: the runtime lies beside that.
@@ -9,7 +9,12 @@ import { startRuntime } from "./runtime.js";
  */
 export function pagePython(packages) {
   const base = besideScript("runtime/");
-  const client = new Client((more) => startRuntime({ base, packages: [...packages(), ...more] }));
+  const onProgress = (/** @type {{stage: string}} */ { stage }) => {
+    if (stage === SLOW) client.dispatchEvent(new Event(SLOW));
+  };
+  const client = new Client((more) =>
+    startRuntime({ base, packages: [...packages(), ...more], onProgress }),
+  );
   client.addEventListener("state", () => tell(client.state));
   return client;
 }

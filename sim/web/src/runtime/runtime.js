@@ -1,7 +1,7 @@
 // Starts Python in a worker and talks to it: one worker, one request under way, answers in order.
 import { RuntimeFailure } from "./failure.js";
 import { loadIndex } from "./payload.js";
-import { SNAPSHOT, Start } from "./start.js";
+import { SLOW, SNAPSHOT, Start } from "./start.js";
 import { requireWasm } from "./wasm.js";
 import { PATIENCE, watch } from "./watch.js";
 
@@ -16,18 +16,18 @@ const PICK_UP = 3; // s until an idle worker must have taken up a request
  *
  * Starts from the memory snapshot; where that is damaged or the browser can't use it, the plain way.
  * Rejects with a `RuntimeFailure`: message for the reader, code in `.reason`.
- * @param {{base: string, packages?: string[], onProgress?: (progress: Progress) => void}} options
+ * @param {{base: string, packages?: string[], patience?: number, onProgress?: (progress: Progress) => void}} options
  *   base: address of the folder `runtime/`, on a web server with a stamp (sim/pages/offline/stamps.py);
  *   packages: of "numpy", "scipy" and "newtons-carts-class"
  * @returns {Promise<Runtime>}
  */
-export async function startRuntime({ base, packages = [], onProgress = () => {} }) {
+export async function startRuntime({ base, packages = [], patience, onProgress = () => {} }) {
   requireWasm();
   if (typeof Worker !== "function") throw new RuntimeFailure("no-worker");
   if (typeof DecompressionStream !== "function") throw new RuntimeFailure("too-old");
   const folder = new URL(base, document.baseURI).href;
   const index = await loadIndex(folder);
-  const options = { folder, index, packages: order(packages), onProgress };
+  const options = { folder, index, packages: order(packages), onProgress, patience };
   const start = (/** @type {boolean} */ snapshot) => new Start(options, snapshot).run();
   if (!(SNAPSHOT in index.files)) return new Runtime(await start(false));
   try {
@@ -46,6 +46,8 @@ const snapshotIsToBlame = ({ reason, file }) => reason === "snapshot-refused" ||
 const order = (packages) => [
   ...new Set(packages.flatMap((name) => (name === "scipy" ? ["numpy", "scipy"] : [name]))),
 ];
+
+export { SLOW };
 
 /** Python, ready to answer. */
 export class Runtime {

@@ -2,14 +2,15 @@
 import { RuntimeFailure } from "./failure.js";
 import { gunzip, loadPart } from "./payload.js";
 import { compile, compileFailure } from "./wasm.js";
-import { PATIENCE, watch } from "./watch.js";
+import { LOST, PATIENCE, watch } from "./watch.js";
 // @ts-expect-error: the bundler puts the worker's text here
 import workerText from "./worker.js?text";
 
 /** @typedef {import("./payload.js").Index} Index */
-/** @typedef {{fraction: number, stage: string}} Progress fraction: 0 to 1 of what has to be done */
+/** @typedef {{fraction: number, stage: string}} Progress fraction: 0 to 1 of what has to be done; stage `SLOW`: nothing came for long */
 /** @typedef {{worker: Worker, start: "snapshot" | "plain"}} Started */
 
+export const SLOW = "slow";
 export const SNAPSHOT = "memory.snapshot";
 const LOADER = "pyodide.js";
 const WASM = "pyodide.asm.wasm";
@@ -23,14 +24,16 @@ const modules = new Map();
 export class Start {
   /**
    * @param {{folder: string, index: Index, packages: string[],
-   *   onProgress: (progress: Progress) => void}} options
+   *   onProgress: (progress: Progress) => void, patience?: number | undefined}} options `patience`: s without
+   *   progress after which it is given up
    * @param {boolean} snapshot
    */
-  constructor({ folder, index, packages, onProgress }, snapshot) {
+  constructor({ folder, index, packages, onProgress, patience = LOST }, snapshot) {
     this.folder = folder;
     this.index = index;
     this.packages = packages;
     this.onProgress = onProgress;
+    this.patience = patience;
     this.snapshot = snapshot;
     /** @type {Worker | null} */
     this.worker = null;
@@ -69,7 +72,8 @@ export class Start {
     const failed = new Promise((_, no) => {
       reject = no;
     });
-    this.watch = watch(PATIENCE, () => reject(new RuntimeFailure("stalled")));
+    this.slow = watch(PATIENCE, () => this.onProgress({ fraction: this.fraction, stage: SLOW }));
+    this.watch = watch(this.patience, () => reject(new RuntimeFailure("stalled")));
     try {
       const parts = new Map(this.names.map((name) => [name, this.load(name, reject)]));
       return await Promise.race([failed, this.boot(parts, reject)]);
@@ -78,6 +82,7 @@ export class Start {
       throw error;
     } finally {
       this.over = true;
+      this.slow.stop();
       this.watch.stop();
     }
   }
@@ -105,8 +110,13 @@ export class Start {
   /** @param {string} stage */
   progress(stage) {
     if (this.over) return;
+    this.slow?.progress();
     this.watch?.progress();
-    this.onProgress({ fraction: (0.9 * this.done) / this.total, stage });
+    this.onProgress({ fraction: this.fraction, stage });
+  }
+
+  get fraction() {
+    return (0.9 * this.done) / this.total;
   }
 
   /**

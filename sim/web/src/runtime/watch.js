@@ -7,6 +7,12 @@ const SECOND = 1000;
 export const PATIENCE = 8;
 
 /**
+ * In s without progress while Python starts: then it is given up. A step of the plain start, without a
+ * memory snapshot, is silent for two seconds here, and for half a minute on a laptop fifteen times as slow.
+ */
+export const LOST = 60;
+
+/**
  * Calls `late` once, after `patience` such seconds without a call of `progress`.
  * @param {number} patience in s
  * @param {() => void} late

@@ -31,7 +31,15 @@ export class Live {
     for (const kind of ["pointerdown", "keydown", "focusin"]) {
       this.element.addEventListener(kind, () => this.client.wake(), { once: true, passive: true });
     }
+    this.client.addEventListener("slow", () => this.#slow(), { once: true });
     requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("carts:still")));
+  }
+
+  /** A weak computer needs long for a step of the start: that is said, and no reason to give up. */
+  #slow() {
+    if (this.element.dataset.state !== "starting") return;
+    words.note(this.element, words.slow(this.acts.stepwise()));
+    this.#waiting.promise.then(() => words.note(this.element, "")).catch(() => {});
   }
 
   /** Follows the page's worker. */
