@@ -12,6 +12,7 @@ from sim.pages.language import LANGUAGES
 from sim.pages.translate.catalogues import BANKS, OTHERS, source_of
 from sim.pages.translate.po_file import read_words, updated
 from sim.pages.translate.put_in import bank_units, lesson_units
+from sim.pages.translate.translation import shown as shown_from
 
 
 @click.command("words")
@@ -50,9 +51,9 @@ def command(ctx: click.Context, paths: tuple[Path, ...], languages: tuple[str, .
         units = bank_units(text) if bank else lesson_units(text)
         for language in languages or OTHERS:
             target = source_of(path, folder, language).catalogue
-            shown = _shown(target, root)
+            shown = shown_from(target, root)
             try:
-                made = updated(target, shown, units, language, _shown(path, root))
+                made = updated(target, shown, units, language, shown_from(path, root))
             except AuthorError as error:
                 report(list(error.findings))
                 ctx.exit(1)
@@ -65,7 +66,3 @@ def command(ctx: click.Context, paths: tuple[Path, ...], languages: tuple[str, .
                 f"{shown}: {len(texts)} texts, {left} not in {LANGUAGES[language]} yet"
                 + (f", {len(said.fuzzy)} of them with an old translation" if said.fuzzy else "")
             )
-
-
-def _shown(path: Path, root: Path) -> str:
-    return (path.relative_to(root) if path.is_relative_to(root) else path).as_posix()

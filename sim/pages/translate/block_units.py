@@ -49,10 +49,12 @@ def block_units(text: str, block: Block, kind: str) -> Iterator[Unit]:
     schema = schema_of(kind)
     if not schema:
         return
-    found = [(one, _at([schema], one.path)) for one in values(text, block)]
-    found += [(one, _named(_at([schema], one.path[:-1]))) for one in names(text, block)]
+    own = values(text, block)
+    found = [(one, _at([schema], one.path)) for one in own]
+    if "presets:" in block.body:  # the only keys that are read
+        found += [(one, _named(_at([schema], one.path[:-1]))) for one in names(text, block)]
     read = [one for one, rules in found if any(MARK in rule for rule in rules)]
-    identity = {one.path: one.value for one in values(text, block) if one.path[-1:] == ("id",)}
+    identity = {one.path: one.value for one in own if one.path[-1:] == ("id",)}
     for one in sorted(read, key=lambda one: one.start):
         said = one.value.strip()
         if is_prose(said):

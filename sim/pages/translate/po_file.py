@@ -74,7 +74,7 @@ def read_words(path: Path, file: str) -> Words:
 
 
 def updated(path: Path, file: str, units: Sequence[Unit], language: str, source: str) -> str:
-    """The text of the catalogue at `path` with every unit of its lesson; if none is there, a new one.
+    """The text of the catalogue at `path` with every unit of its lesson; if none is there, new.
 
     `source`: the lesson as its head names it. Raises `AuthorError` for a file that cannot be read.
     """

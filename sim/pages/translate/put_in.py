@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from sim.pages.teach.pieces import Lines
 from sim.pages.text.fence_scan import Block, after_front_matter, meant_kind, scan
@@ -29,6 +30,7 @@ class PutIn:
     open: tuple[Unit, ...]
 
 
+@lru_cache(maxsize=64)  # one text is put into several languages
 def lesson_units(text: str) -> tuple[Unit, ...]:
     """The units of a lesson, in their order."""
     lines = Lines.of(text)
@@ -46,6 +48,7 @@ def lesson_units(text: str) -> tuple[Unit, ...]:
     return tuple(sorted(units, key=lambda unit: unit.start))
 
 
+@lru_cache(maxsize=16)
 def bank_units(text: str) -> tuple[Unit, ...]:
     """The units of a bank of questions."""
     count = len(text.splitlines())
