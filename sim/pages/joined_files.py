@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import cast
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
@@ -12,6 +13,17 @@ from mkdocs.structure.files import File, Files
 from sim.pages import effect_pages, lessons_only
 from sim.pages.site_files import SEARCH_FROM_DISK, search_from_disk
 from sim.pages.translate.translation import Translation, shown
+
+
+class MadeFile(File):
+    """A page that nobody wrote as a file: a preview makes it again when its sources change."""
+
+    changed: float = 0.0
+
+    def is_modified(self) -> bool:
+        """Called by MkDocs."""
+        made = Path(self.abs_dest_path)
+        return not made.is_file() or made.stat().st_mtime < self.changed
 
 
 def add_effect_pages(files: Files, config: MkDocsConfig) -> None:
@@ -35,9 +47,12 @@ def add_translations(
 ) -> None:
     """Lessons that are made of a text and a catalogue; the edit button leads to the catalogue."""
     for uri, one in pages.items():
-        beside = {path.rpartition("/")[2] for path in pages if path.rpartition("/")[0] in uri}
+        language = one.source.language
+        beside = {o.source.page.name for o in pages.values() if o.source.language == language}
         by_hand = {path.name for path in one.source.page.parent.glob("*.md")}
-        file = File.generated(config, uri, content=one.page(beside | by_hand))
+        made = MadeFile.generated(config, uri, content=one.page(beside | by_hand))
+        file = cast("MadeFile", made)
+        file.changed = one.changed
         file.edit_uri = f"../{shown(one.source.catalogue, root)}"
         files.append(file)
 

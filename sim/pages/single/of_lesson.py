@@ -102,7 +102,10 @@ def _article(text: str, page: Path) -> str:
     """The text of the page, its pictures inside; links to other pages are only words here."""
     start, end = text.index("<article"), text.rindex("</article>") + len("</article>")
     article = re.sub(
-        r'<p class="carts-(?:teach-door|download|languages)".*?</p>', "", text[start:end], flags=re.S
+        r'<p class="carts-(?:teach-door|download|languages)".*?</p>',
+        "",
+        text[start:end],
+        flags=re.S,
     )
     article = re.sub(r"<a [^>]*md-content__button.*?</a>", "", article, flags=re.S)
 

@@ -58,6 +58,13 @@ class Translation:
         return self.lesson.source
 
     @property
+    def changed(self) -> float:
+        """When a file that it is made of was last changed, in seconds as files tell it."""
+        parts = (self.lesson, *self.banks.values())
+        files = (path for one in parts for path in (one.source.path, one.source.catalogue))
+        return max(path.stat().st_mtime for path in files)
+
+    @property
     def draft(self) -> bool:
         """Whether nobody who teaches has said yet that it was read."""
         return self.lesson.words.draft
@@ -132,13 +139,14 @@ def translations_of(path: Path, folder: Path, root: Path) -> Iterator[Translatio
         if source.catalogue.is_file() and not source.by_hand:
             part = part_of(source, root)
             if part.words.words:
-                yield Translation(part, dict(_banks(folder, language, root)))
+                yield Translation(part, dict(_banks(part, folder, root)))
 
 
-def _banks(folder: Path, language: str, root: Path) -> Iterator[tuple[Path, Part]]:
+def _banks(lesson: Part, folder: Path, root: Path) -> Iterator[tuple[Path, Part]]:
+    """The banks that a lesson names."""
     for path in sorted((folder / BANKS).glob("*.y*ml")):
-        source = source_of(path, folder, language)
-        if source.catalogue.is_file():
+        source = source_of(path, folder, lesson.source.language)
+        if path.name in lesson.made.text and source.catalogue.is_file():
             yield path, part_of(source, root)
 
 
