@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
-from sim.pages.teach.spans import Value, names, values
+from sim.pages.teach.spans import names, values
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath
 from sim.pages.translate.unit import Unit, is_prose
@@ -95,6 +95,3 @@ def _below(schema: Schema, part: str | int) -> Iterator[Schema]:
 
 def _named(schemas: Iterable[Schema]) -> list[Schema]:
     return [one["propertyNames"] for one in schemas if "propertyNames" in one]
-
-
-__all__ = ["FRONT_MATTER", "Value", "block_units", "schema_of"]

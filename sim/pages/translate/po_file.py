@@ -36,6 +36,7 @@ msgstr ""
 {draft}
 
 """
+_LINE = re.compile(r'(?:msg(?:id|str|ctxt|id_plural)(?:\[\d+\])?\s+)?"(?:[^"\\]|\\.)*"')
 _HEAD_ENDS = re.compile(r"\n[ \t]*\n")
 WIDTH = 100
 """Columns of a line, as in the catalogues of interface words."""
@@ -102,12 +103,17 @@ def updated(path: Path, file: str, units: Sequence[Unit], language: str, source:
 def _read(path: Path, file: str) -> Catalog:
     from babel.messages.pofile import PoFileError, read_po  # only where there is a catalogue
 
+    hint = "open it in Poedit, or write msgid and msgstr with quotes at both ends"
     try:
-        return read_po(io.StringIO(path.read_text(encoding="utf-8")), abort_invalid=True)
+        text = path.read_text(encoding="utf-8")
+        for number, line in enumerate(text.split("\n"), start=1):  # the parser guesses at these
+            if line.strip() and not line.startswith("#") and not _LINE.fullmatch(line.strip()):
+                message = f"this line of a catalogue cannot be read: {line.strip()[:60]}"
+                raise AuthorError([Finding(file, number, 1, "po", message, hint)])
+        return read_po(io.StringIO(text), abort_invalid=True)
     except UnicodeDecodeError:
         finding = Finding(file, 1, 1, "not-text", "this is not UTF-8 text", "save it as UTF-8")
     except PoFileError as error:
         message = f"this catalogue cannot be read: {error}"
-        hint = "open it in Poedit, or write msgid and msgstr with quotes at both ends"
         finding = Finding(file, error.lineno + 1, 1, "po", message, hint)
     raise AuthorError([finding])
