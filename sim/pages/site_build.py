@@ -200,9 +200,11 @@ class SiteBuild:
             self.hosting.write(site, self.site_id)  # the last: it lists all files
 
     def _to_download(self, name: str) -> bool:
-        """Whether the page is a lesson on a web server: it can be had as one file."""
-        folder = self.lessons.name if self.lessons else None
-        return self.hosting is not None and bool(folder) and name.startswith(f"{folder}/")
+        """Whether the page is a lesson on a web server: it can be had as one file. The shells of
+        translations would make such a site twice as large."""
+        if self.hosting is None or not self.lessons or name in self.languages.made:
+            return False
+        return name.startswith(f"{self.lessons.name}/")
 
     def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:
         from sim.pages import runtime  # only where a page has a scene
