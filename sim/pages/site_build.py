@@ -21,6 +21,7 @@ from sim.pages.findings import Finding, SiteError
 from sim.pages.language import (
     ENGLISH,
     UnknownLanguageError,
+    language_folder,
     of_page,
     words_script,
 )
@@ -199,6 +200,10 @@ class SiteBuild:
             to_download.write_shells(site, lessons, self.root, report)
             self.hosting.write(site, self.site_id)  # the last: it lists all files
 
+    def _keys_in_order(self) -> list[str]:
+        """Pages with keys, translations first: reports take their texts from the last."""
+        return sorted(self.keys, key=lambda name: (not language_folder(name), name))
+
     def _to_download(self, name: str) -> bool:
         """Whether the page is a lesson on a web server: it can be had as one file. The shells of
         translations would make such a site twice as large."""
@@ -216,7 +221,7 @@ class SiteBuild:
             if any(needs.classroom for needs in self.needs.values()):
                 (assets / "class.js").write_bytes(site_files.class_script())
                 (assets / practice_keys.FILE).write_bytes(
-                    practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
+                    practice_keys.keys_script(self.keys[name] for name in self._keys_in_order())
                 )
             for name in ("challenge", "worlds", "law", "download"):
                 if any(getattr(needs, name) for needs in self.needs.values()):
