@@ -43,7 +43,7 @@ def report_of(order: tuple[str, ...], languages: tuple[str, ...]) -> dict[str, A
     return class_report([(one, "class") for one in reading.files], reading.keys, [], Asked())
 
 
-@pytest.mark.parametrize("order", itertools.permutations(BANKS))
+@pytest.mark.parametrize("order", list(itertools.permutations(BANKS)))
 def test_every_file_has_all_its_marks_whatever_key_comes_first(order: tuple[str, ...]) -> None:
     report = report_of(order, ("English", "Malay", "Tamil", "Malay"))
     (form,) = report["lessons"][0]["forms"]
