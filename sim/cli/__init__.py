@@ -28,6 +28,7 @@ COMMANDS = {
     "serve": ("sim.cli.site.serve", "Show the site while you write it."),
     "single": ("sim.cli.single", "Write one scene as one HTML file."),
     "run": ("sim.cli.run", "Run a scene."),
+    "words": ("sim.cli.words", "Write catalogues of a lesson for other languages."),
 }
 
 

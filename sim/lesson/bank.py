@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.lesson import keys
-from sim.lesson.keys import TEXT, TEXTS, Key
+from sim.lesson.keys import PROSE, TEXTS, Key
 from sim.lesson.problems import LessonError
 from sim.lesson.question import Question
 from sim.lesson.read import collect_question
@@ -16,8 +16,8 @@ from sim.scene.problem import Path, Problem, nearest
 from sim.scene.tables import mapping, unknown_keys
 
 BANK_KEYS = (
-    Key("title", "what the bank is about", "Forces and motion", TEXT, True),
-    Key("note", "for the teacher", "Our own items, not validated."),
+    Key("title", "what the bank is about", "Forces and motion", PROSE, True),
+    Key("note", "for the teacher", "Our own items, not validated.", PROSE),
     Key("items", "the questions, with the keys of a question block", "- {id: …, type: single, …}",
         {"type": "array", "items": {"type": "object"}, "minItems": 1}, True),
     Key("forms", "forms by name: the ids of their items, in order", "{test-15: [pod, table]}",

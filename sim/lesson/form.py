@@ -9,7 +9,7 @@ from typing import Any
 
 from sim.lesson import keys
 from sim.lesson.bank import Bank, known_items
-from sim.lesson.keys import TEXT, TEXTS, Key, one_of
+from sim.lesson.keys import PROSE, TEXT, TEXTS, Key, one_of
 from sim.lesson.opening import FORMS, RULES, Rule, read_rule
 from sim.lesson.problems import LessonError
 from sim.lesson.question import LEVELS, Question
@@ -31,8 +31,8 @@ FORM_KEYS = (
         one_of(*FORMS[1:]), True),
     Key("mode", "practice: feedback at once, the key is in the page. exam: neither", "exam",
         one_of(*MODES), True),
-    Key("title", "shown above", "Before the lesson"),
-    Key("intro", "shown before the first question, in Markdown", "About 15 minutes, alone."),
+    Key("title", "shown above", "Before the lesson", PROSE),
+    Key("intro", "shown before the first question, in Markdown", "About 15 minutes, alone.", PROSE),
     Key("bank", "file in worksheets/banks/", "forces-and-motion.yml", TEXT, True),
     Key("use", "a form of that name in the bank", "test-15"),
     Key("items", "or: the ids of the items", "[pod, table]", TEXTS),

@@ -8,7 +8,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from sim.scene.problem import Path, Problem
+from sim.scene.prose import PROSE, PROSES
 from sim.scene.tables import mapping, unknown_keys
+
+__all__ = ["NUMBER_OR_TEXT", "PROSE", "PROSES", "TEXT", "TEXTS", "Key"]
 
 TEXT: Mapping[str, Any] = {"type": "string", "minLength": 1}
 NUMBER_OR_TEXT: Mapping[str, Any] = {"type": ["number", "string"]}

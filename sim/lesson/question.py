@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
 from sim.lesson import keys
-from sim.lesson.keys import TEXT, TEXTS, Key, one_of
+from sim.lesson.keys import PROSE, PROSES, TEXT, TEXTS, Key, one_of
 from sim.lesson.mark import Mark
 from sim.scene.presentation import ID
 from sim.scene.problem import Path, Problem
@@ -22,17 +22,17 @@ COMMON_KEYS = (
     Key("id", "name of the question, one of its kind in the site; never change it", "why-equal", {
         "type": "string", "pattern": f"^{ID.pattern}$"}, True),
     Key("type", "kind of question", "single", TEXT, True),
-    Key("ask", "the question, in Markdown", "What is the force on B by A?", TEXT, True),
+    Key("ask", "the question, in Markdown", "What is the force on B by A?", PROSE, True),
     Key("level", "for everybody, for who needs help, for who wants more", "core", one_of(*LEVELS)),
     Key("minutes", "how long it takes; `carts check` adds them up", "3", {
         "type": "integer", "minimum": 1}),
     Key("marks", "what a right answer is worth", "1", {"type": "integer", "minimum": 1}),
     Key("sure", "ask how sure the student is: guess, think, sure", "true", {"type": "boolean"}),
-    Key("hints", "one hint or a list, shown one after the other", "Look at the v graph.", TEXTS),
+    Key("hints", "one hint or a list, shown one after the other", "Look at the v graph.", PROSES),
     Key("explain", "the answer explained; shown after a right answer, or on the third try",
-        "The two forces are a pair."),
+        "The two forces are a pair.", PROSE),
     Key("topics", "words by which a form draws items from a bank", "[first-law, table]", TEXTS),
-    Key("note", "for the teacher; never in the page", "Most choose A at first."),
+    Key("note", "for the teacher; never in the page", "Most choose A at first.", PROSE),
     Key("after", "id of the scene that is watched first; “none”: this question is open at once",
         "two-carts"),
     Key("idea", "id of a first idea (type: idea), shown again beside this answer", "first-idea"),

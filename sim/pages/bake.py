@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from array import array
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from sim.scene import Problem
@@ -34,6 +36,9 @@ SAMPLES_OF_SPHERES = 3
 FORMLESS = ("hertz",)
 INTEGRATED = {"numpy", "scipy"}
 """Contact laws without a closed form or a power series, and what integrates them."""
+
+MOST_KEPT = 256
+"""Runs that a build remembers: more than the scenes of all lessons; some 30 kB each."""
 
 OWN_LAW = "newtons-carts-law"
 """The package of the runtime that follows laws which somebody wrote."""
@@ -65,9 +70,10 @@ def packages_of(header: Mapping[str, Any]) -> frozenset[str]:
 
 def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
     """Run the scene (plain YAML values) with its defaults, or say why it cannot run."""
-    run = bake_with(scene, {})
+    untitled, title = without_title(scene)
+    run = _kept(json.dumps(untitled, ensure_ascii=False))
     if run.header["ok"]:
-        return run
+        return Run(run.header | {"title": title}, run.numbers)
     return [
         Problem(
             tuple(row["path"]),
@@ -77,6 +83,20 @@ def bake(scene: Mapping[str, Any]) -> Run | list[Problem]:
         )
         for row in run.header["problems"]
     ]
+
+
+def without_title(scene: Mapping[str, Any]) -> tuple[dict[str, Any], str | None]:
+    """The scene as it is run: the same in every language; and its title."""
+    title = scene.get("title")
+    if not isinstance(title, str):  # a mistake of the author stays one
+        return dict(scene), None
+    return {key: value for key, value in scene.items() if key != "title"}, title
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _kept(scene: str) -> Run:
+    """The run of a scene in JSON. Nobody changes it: it serves every language, and the check."""
+    return bake_with(json.loads(scene), {})
 
 
 def bake_with(scene: Mapping[str, Any], changes: Mapping[str, Any]) -> Run:

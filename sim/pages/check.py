@@ -8,11 +8,11 @@ from pathlib import Path
 from sim.pages.bake import bake
 from sim.pages.classroom.evidence import evidence_block
 from sim.pages.cost.block import read_cost_block
-from sim.pages.effect_pages import SCENES
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
 from sim.pages.law.block import LawBlock, read_law_block
 from sim.pages.law_files import with_law_files
+from sim.pages.lesson_places import described
 from sim.pages.map.bake import bake_map
 from sim.pages.map_block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
@@ -26,12 +26,13 @@ from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.lesson_text import text_findings
+from sim.pages.translate.check import catalogue_findings
+from sim.pages.translate.translation import Translation
 from sim.scene import SceneError, read_fence
 
 LESSON_SUFFIXES = (".md",)
 SCENE_SUFFIXES = (".yml", ".yaml")
 USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
-SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
 
 
 def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False) -> list[Finding]:
@@ -135,30 +136,28 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 findings.append(_not_text(shown.as_posix(), error))
                 continue
             if file.suffix in LESSON_SUFFIXES:
-                lesson = Lesson(
-                    shown.as_posix(), scene_folders(file, root), bank_folders(file, root)
-                )
-                findings += check_lesson(text, lesson, ids, hints=hints)
-                findings += withheld_findings(text, lesson.file)
+                lesson = described(file, root)
+                own = check_lesson(text, lesson, ids, hints=hints)
+                own += withheld_findings(text, lesson.file)
+                findings += own + _in_other_languages(file, root, ids, own, hints=hints)
             elif file.parent.name == BANK_FOLDER:
-                findings += check_bank(text, shown.as_posix())
+                own = check_bank(text, shown.as_posix())
+                findings += own + _in_other_languages(file, root, ids, own, hints=hints)
             else:
                 findings += check_scene(text, shown.as_posix(), hints=hints, folder=file.parent)
     return list(dict.fromkeys(findings))  # several lessons may show one scene file
 
 
-def scene_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
-    """Where a lesson's `file: NAME.yml` is looked for, in this order."""
-    return (
-        lesson.parent,
-        *(root / folder for folder in SCENE_FOLDERS),
-        *sorted(root.glob(SCENES)),
-    )
+def _in_other_languages(
+    file: Path, root: Path, ids: SiteIds, own: list[Finding], *, hints: bool
+) -> list[Finding]:
+    """What is wrong with the catalogues of a lesson or a bank; `own`: with itself."""
 
+    def check(text: str, one: Translation) -> list[Finding]:
+        return check_lesson(text, one.described(root), ids)
 
-def bank_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
-    """Where the banks of a lesson's forms are looked for, in this order."""
-    return (lesson.parent / BANK_FOLDER, root / "worksheets" / BANK_FOLDER)
+    alone = any(finding.severity == "error" for finding in own)
+    return catalogue_findings(file, root, None if alone else check, hints=hints)
 
 
 def _files(path: Path) -> Iterator[Path]:

@@ -2,13 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import cast
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
 from sim.pages import effect_pages, lessons_only
+from sim.pages.site_files import SEARCH_FROM_DISK, search_from_disk
+from sim.pages.translate.translation import Translation, shown
+
+
+class MadeFile(File):
+    """A page that nobody wrote as a file: a preview makes it again when its sources change."""
+
+    changed: float = 0.0
+
+    def is_modified(self) -> bool:
+        """Called by MkDocs."""
+        made = Path(self.abs_dest_path)
+        return not made.is_file() or made.stat().st_mtime < self.changed
 
 
 def add_effect_pages(files: Files, config: MkDocsConfig) -> None:
@@ -25,6 +40,33 @@ def add_effect_pages(files: Files, config: MkDocsConfig) -> None:
         file = File.generated(config, uri, abs_src_path=str(path))
         file.edit_uri = f"../sim/effects/{path.parent.name}/{path.name}"
         files.append(file)
+
+
+def add_translations(
+    files: Files, config: MkDocsConfig, root: Path, pages: Mapping[str, Translation]
+) -> None:
+    """Lessons that are made of a text and a catalogue; the edit button leads to the catalogue."""
+    for uri, one in pages.items():
+        language = one.source.language
+        beside = {o.source.page.name for o in pages.values() if o.source.language == language}
+        by_hand = {path.name for path in one.source.page.parent.glob("*.md")}
+        made = MadeFile.generated(config, uri, content=one.page(beside | by_hand))
+        file = cast("MadeFile", made)
+        file.changed = one.changed
+        file.edit_uri = f"../{shown(one.source.catalogue, root)}"
+        files.append(file)
+
+
+def leave_out(files: Files, config: MkDocsConfig, *, from_disk: bool) -> None:
+    """Source maps; a list of addresses where the site has none; and on a disk the word lists of
+    other languages, which the search could not load there. Its worker becomes a script."""
+    for file in list(files):
+        words = from_disk and "/javascripts/lunr/" in file.src_uri
+        if words or file.src_uri.endswith(".map") or file.src_uri == "sitemap.xml":
+            files.remove(file)
+        elif re.fullmatch(r"assets/javascripts/workers/search\..*\.js", file.src_uri):
+            script = search_from_disk(file.content_string)
+            files.append(File.generated(config, SEARCH_FROM_DISK, content=script))
 
 
 def put_ready_pages(

@@ -9,7 +9,6 @@ assets join the site), `env` (which scripts are the theme's), `page_markdown` an
 from __future__ import annotations
 
 import logging
-import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from html import escape
@@ -31,15 +30,21 @@ from mkdocs.utils import CountHandler, get_relative_url
 from sim.pages import effect_pages, lessons_only
 from sim.pages.extension import CartsExtension, Page, set_page, with_late
 from sim.pages.findings import Finding, SiteError
-from sim.pages.joined_files import add_effect_pages, put_ready_pages
+from sim.pages.joined_files import (
+    add_effect_pages,
+    add_translations,
+    leave_out,
+    put_ready_pages,
+)
 from sim.pages.language import ENGLISH
 from sim.pages.offline import Hosting
 from sim.pages.page_head import Audience, blocked, trusted_scripts
 from sim.pages.preview import Preview, text_box
 from sim.pages.site_build import SiteBuild
-from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK, search_from_disk
+from sim.pages.site_files import ASSETS, SEARCH_FROM_DISK
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_list import lessons_in, with_lessons
+from sim.pages.translate.languages import Languages
 
 log = logging.getLogger("mkdocs.plugins.carts")
 
@@ -92,9 +97,10 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             lessons_only.fill_in(config)
         self.named = set(lessons_only.named_pages(config.nav))
         self.lessons = lessons_in(self.folder)
+        self.build.languages = Languages.of(self.folder, root, self.lessons, _report)
         if config.nav is not None:
-            config.nav = with_lessons(config.nav, self.folder, self.lessons)
-            config.nav = effect_pages.with_effects(config.nav)
+            all_ = [*self.lessons, *self.build.languages.paths]
+            config.nav = effect_pages.with_effects(with_lessons(config.nav, self.folder, all_))
         if audience == "hosted":
             about, address = config.site_description or "", config.site_url or ""
             self.build.hosting = Hosting(config.site_name, about, address, self.config.offline)
@@ -125,19 +131,12 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             file = File.generated(config, uri, abs_src_path=str(path))
             file.edit_uri = f"../{uri}"  # from docs/, where the generator believes it to be
             files.append(file)
+        add_translations(files, config, self.build.root, self.build.languages.made)
         add_effect_pages(files, config)
         with _stopping():
             for uri, content in self.build.assets().items():
                 files.append(File.generated(config, uri, content=content))
-        for file in list(files):
-            # Source maps; a list of addresses where the site has none; and on a disk the word
-            # lists of other languages, which the search could not load there.
-            words = self.build.audience == "offline" and "/javascripts/lunr/" in file.src_uri
-            if words or file.src_uri.endswith(".map") or file.src_uri == "sitemap.xml":
-                files.remove(file)
-            elif re.fullmatch(r"assets/javascripts/workers/search\..*\.js", file.src_uri):
-                script = search_from_disk(file.content_string)
-                files.append(File.generated(config, SEARCH_FROM_DISK, content=script))
+        leave_out(files, config, from_disk=self.build.audience == "offline")
         return files
 
     def on_nav(self, nav: Navigation, *, config: MkDocsConfig, files: Files) -> Navigation:
@@ -157,7 +156,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         self, markdown: str, *, page: MkDocsPage, config: MkDocsConfig, files: Files
     ) -> str:
         """Tell the extension which page comes now, and on which line of its file it begins."""
-        path = Path(page.file.abs_src_path or page.file.src_uri)
+        path = Path(page.file.abs_src_path or self.folder.parent / page.file.src_uri)
         for key in ("title", "description", "author"):  # the theme writes them out as they are
             if isinstance(page.meta.get(key), str):
                 page.meta[key] = escape(page.meta[key])
@@ -178,6 +177,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         set_page(None)
         self._progress()
         name = page.file.src_uri
+        html = self.build.languages.with_lines(html, name, self.page)
         self.late[name] = self.page.late or {}
         self.build.rendered(name, self.page, with_late(html, self.late[name]))
         for what in dict.fromkeys(blocked(html)):

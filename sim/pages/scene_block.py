@@ -39,13 +39,15 @@ _FAULTS = {
 class Lesson:
     """Where a lesson comes from: `file` as messages show it, folders of scene files and banks.
 
-    `watch`: what scenes do that do not say it themselves; “first” in worksheets.
+    `watch`: what scenes do that do not say it themselves; “first” in worksheets. `texts`: of banks
+    that are read otherwise than they stand in their files, in another language.
     """
 
     file: str
     scene_folders: tuple[Path, ...] = ()
     bank_folders: tuple[Path, ...] = ()
     watch: str = ""
+    texts: Mapping[Path, str] = field(default_factory=dict)
 
 
 @dataclass(slots=True)

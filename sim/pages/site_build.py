@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from sim.pages import licences, site_files
 from sim.pages.carried import node_modules
-from sim.pages.check import bank_folders, scene_folders
 from sim.pages.classroom import practice_keys
 from sim.pages.classroom.practice_keys import practice_key
 from sim.pages.extension import Page
@@ -22,17 +21,20 @@ from sim.pages.findings import Finding, SiteError
 from sim.pages.language import (
     ENGLISH,
     UnknownLanguageError,
+    language_folder,
     of_page,
     words_script,
 )
+from sim.pages.lesson_places import described
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.prepared import FOLDER as PREPARED
-from sim.pages.scene_block import Lesson, SiteIds
+from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_text import language_findings
+from sim.pages.translate.languages import Languages
 
 _SITE_ID = re.compile(r"[a-z0-9][a-z0-9-]{2,39}")
 _SITE_ID_HELP = """\
@@ -64,6 +66,7 @@ class SiteBuild:
     hosting: Hosting | None = None  # for a web server
     lessons: Path | None = None  # the folder of lessons: scenes in there are watched first
     prepared: dict[str, str] = field(default_factory=dict)  # scripts with runs, by name
+    languages: Languages = field(default_factory=Languages)
 
     def __post_init__(self) -> None:
         self.doors = Doors(self.root)
@@ -84,12 +87,13 @@ class SiteBuild:
         """
         # Generators cut the front matter off: findings count lines of the whole file.
         first_line = 1 + whole.replace("\r\n", "\n").count("\n") - markdown.count("\n")
-        shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
-        folders = scene_folders(path, self.root), bank_folders(path, self.root)
         watch = "first" if self.lessons and path.is_relative_to(self.lessons) else ""
-        lesson = Lesson(shown.as_posix(), *folders, watch=watch)
+        report, lesson = self.report, described(path, self.root)
+        if made := self.languages.at(path):
+            lesson, report = made.described(self.root), made.reporting(report)
+        lesson = replace(lesson, watch=watch)
         self.ids.forget(lesson.file)  # a preview makes a page again
-        page = Page(lesson, first_line, self.ids, self.report, late={})
+        page = Page(lesson, first_line, self.ids, report, late={})
         page.prepares = self.audience != "preview" and bool(watch or path.name == "index.md")
         try:
             page.language = of_page(stated, lesson.file, theme)
@@ -113,7 +117,7 @@ class SiteBuild:
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
             if html.count(f' id="{block}"') > 1:
-                self.report(
+                (page.report or self.report)(
                     Finding(
                         page.lesson.file,
                         1,
@@ -197,13 +201,21 @@ class SiteBuild:
             to_download.write_shells(site, lessons, self.root, report)
             self.hosting.write(site, self.site_id)  # the last: it lists all files
 
+    def _keys_in_order(self) -> list[str]:
+        """Pages with keys, translations first: reports take their texts from the last."""
+        return sorted(self.keys, key=lambda name: (not language_folder(name), name))
+
     def _is_lesson(self, name: str) -> bool:
-        """Whether the page lies in the folder of lessons."""
+        """Whether the page can be had as one file: a lesson, but no translation of one, whose files
+        would make a site twice as large."""
+        return self._among_lessons(name) and name not in self.languages.made
+
+    def _among_lessons(self, name: str) -> bool:
         return self.lessons is not None and name.startswith(f"{self.lessons.name}/")
 
     def _has_foot(self, name: str) -> bool:
         """Whether a reader on a web server is told at the page's foot how to take it home."""
-        return self.hosting is not None and (self._is_lesson(name) or name == "index.md")
+        return self.hosting is not None and (self._among_lessons(name) or name == "index.md")
 
     def _add_runtime(self, site: Path, report: Callable[[str], None]) -> None:
         from sim.pages import runtime  # only where a page has a scene
@@ -216,7 +228,7 @@ class SiteBuild:
             if any(needs.classroom for needs in self.needs.values()):
                 (assets / "class.js").write_bytes(site_files.class_script())
                 (assets / practice_keys.FILE).write_bytes(
-                    practice_keys.keys_script(self.keys[name] for name in sorted(self.keys))
+                    practice_keys.keys_script(self.keys[name] for name in self._keys_in_order())
                 )
             for name in ("challenge", "worlds", "law", "hosted"):
                 if any(getattr(needs, name) for needs in self.needs.values()):

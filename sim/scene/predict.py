@@ -7,10 +7,20 @@ from typing import Literal
 
 from sim.scene.model import Scene
 from sim.scene.problem import Path, Problem
+from sim.scene.prose import PROSE
 from sim.scene.said import said
 from sim.scene.tables import mapping, unknown_keys
 
 KINDS = ("arrows", "curve", "choice", "text")
+READ = {
+    "type": "object",
+    "properties": {
+        "ask": PROSE,
+        "choice": {"type": "array", "items": PROSE},
+        "text": PROSE,
+    },
+}
+"""The texts that readers read, as a schema."""
 WISHES = ("talk", "sure")
 SCALES = ("relative", "newtons")
 Quantity = Literal["F", "v", "x"]

@@ -21,6 +21,8 @@ from sim.scene.fields import (
     Field,
 )
 from sim.scene.laws import FILE, WRITTEN, laws
+from sim.scene.predict import READ as READ_IN_PREDICT
+from sim.scene.prose import MARK, NAMED
 from sim.scene.quantity import exact
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -31,6 +33,7 @@ NUMBER = r"^\s*[+−-]?(\d|\.\d)"
 SIDES = {"enum": ["open", "wall"]}
 PAIR = {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "string"}}
 CARTS = {"type": "array", "minItems": 1, "items": {"type": "string"}}
+TITLE = {"type": "string", MARK: True}
 ACTIVE = {"type": "boolean", "description": "false: described, so that a switch can turn it on"}
 
 
@@ -39,7 +42,7 @@ def scene_schema() -> dict[str, Any]:
     overlap = {"type": "boolean", "description": "true: carts may overlap at the start"}
     effects = {"type": "array", "items": {"anyOf": [_effect(k) for k in kinds().values()]}}
     properties = {
-        "title": {"type": "string"},
+        "title": TITLE,
         "carts": {
             "type": "object",
             "minProperties": 1,
@@ -67,6 +70,12 @@ def scene_schema() -> dict[str, Any]:
         "properties": properties,
         "additionalProperties": False,
     }
+
+
+def read_in_fence() -> dict[str, Any]:
+    """The keys of a scene block whose texts readers read, as a schema."""
+    read = {"title": TITLE, "predict": READ_IN_PREDICT, "presets": NAMED}
+    return {"type": "object", "properties": read}
 
 
 def field_schema(field: Field) -> dict[str, Any]:

@@ -76,3 +76,13 @@ def test_an_exam_stays_out() -> None:
 
 def test_a_page_without_questions_has_no_key() -> None:
     assert made("Only words.") == "self.__cartsKeys = [];\n"
+
+
+def test_the_key_of_a_lesson_comes_after_those_of_its_translations(site: Path) -> None:
+    """A report takes its texts from the last."""
+    own = [key for key in keys_of(site) if key["lesson"] == "newtons-third-law"]
+    asks = [key["forms"][0]["items"][0]["ask"] for key in own]
+    assert len(asks) == len(set(asks)) == 4
+    assert asks[-1].startswith("Before you try anything.")
+    ids = [[item["id"] for item in key["forms"][0]["items"]] for key in own]
+    assert ids == [ids[-1]] * 4

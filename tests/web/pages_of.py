@@ -7,10 +7,19 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
+from sim.pages.language import language_folder
+
 
 def pages(site: Path) -> list[str]:
-    """The addresses of all pages, from the site's folder."""
-    return sorted(path.relative_to(site).as_posix() for path in site.rglob("*.html"))
+    """The addresses of all pages, from the site's folder; the largest translated lesson stands for
+    all of them.
+
+    Such pages differ in their words only; `tests/pages/test_site.py` reads every one of them.
+    """
+    found = sorted(path.relative_to(site).as_posix() for path in site.rglob("*.html"))
+    translated = [name for name in found if language_folder(name)]
+    largest = max(translated, key=lambda name: (site / name).stat().st_size, default="")
+    return [name for name in found if name == largest or name not in translated]
 
 
 def listen(page: Page) -> list[str]:

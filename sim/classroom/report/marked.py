@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -85,6 +85,31 @@ class Marked:
     def total(self, items: Sequence[str]) -> int:
         """Marks in these items."""
         return sum(self.answers[name].marks for name in items)
+
+
+class Keys:
+    """The keys of a class by site, lesson and form. A lesson in several languages has several."""
+
+    def __init__(self, keys: Iterable[KeyedForm]) -> None:
+        self.wordings: dict[tuple[str, str, str], list[KeyedForm]] = {}
+        for key in keys:
+            self.wordings.setdefault((key.site, key.lesson, key.form), []).append(key)
+
+    @property
+    def main(self) -> dict[tuple[str, str, str], KeyedForm]:
+        """The key that a report takes its texts from: the last one given."""
+        return {name: found[-1] for name, found in self.wordings.items()}
+
+    def of(self, file: AnswerFile) -> KeyedForm | None:
+        """The key of a file: the wording that most of its answers belong to, else the last."""
+        found = self.wordings.get((file.site, file.lesson, file.form), [])
+        if len(found) < 2:
+            return found[0] if found else None
+
+        def fits(key: KeyedForm) -> int:
+            return sum(i.id in key.items and key.items[i.id].hash == i.hash for i in file.items)
+
+        return max(reversed(found), key=fits)
 
 
 def mark_file(read: Read, group: str, form: KeyedForm | None, given: Given) -> Marked:

@@ -20,7 +20,7 @@ from sim.classroom.report.flags import ORDER, sort_out
 from sim.classroom.report.gain_report import comparison_table, gain_table, only_after_table
 from sim.classroom.report.item_report import item_rows
 from sim.classroom.report.item_statistics import whole_test
-from sim.classroom.report.marked import Marked, counted_items, mark_file, worth
+from sim.classroom.report.marked import Keys, Marked, counted_items, mark_file, worth
 from sim.classroom.report.pairing import Pairs, pair_up
 from sim.classroom.report.predictions import prediction_rows
 from sim.classroom.report.talk import talk_rows
@@ -51,11 +51,10 @@ def class_report(
     asked: Asked,
 ) -> dict[str, Any]:
     """The report on files, each with the name of its group."""
-    forms = {(key.site, key.lesson, key.form): key for key in keys}
+    of_files = Keys(keys)
+    forms = of_files.main
     marked = [
-        mark_file(read, group, forms.get((f.site, f.lesson, f.form)), asked.given)
-        for read, group in files
-        for f in [read.answers]
+        mark_file(read, group, of_files.of(read.answers), asked.given) for read, group in files
     ]
     sorted_out = sort_out(marked, asked.now)
     lessons: dict[tuple[str, str], list[Marked]] = {}

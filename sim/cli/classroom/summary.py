@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,7 @@ import click
 
 from sim.classroom.files.reading import Read as ReadFile
 from sim.classroom.report.flags import sort_out
-from sim.classroom.report.marked import mark_file
+from sim.classroom.report.marked import Keys, mark_file
 from sim.classroom.report.report import Asked
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.handed_on import Summary, handed_on
@@ -48,16 +48,12 @@ def lessons_of_answers(
     files: Sequence[tuple[ReadFile, str]], keys: Sequence[Any], asked: Asked
 ) -> list[LessonSums]:
     """The sums of the files that the report counts."""
-    forms: Mapping[tuple[str, str, str], Any] = {
-        (key.site, key.lesson, key.form): key for key in keys
-    }
+    of_files = Keys(keys)
     marked = [
-        mark_file(read, group, forms.get((f.site, f.lesson, f.form)), asked.given)
-        for read, group in files
-        for f in [read.answers]
+        mark_file(read, group, of_files.of(read.answers), asked.given) for read, group in files
     ]
     counted = sort_out(marked, asked.now).counted
-    return lessons_of(counted, forms, asked.groups, asked.classes)
+    return lessons_of(counted, of_files.main, asked.groups, asked.classes)
 
 
 def merged_report(

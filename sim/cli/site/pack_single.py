@@ -32,8 +32,8 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
             ctx.exit(1)
         packed: dict[frozenset[str], list[str]] = {}
         for name, packages in sorted(builds[0].asked.items()):
-            if not name.startswith("worksheets/"):
-                continue
+            if not name.startswith("worksheets/") or name in builds[0].languages.made:
+                continue  # a translation that is made of a catalogue is in the whole site
             if packages not in packed:
                 try:
                     packed[packages] = runtime_scripts(packages, here.root, click.echo)
@@ -41,7 +41,8 @@ def pack_lessons(ctx: click.Context, here: SiteFolder, out: Path) -> None:
                     raise click.ClickException(str(error)) from error
             page = (site / name).with_suffix(".html")
             text = single_lesson(page, site, packed[packages])
-            files[page.name] = text.encode()
-            click.echo(f"  {page.name}: {len(files[page.name]) / 1e6:.1f} MB")
+            inside = page.relative_to(site / "worksheets").as_posix()
+            files[inside] = text.encode()
+            click.echo(f"  {inside}: {len(files[inside]) / 1e6:.1f} MB")
     write_zip(files, out)
     click.echo(f"{out}: {size_of(out)}. Each file is a whole lesson and needs no other.")

@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import Any, ClassVar, Self
 
 from sim.lesson import keys
-from sim.lesson.keys import TEXT, TEXTS, Key
+from sim.lesson.keys import PROSE, PROSES, Key
 from sim.lesson.kinds.choice import LETTERS
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
@@ -21,8 +21,8 @@ from sim.scene.problem import Path, Problem
 from sim.scene.tables import unknown_keys
 
 PAIR_KEYS = (
-    Key("left", "what stands on the left", "force on A by B", TEXT, True),
-    Key("right", "what belongs to it", "force on B by A", TEXT, True),
+    Key("left", "what stands on the left", "force on A by B", PROSE, True),
+    Key("right", "what belongs to it", "force on B by A", PROSE, True),
 )
 
 
@@ -46,7 +46,7 @@ class Ordering(Question):
     KEYS: ClassVar[tuple[Key, ...]] = (
         Key("order", "the lines in the right order; the page shows them in another",
             "[A touches B, both forces grow, both forces fade]",
-            {"type": "array", "items": TEXT, "minItems": 3}, True),
+            {"type": "array", "items": PROSE, "minItems": 3}, True),
     )  # fmt: skip
     order: tuple[str, ...]
 
@@ -112,7 +112,7 @@ class Matching(Question):
              "properties": {key.name: key.schema for key in PAIR_KEYS},
              "required": ["left", "right"], "additionalProperties": False}}, True),
         Key("others", "more on the right that belongs to nothing", "[force on A by the Earth]",
-            TEXTS),
+            PROSES),
     )  # fmt: skip
     left: tuple[str, ...]
     right: tuple[str, ...]  # those of `left` first, then the others

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys
 from sim.lesson.beliefs import BELIEFS
-from sim.lesson.keys import TEXT, Key
+from sim.lesson.keys import PROSE, Key
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem, nearest
@@ -18,11 +18,11 @@ from sim.scene.tables import unknown_keys
 LETTERS = "abcdefghijkl"
 _ID = re.compile(r"[a-z0-9][a-z0-9-]{0,31}", re.ASCII)
 OPTION_KEYS = (
-    Key("text", "the answer, in Markdown", "They are equal.", TEXT, True),
+    Key("text", "the answer, in Markdown", "They are equal.", PROSE, True),
     Key("correct", "this answer is right", "true", {"type": "boolean"}),
     Key("belief", "tag of the belief behind a wrong answer", "bigger-pushes-more",
         {"enum": sorted(BELIEFS)}),
-    Key("feedback", "shown to who chose it", "Compare the two arrows."),
+    Key("feedback", "shown to who chose it", "Compare the two arrows.", PROSE),
     Key("id", "name of the answer; default: its letter", "b"),
 )  # fmt: skip
 _HINT = "options:\n    - {text: They are equal., correct: true}\n    - {text: A pushes harder.}"
@@ -36,7 +36,7 @@ OPTIONS = Key(
         "maxItems": len(LETTERS),
         "items": {
             "anyOf": [
-                TEXT,
+                PROSE,
                 {
                     "type": "object",
                     "properties": {key.name: key.schema for key in OPTION_KEYS},

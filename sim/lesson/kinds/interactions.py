@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Self, cast
 
 from sim.lesson import keys
-from sim.lesson.keys import TEXT, TEXTS, Key
+from sim.lesson.keys import PROSE, PROSES, Key
 from sim.lesson.kinds.links import (
     HINT,
     INVENTED_KEYS,
@@ -51,11 +51,11 @@ class Interactions(Question):
     SAYS: ClassVar[str] = "draw who pushes or pulls whom"
     KEYS: ClassVar[tuple[Key, ...]] = (
         Key("objects", f"the boxes, {FEWEST} to {MOST}; at most {LONGEST} characters each",
-            "[book, table, Earth]", {"type": "array", "items": TEXT, "minItems": FEWEST,
+            "[book, table, Earth]", {"type": "array", "items": PROSE, "minItems": FEWEST,
             "maxItems": MOST}, True),
         Key("contact", "pairs that act on each other by touching", "[[book, table]]", LINKS_SCHEMA),
         Key("distance", "pairs that act without touching", "[[book, Earth]]", LINKS_SCHEMA),
-        Key("focus", "objects whose forces are listed beside the diagram", "book", TEXTS),
+        Key("focus", "objects whose forces are listed beside the diagram", "book", PROSES),
         Key("missing", "what is said where a right link is missing: `between`, `by`, `feedback`",
             "[{between: [book, Earth], feedback: Why does it fall?}]", rows_schema(MISSING_KEYS)),
         Key("wrong", "what is said to an invented link: `between`, `by`, `belief`, `feedback`",

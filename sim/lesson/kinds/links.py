@@ -7,17 +7,17 @@ from dataclasses import dataclass
 from typing import Any, Literal, cast
 
 from sim.lesson import keys
-from sim.lesson.keys import TEXT, Key, one_of
+from sim.lesson.keys import PROSE, Key, one_of
 from sim.lesson.kinds.choice import read_belief
 from sim.scene.problem import Path, Problem
 
 By = Literal["contact", "distance"]
 WAYS: tuple[By, ...] = ("contact", "distance")
-PAIR: Mapping[str, Any] = {"type": "array", "items": TEXT, "minItems": 2, "maxItems": 2}
+PAIR: Mapping[str, Any] = {"type": "array", "items": PROSE, "minItems": 2, "maxItems": 2}
 LINKS_SCHEMA: Mapping[str, Any] = {"type": "array", "items": PAIR}
 BETWEEN = Key("between", "the two objects", "[book, Earth]", PAIR, True)
 BY = Key("by", "only a link of this way; default: of either", "contact", one_of(*WAYS))
-SAYS = Key("feedback", "shown then, best as a question", "What does the book touch?")
+SAYS = Key("feedback", "shown then, best as a question", "What does the book touch?", PROSE)
 MISSING_KEYS = (BETWEEN, BY, SAYS)
 BELIEF = Key("belief", "tag of the belief behind it", "passive-cannot-push")
 INVENTED_KEYS = (BETWEEN, BY, BELIEF, SAYS)

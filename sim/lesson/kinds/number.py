@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys, units
 from sim.lesson.beliefs import BELIEFS
-from sim.lesson.keys import NUMBER_OR_TEXT, Key
+from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.choice import read_belief
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
@@ -22,7 +22,7 @@ WRONG_KEYS = (
     Key("value", "a wrong answer that is often given", "0.60 m/s", NUMBER_OR_TEXT, True),
     Key("tolerance", "how near counts; default: the question's", "0.01 m/s", NUMBER_OR_TEXT),
     Key("belief", "tag of the belief behind it", "motion-needs-force", {"enum": sorted(BELIEFS)}),
-    Key("feedback", "shown to who gave it", "That is the speed before the contact."),
+    Key("feedback", "shown to who gave it", "That is the speed before the contact.", PROSE),
 )
 TOLERANCE = Key(
     "tolerance",

@@ -16,17 +16,19 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
 from sim.lesson import keys, units
-from sim.lesson.keys import NUMBER_OR_TEXT, TEXT, Key
+from sim.lesson.keys import NUMBER_OR_TEXT, PROSE, Key
 from sim.lesson.kinds.number import TOLERANCE, mark_number, read_number, read_tolerance, read_unit
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
 from sim.scene.problem import Path, Problem
+from sim.scene.prose import MARK
 from sim.scene.tables import unknown_keys
 
 CELL_KEYS = (
     Key("answer", "the right number with its unit", "0.8 m/s", NUMBER_OR_TEXT, True),
     TOLERANCE,
 )
+NUMBER_OR_PROSE = {"type": ["number", "string"], MARK: True}
 MOST = 8  # columns, and rows: more does not fit a phone
 HINT = "rows:\n    - [0.1 N, {answer: 0.4 m/s, tolerance: 0.02 m/s}]"
 
@@ -52,15 +54,15 @@ class Table(Question):
     SAYS: ClassVar[str] = "fill in a table, marked cell by cell"
     KEYS: ClassVar[tuple[Key, ...]] = (
         Key("columns", "the heads of the columns", "[push, velocity after 2 s]",
-            {"type": "array", "items": TEXT, "minItems": 2}, True),
+            {"type": "array", "items": PROSE, "minItems": 2}, True),
         Key("rows", "a list for each row: texts, and cells to fill in",
             "[[0.1 N, {answer: 0.4 m/s, tolerance: 0.02 m/s}]]",
             {"type": "array", "minItems": 1, "items": {"type": "array", "items": {"anyOf": [
-                NUMBER_OR_TEXT, {"type": "object", "required": ["answer", "tolerance"],
+                NUMBER_OR_PROSE, {"type": "object", "required": ["answer", "tolerance"],
                  "properties": {key.name: key.schema for key in CELL_KEYS},
                  "additionalProperties": False}]}}}, True),
         Key("plot", "two columns, drawn as points against each other", "[push, velocity after 2 s]",
-            {"type": "array", "items": TEXT, "minItems": 2, "maxItems": 2}),
+            {"type": "array", "items": PROSE, "minItems": 2, "maxItems": 2}),
     )  # fmt: skip
     columns: tuple[str, ...]
     rows: tuple[tuple[Cell, ...], ...]

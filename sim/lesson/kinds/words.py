@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Self
 
 from sim.lesson import keys
 from sim.lesson.beliefs import BELIEFS
-from sim.lesson.keys import TEXT, TEXTS, Key
+from sim.lesson.keys import PROSE, PROSES, Key
 from sim.lesson.kinds.choice import read_belief
 from sim.lesson.mark import Mark, all_or_nothing, is_empty
 from sim.lesson.question import Common, Question
@@ -22,14 +22,16 @@ RUBRIC = Key(
     "page. The largest number is what the question is worth. Left out only where `accept` says "
     "what is right",
     "{2: names both forces, 1: names one, 0: “action = reaction” alone}",
-    {"type": "object", "patternProperties": {"^[0-9]$": TEXT}, "additionalProperties": False},
+    {"type": "object", "patternProperties": {"^[0-9]$": PROSE}, "additionalProperties": False},
 )
-START = Key("start", "the beginning of a sentence, given to the student", "The force on B by A …")
-WORDS = Key("words", "a bank of words to use", "[equal, opposite, pair]", TEXTS)
+START = Key(
+    "start", "the beginning of a sentence, given to the student", "The force on B by A …", PROSE
+)
+WORDS = Key("words", "a bank of words to use", "[equal, opposite, pair]", PROSES)
 _WRONG_KEYS = (
-    Key("text", "a wrong answer that is often given", "A pushes harder", TEXTS, True),
+    Key("text", "a wrong answer that is often given", "A pushes harder", PROSES, True),
     Key("belief", "tag of the belief behind it", "mover-pushes-more", {"enum": sorted(BELIEFS)}),
-    Key("feedback", "shown to who gave it", "Look at both arrows."),
+    Key("feedback", "shown to who gave it", "Look at both arrows.", PROSE),
 )
 _PUNCTUATION = re.compile(r"[\s.,;:!?“”„\"'’`()]+")
 
@@ -90,7 +92,7 @@ class Short(Long):
     SAYS: ClassVar[str] = "write a few words"
     KEYS: ClassVar[tuple[Key, ...]] = (
         Key("accept", "right answers; capitals, spaces and punctuation do not count",
-            "[zero, 0, 0 N]", TEXTS),
+            "[zero, 0, 0 N]", PROSES),
         Key("wrong", "wrong answers with feedback of their own",
             "[{text: A pushes harder, belief: mover-pushes-more}]",
             {"type": "array", "items": {"type": "object", "required": ["text"],

@@ -30,9 +30,13 @@ from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.text.fence_scan import Block
 from sim.scene import Fence, Problem, SceneError, read_fence
 from sim.scene.laws import is_written
+from sim.scene.prose import PROSE
 
 KEYS = ("id", "ask", "start")
 """Beside those of a scene."""
+
+READ = {"properties": {"ask": PROSE}}
+"""The text that readers read, as a schema."""
 
 FILE = "mine.py"
 ASK = mark("Write a law of your own.")

@@ -28,8 +28,11 @@ from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml_source import KeyPath, Source
 from sim.scene.presentation import ID
 from sim.scene.problem import nearest
+from sim.scene.prose import PROSE
 
 KEYS = ("id", "title", "data", "units", "law")
+READ = {"properties": {"title": PROSE}}
+"""The text that readers read, as a schema."""
 SUFFIXES = (".txt", ".csv", ".tsv")
 FOLDER = "data"
 USUAL_TITLE = "Real carts beside the model"

@@ -8,6 +8,7 @@ numbers = float64 [SI], the columns of one run after those of the other
 
 from __future__ import annotations
 
+import hashlib
 import json
 import sys
 from array import array
@@ -15,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.bake import Run, bake_with
+from sim.pages.bake import Run, bake_with, without_title
 from sim.pages.gzipped import gzipped
 from sim.pages.prepared.grid import Grid, grid_of
 from sim.pages.runtime.payload import make_payload
@@ -34,6 +35,10 @@ MOST_NUMBERS = 150_000
 """In all runs of a scene: where one run is long, and so dear, few are prepared."""
 
 
+MOST_KEPT = 64
+"""Scenes whose runs a build remembers, in the worst case a fifth of a megabyte each."""
+
+
 @dataclass(frozen=True, slots=True)
 class Prepared:
     """What the page has to know, and the scripts by their names in `FOLDER`."""
@@ -45,8 +50,26 @@ class Prepared:
     size: int  # bytes of gzip
 
 
+_kept: dict[str, Prepared | None] = {}
+
+
 def prepare(fence: Fence, lesson_run: Run) -> Prepared | None:
-    """The runs of `fence`, as many as fit; None where no grid fits. `lesson_run`: the default."""
+    """The runs of `fence`, as many as fit; None where no grid fits. `lesson_run`: the default.
+
+    They are the same in every language, and computed once: only texts may differ.
+    """
+    scene, _ = without_title(fence.plain)
+    facts = (fence.id, scene, fence.controls, fence.switches, [*fence.presets.values()],
+             fence.predict is None)  # fmt: skip
+    key = hashlib.sha256(repr(facts).encode()).hexdigest()
+    if key not in _kept:
+        while len(_kept) >= MOST_KEPT:
+            del _kept[next(iter(_kept))]
+        _kept[key] = _prepared(fence, lesson_run)
+    return _kept[key]
+
+
+def _prepared(fence: Fence, lesson_run: Run) -> Prepared | None:
     numbers = lesson_run.numbers
     fit = 2 * MOST_BYTES // len(gzipped(numbers.tobytes()))  # together they are smaller
     most = min(MOST_RUNS, MOST_NUMBERS // len(numbers), fit)
@@ -59,7 +82,8 @@ def prepare(fence: Fence, lesson_run: Run) -> Prepared | None:
 
 
 def _packed(fence: Fence, grid: Grid) -> Prepared:
-    runs = [bake_with(fence.plain, changes) for changes in grid.settings()]
+    scene, _ = without_title(fence.plain)
+    runs = [bake_with(scene, changes) for changes in grid.settings()]
     payload, scripts = make_payload(fence.id, _bytes(grid, runs))
     parts = tuple(dict(vars(part)) for part in payload.parts)
     sliders = {one.set: one for one in fence.controls}

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from sim.lesson import keys
 from sim.lesson.goal import EXAMPLE, Goal, read_goal
+from sim.lesson.keys import PROSE, Key
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import Lesson, Places, SiteIds, load_block
 from sim.pages.text.fence_scan import Block
@@ -22,7 +23,12 @@ from sim.scene import Fence, Problem
 from sim.scene.presentation import ID
 from sim.scene.tables import unknown_keys
 
-KEYS = ("id", "scene", "ask", "goal")
+KEYS = (
+    Key("id", "name of the challenge; default: the scene's and -challenge", "stop-dead"),
+    Key("scene", "id of a scene above with sliders", "two-carts", required=True),
+    Key("ask", "what is to be reached, in Markdown", "Make cart A stop dead.", PROSE, True),
+    Key("goal", "what must hold", "v.A = 0", required=True),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +48,7 @@ def read_challenge_block(
     source = load_block(block, lesson.file, first_line=first_line)
     places, table = Places(lesson.file, source), source.plain
     problems: list[Problem] = []
-    unknown_keys(table, KEYS, (), problems)
+    unknown_keys(table, keys.names(KEYS), (), problems)
     ask = keys.needed(table, "ask", (), problems, "ask: Make cart A stop dead.")
     name = keys.needed(table, "scene", (), problems, "scene: two-carts")
     identity = str(table.get("id", f"{name}-challenge"))

@@ -70,7 +70,8 @@ def _bank(
         message = f"there is no bank “{name[:60]}”"
         problem = Problem(("bank",), "no-such-file", message, f"looked in: {folders or FOLDER}")
         return None, [places.finding(problem)]
-    return read_bank_text(path.read_text(encoding="utf-8"), f"{FOLDER}/{name}")
+    text = lesson.texts.get(path) or path.read_text(encoding="utf-8")
+    return read_bank_text(text, f"{FOLDER}/{name}")
 
 
 def read_bank_text(text: str, file: str) -> tuple[Bank | None, list[Finding]]:

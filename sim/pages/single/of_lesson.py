@@ -102,7 +102,7 @@ def _article(text: str, page: Path) -> str:
     """The text of the page, its pictures inside; links to other pages are only words here."""
     start, end = text.index("<article"), text.rindex("</article>") + len("</article>")
     article = re.sub(
-        r'<p class="carts-teach-door".*?</p>|<div class="carts-hosted".*?</div>',
+        r'<p class="carts-(?:teach-door|languages)".*?</p>|<div class="carts-hosted".*?</div>',
         "",
         text[start:end],
         flags=re.S,

@@ -18,9 +18,9 @@ from pathlib import Path
 from typing import Any
 
 from sim.lesson.opening import word_sum
-from sim.pages.check import scene_folders
 from sim.pages.findings import AuthorError
 from sim.pages.gzipped import gzipped
+from sim.pages.lesson_places import scene_folders
 from sim.pages.measured.block import read_measured_block
 from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.teach.pieces import blocks

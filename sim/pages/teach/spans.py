@@ -35,11 +35,21 @@ class Value:
 
 def values(text: str, block: Block) -> tuple[Value, ...]:
     """The values of a block that can be read, in their order; of any other, none."""
-    try:
-        root = yaml.compose(block.body, Loader=yaml.SafeLoader)
-    except (yaml.YAMLError, RecursionError):
-        return ()
+    root = _root(block)
     return tuple(_below(root, (), _Places(Lines.of(text), block))) if root else ()
+
+
+def names(text: str, block: Block) -> tuple[Value, ...]:
+    """The same for its keys: each with its own path, and its name as the value."""
+    root = _root(block)
+    return tuple(_keys_below(root, (), _Places(Lines.of(text), block))) if root else ()
+
+
+def _root(block: Block) -> yaml.Node | None:
+    try:
+        return yaml.compose(block.body, Loader=yaml.SafeLoader)
+    except (yaml.YAMLError, RecursionError):
+        return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,11 +86,27 @@ def _below(node: yaml.Node, path: KeyPath, places: _Places) -> Iterator[Value]:
         for k, item in enumerate(node.value):
             yield from _below(item, (*path, k), places)
     elif isinstance(node, yaml.ScalarNode):
-        start, end = places(node.start_mark), places.end(node)
-        mark = node.start_mark
-        place = places.block.start + 2 + mark.line, places.block.body_indent + 1 + mark.column
-        style = node.style or ""
-        yield Value(path, start, end, style, _indent(node, places), str(node.value), place)
+        yield _single(node, path, places)
+
+
+def _keys_below(node: yaml.Node, path: KeyPath, places: _Places) -> Iterator[Value]:
+    if isinstance(node, yaml.MappingNode):
+        for key, value in node.value:
+            if isinstance(key, yaml.ScalarNode):
+                here = (*path, str(key.value))
+                yield _single(key, here, places)
+                yield from _keys_below(value, here, places)
+    elif isinstance(node, yaml.SequenceNode):
+        for k, item in enumerate(node.value):
+            yield from _keys_below(item, (*path, k), places)
+
+
+def _single(node: yaml.ScalarNode, path: KeyPath, places: _Places) -> Value:
+    start, end = places(node.start_mark), places.end(node)
+    mark = node.start_mark
+    place = places.block.start + 2 + mark.line, places.block.body_indent + 1 + mark.column
+    style = node.style or ""
+    return Value(path, start, end, style, _indent(node, places), str(node.value), place)
 
 
 def _indent(node: yaml.ScalarNode, places: _Places) -> int:

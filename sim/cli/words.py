@@ -1,0 +1,68 @@
+"""`carts words`: the texts of a lesson as catalogues for other languages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from sim.cli.check import report
+from sim.pages.findings import AuthorError
+from sim.pages.language import LANGUAGES
+from sim.pages.translate.catalogues import BANKS, OTHERS, source_of
+from sim.pages.translate.po_file import read_words, updated
+from sim.pages.translate.put_in import bank_units, lesson_units
+from sim.pages.translate.translation import shown as shown_from
+
+
+@click.command("words")
+@click.argument(
+    "paths",
+    nargs=-1,
+    required=True,
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+)
+@click.option(
+    "--language",
+    "languages",
+    multiple=True,
+    type=click.Choice(OTHERS),
+    help="Only this one; may be given several times. Without it: all.",
+)
+@click.pass_context
+def command(ctx: click.Context, paths: tuple[Path, ...], languages: tuple[str, ...]) -> None:
+    """Write or update the catalogues of lessons, one for each language.
+
+    PATH is a lesson (.md) or a bank of questions (.yml). Beside the lessons stands then
+    words/LANGUAGE/LESSON.po with every text that readers read: free programs such as Poedit
+    open it. The next build makes a page of it; what is not translated stays as it is.
+
+    \b
+    carts words worksheets/newtons-third-law.md
+    carts words worksheets/newtons-third-law.md --language ms
+    """
+    root = Path.cwd()
+    for path in (path.resolve() for path in paths):
+        bank = path.parent.name == BANKS
+        if path.suffix not in ((".yml", ".yaml") if bank else (".md",)):
+            raise click.UsageError(f"“{path.name}” is neither a lesson (.md) nor in {BANKS}/.")
+        folder = path.parent.parent if bank else path.parent
+        text = path.read_text(encoding="utf-8")
+        units = bank_units(text) if bank else lesson_units(text)
+        for language in languages or OTHERS:
+            target = source_of(path, folder, language).catalogue
+            shown = shown_from(target, root)
+            try:
+                made = updated(target, shown, units, language, shown_from(path, root))
+            except AuthorError as error:
+                report(list(error.findings))
+                ctx.exit(1)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(made, encoding="utf-8", newline="\n")
+            said = read_words(target, shown)
+            texts = {unit.text for unit in units}
+            left = len(texts - set(said.words))
+            click.echo(
+                f"{shown}: {len(texts)} texts, {left} not in {LANGUAGES[language]} yet"
+                + (f", {len(said.fuzzy)} of them with an old translation" if said.fuzzy else "")
+            )

@@ -1,0 +1,31 @@
+"""Where a lesson looks for the scenes, laws and banks that it names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sim.pages.effect_pages import SCENES
+from sim.pages.scene_block import Lesson
+
+SCENE_FOLDERS = ("worksheets/scenes", "tests/scenes")
+BANK_FOLDER = "banks"
+
+
+def described(lesson: Path, root: Path) -> Lesson:
+    """The lesson in a file, as its blocks are read; messages name it from `root`."""
+    shown = lesson.relative_to(root) if lesson.is_relative_to(root) else lesson
+    return Lesson(shown.as_posix(), scene_folders(lesson, root), bank_folders(lesson, root))
+
+
+def scene_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
+    """Where a lesson's `file: NAME.yml` is looked for, in this order."""
+    return (
+        lesson.parent,
+        *(root / folder for folder in SCENE_FOLDERS),
+        *sorted(root.glob(SCENES)),
+    )
+
+
+def bank_folders(lesson: Path, root: Path) -> tuple[Path, ...]:
+    """Where the banks of a lesson's forms are looked for, in this order."""
+    return (lesson.parent / BANK_FOLDER, root / "worksheets" / BANK_FOLDER)
