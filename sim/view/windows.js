@@ -1,7 +1,7 @@
-/** When bodies touch. */
+/** When bodies touch, or push each other by a spring that is let go. */
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
-/** @typedef {{pair: string, bodies: string[], start: number, end: number}} Touch */
+/** @typedef {{pair: string, bodies: string[], start: number, end: number, loose?: boolean}} Touch `loose`: by a spring */
 
 /**
  * Contacts that last, in order of their start. One that does not end lasts until its peak.
@@ -19,6 +19,8 @@ export function touches(events, until) {
     const touch = open.get(pair);
     if (event.kind === "contact" && !event.impulse) {
       open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+    } else if (event.kind === "release" && !event.impulse) {
+      open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t, loose: true });
     } else if (event.kind === "peak") {
       peaks.set(pair, event.t);
     } else if (touch && (event.kind === "separate" || event.kind === "stick")) {

@@ -3,12 +3,12 @@
 apart   the contact is over                      touch   a linked pair's contact begins
 turn    the bumper springs back                  clear   its bumper forgets
 climb   the bumper is pressed further            halt    the body stands still for a moment
-                                                 slip    it begins to slide
+off     a loose spring falls off                 slip    it begins to slide
 """
 
 from __future__ import annotations
 
-from sim.dynamics.loop import contacts
+from sim.dynamics.loop import contacts, release
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
@@ -43,6 +43,8 @@ def _changing(motion: Motion, end: End) -> Body | Gap:
 def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
     if cause == "touch":
         return _touch(gap, now, record, ledger)
+    if cause == "off":
+        return release.fall_off(gap, now, record)
     if cause == "clear":
         gap.room = gap.memory = 0.0
     elif gap.touching is None:

@@ -42,6 +42,15 @@ def guards_of(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
     not cleared touches at its resting overlap, a pair that may push again when its force turns
     positive, unless it clears first.
     """
+    return (*_guards(gap, branch), *offs_of(gap)) if gap.loose else _guards(gap, branch)
+
+
+def offs_of(gap: Gap) -> tuple[Guard, ...]:
+    """A loose spring falls off where the two are as far apart as it is long."""
+    return tuple(Guard("off", "overlap", level=-one.link.reach) for one in gap.loose)
+
+
+def _guards(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
     law = gap.law
     if gap.touching is not None:
         return (
@@ -66,7 +75,7 @@ def along(gap: Gap, guard: Guard, over: Poly, force: Poly) -> Poly:
         quantity = slope(over)
     if guard.rises:
         return [guard.level - quantity[0], *(-c for c in quantity[1:])]
-    return quantity
+    return [quantity[0] - guard.level, *quantity[1:]] if guard.level else quantity
 
 
 def _push_to_come(gap: Gap, over: Poly) -> Poly:

@@ -17,7 +17,8 @@ from sim.dynamics.stepping.impacts import Impacts
 from sim.dynamics.stepping.pairs import Row
 
 Key = tuple[str, int, int]
-"""("gap", its number, which of its guards) or ("body", its first cart, 0)."""
+"""("gap", its number, which of its guards), ("loose", the gap, which spring) or ("body", its first
+cart, 0)."""
 
 MOST_CHANGES = 12
 """Within one step. Then the rest of it is taken without looking, as methods without events do."""
@@ -59,6 +60,8 @@ class Located:
             if gap in field.joined:
                 continue
             d, rate = field.overlap(pair, s, v)
+            for which, spring in enumerate(pair.loose):
+                found["loose", gap, which] = spring.reach + d
             if pair.force is None:
                 found["gap", gap, 0] = -d
                 continue
@@ -80,7 +83,9 @@ class Located:
         assert field.modes is not None
         slipping = []
         for kind, number, which in keys:
-            if kind == "gap" and number in field.held:
+            if kind == "loose":
+                self.impacts.fall_off(field.pair_at[number], s, v, now=True)
+            elif kind == "gap" and number in field.held:
                 held.let_go(field, number)
                 field.modes[number] = "press" if which else "apart"
             elif kind == "gap":

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.effects.forces import PairForce
+from sim.effects.forces import LooseForce, PairForce
 from sim.laws.lookup import contact_law
 from sim.laws.stepping import SteppedContact
 from sim.scene.model import Contact, Scene
@@ -28,6 +28,7 @@ class Pair:
     mu: float
     force: SteppedContact | None
     links: tuple[PairForce, ...]
+    loose: tuple[LooseForce, ...] = ()  # those of them that fall off
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from sim.dynamics.result.record import Record
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Blow
 from sim.dynamics.stepping.pairs import Pair, Row
+from sim.effects.forces import LooseForce
 
 Speeds = tuple[float, float]
 
@@ -31,17 +32,34 @@ class Touch:
 
 
 @dataclass(slots=True)
+class LetGo:
+    """A spring that lies loose in a gap."""
+
+    kind: str
+    spring: LooseForce
+    before: Speeds
+    impulse: float = 0.0  # N s so far
+
+
+SPENT = 1e-6
+"""Of its force when it was let go. Steps to where a spring falls off end so near to that."""
+
+
+@dataclass(slots=True)
 class Story:
     """Collects events of one stepped run into its record."""
 
     field: Field
     record: Record
     touching: dict[int, Touch] = dataclasses.field(default_factory=dict)
+    loose: dict[int, LetGo] = dataclasses.field(default_factory=dict)
 
     def step(self, t: float, old: Row, v: Row, s: Row, push: Row, impulses: list[float]) -> None:
         """A step ended at t: velocities before and after it, forces now, impulses in it."""
         for pair in self.field.pairs:
             gap = pair.gap
+            if gap in self.loose:
+                self._loose(t, pair, s, v)
             if pair.force is None:
                 continue
             touch = self.touching.get(gap)
@@ -73,16 +91,27 @@ class Story:
             now = self._speeds(pair, v)
             self._tell(t, "separate", pair, touch.before, now, touch.impulse, touch.last)
 
+    def _loose(self, t: float, pair: Pair, s: Row, v: Row) -> None:
+        """A spring that pushes no more has fallen off."""
+        one = self.loose[pair.gap]
+        d, _ = self.field.overlap(pair, s, v)
+        if one.spring.force(-d, 0.0) <= SPENT * one.spring.strongest:
+            del self.loose[pair.gap]
+            self._tell(t, "separate", pair, one.before, self._speeds(pair, v), one.impulse, 0.0)
+
     def blow(self, t: float, blow: Blow) -> None:
-        """An impulse without duration."""
+        """An impulse without duration, or a spring that is let go."""
+        spring = blow.let_go
+        if spring is not None:
+            self.loose[blow.pair.gap] = LetGo(blow.release, spring, blow.before)
         self._tell(
-            t,
+            t if spring is None else blow.time,
             "release" if blow.release else "contact",
             blow.pair,
             blow.before,
             blow.after,
             blow.impulse,
-            None,
+            None if spring is None else spring.strongest,
         )
 
     def finish(self, t: float, v: Row) -> None:

@@ -202,8 +202,8 @@
     while (left > 0 && now < until) {
       const inside = slowAt(parts2, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge2 = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
-      const next = Math.min(edge2, until);
+      const edge3 = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge3, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
       now = next;
@@ -1338,6 +1338,7 @@
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_2, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between: between2 }, { key, layout, face }) {
@@ -1522,32 +1523,122 @@
     return from ? tr("from {from} s", { from: short(from) }) : "";
   }
 
+  // ../view/trajectory.js
+  function fromWire(header, numbers) {
+    const { rows, columns, events } = header;
+    const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
+    columns.forEach(([quantity, ...key], k) => {
+      const column = numbers.subarray(k * rows, (k + 1) * rows);
+      const name2 = String(quantity);
+      if (!key.length) parts2[name2] = column;
+      else {
+        parts2[name2] ??= {};
+        parts2[name2][key.join(" ")] = column;
+      }
+    });
+    return parts2;
+  }
+  function fromBaked(numbers, events) {
+    const parts2 = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts2[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts2[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts2;
+  }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
+  function rowAt(times2, t3) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t3
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt(times2, values, slopes, t3) {
+    const k = rowAt(times2, t3);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t3);
+  }
+  function hermite(times2, values, slopes, k, t3) {
+    const at3 = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c2, i2) => c2[i2])
+    );
+    const h2 = at3(times2, k + 1) - at3(times2, k);
+    const s3 = (t3 - at3(times2, k)) / h2;
+    if (!slopes) return at3(values, k) + (at3(values, k + 1) - at3(values, k)) * s3;
+    const r2 = 1 - s3;
+    const found2 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
+    return Number.isFinite(found2) ? found2 : at3(values, k);
+  }
+
   // ../effects/release/view.js
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at: at3 = 0 } }, t3) => t3 < at3,
-    phrase: ({ numbers: { energy = 0, at: at3 = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at: at3 = 0, stiffness } }, t3) => t3 < at3 || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at: at3 = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at3) })
     ],
-    pieces({ between: between2 }, { key, layout, face }) {
-      const [a2, b2] = between2 ?? ["", ""];
-      const x2 = (face(a2, "right") + face(b2, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x2 - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key, run, t: t3, layout, face }) {
+      const [a2, b2] = effect.between ?? ["", ""];
+      const [begun, ended2] = pushes(effect, run);
+      const low = layout.track - ABOVE2;
+      const ends = [face(a2, "right"), face(b2, "left")].map(Number);
+      if (t3 > ended2) {
+        const there = edge(run, a2, ended2) - edge(run, a2, t3);
+        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const long = (edge(run, b2, ended2, -1) - edge(run, a2, ended2)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
+      const [start = 0, end = 0] = t3 < begun ? [middle, middle] : ends;
+      const wire = coil(start - HALF, end + HALF, low, TURNS2, HIGH);
+      const plates = t3 < begun ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key, cls: "carts-coil", d: coil(x2 - HALF, x2 + HALF, low, TURNS2, HIGH) },
-        { key: `${key} latch`, cls: "carts-latch", d: latch }
+        { key, cls: "carts-coil", d: wire },
+        { key: `${key} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between: between2, numbers: { at: at3 = 0 } }, { header, trajectory }) {
+    const pair = between2?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun = mine.find(({ kind, t: t3 }) => kind === "release" && t3 === at3);
+    if (!begun || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended2 = mine.find(({ kind, t: t3 }) => kind === "separate" && t3 > begun.t);
+    return [begun.t, ended2?.t ?? Infinity];
+  }
+  function edge({ header, trajectory }, name2, t3, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name2)?.length ?? 0) / 2;
+    return valueAt(trajectory.t, trajectory.x[name2] ?? [], trajectory.v[name2] ?? [], t3) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -1610,8 +1701,9 @@
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a2, b2) => viewOf(a2).row - viewOf(b2).row || (a2 < b2 ? -1 : 1));
   }
-  function isLink({ kind, between: between2 }) {
-    return between2 !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkOf({ effects }, pair) {
     const link = effects.find(
@@ -1951,7 +2043,7 @@
       return oklch(0.97 - 0.47 * size, 0.145 * size, centre < 0 ? 250 : 52);
     });
   }
-  function edge([red, green, blue]) {
+  function edge2([red, green, blue]) {
     return [Math.round(EDGE2 * red), Math.round(EDGE2 * green), Math.round(EDGE2 * blue)];
   }
   function oklch(lightness, chroma, hue) {
@@ -2081,7 +2173,7 @@
     return places;
   }
   function palette({ colours }) {
-    return [...colours, NONE, ...colours.map(edge), ZERO];
+    return [...colours, NONE, ...colours.map(edge2), ZERO];
   }
 
   // src/map/paint.js
@@ -3153,69 +3245,6 @@
     document.documentElement.dataset.python = state;
   }
 
-  // ../view/trajectory.js
-  function fromWire(header, numbers) {
-    const { rows, columns, events } = header;
-    const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
-    columns.forEach(([quantity, ...key], k) => {
-      const column = numbers.subarray(k * rows, (k + 1) * rows);
-      const name2 = String(quantity);
-      if (!key.length) parts2[name2] = column;
-      else {
-        parts2[name2] ??= {};
-        parts2[name2][key.join(" ")] = column;
-      }
-    });
-    return parts2;
-  }
-  function fromBaked(numbers, events) {
-    const parts2 = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts2[quantity] = {};
-      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts2[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
-      }
-    }
-    return parts2;
-  }
-  function isTold({ trajectory }) {
-    return trajectory.t.length > 1;
-  }
-  function rowAt(times2, t3) {
-    let low = 0;
-    let high = times2.length;
-    while (low < high) {
-      const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t3
-      ) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
-  }
-  function valueAt(times2, values, slopes, t3) {
-    const k = rowAt(times2, t3);
-    if (k < 0) return Number(values[0]);
-    if (k >= times2.length - 1) return Number(values[values.length - 1]);
-    return hermite(times2, values, slopes, k, t3);
-  }
-  function hermite(times2, values, slopes, k, t3) {
-    const at3 = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c2, i2) => c2[i2])
-    );
-    const h2 = at3(times2, k + 1) - at3(times2, k);
-    const s3 = (t3 - at3(times2, k)) / h2;
-    if (!slopes) return at3(values, k) + (at3(values, k + 1) - at3(values, k)) * s3;
-    const r2 = 1 - s3;
-    const found2 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
-    return Number.isFinite(found2) ? found2 : at3(values, k);
-  }
-
   // ../view/windows.js
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
@@ -3226,6 +3255,8 @@
       const touch = open2.get(pair);
       if (event.kind === "contact" && !event.impulse) {
         open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "release" && !event.impulse) {
+        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t, loose: true });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
       } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
@@ -3992,7 +4023,7 @@
       label: tr("motion of {cart}", { cart: curve2.label })
     }));
     for (const name2 of parts2.names.filter((one) => one !== WARMED)) {
-      const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name2).stored ?? "", "stored"];
+      const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name2, header), "stored"];
       if (!label) continue;
       const values = column(name2);
       const lowest = values.reduce((least, value) => Math.min(least, value), 0);
@@ -4002,6 +4033,10 @@
     const warm = { values: column(WARMED), style: "warmed", over: false, slopes: null };
     bands.push({ ...warm, label: warmed(header) });
     return bands;
+  }
+  function stored(kind, { effects }) {
+    const { lasts, stored: where = "" } = viewOf(kind);
+    return !lasts || effects.some((one) => one.kind === kind && lasts(one)) ? where : "";
   }
   function warmed({ contacts, effects }) {
     const what = contacts.length ? [tr("bumpers")] : [];
@@ -5742,6 +5777,7 @@
   var BOTH_FORCES = tr(
     "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
   );
+  var APART = "apart";
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
   function motion(velocity3, decimals, scale) {
@@ -5750,8 +5786,12 @@
     const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
     return velocity3 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  function lawsOf({ contacts, effects }) {
+    const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+    for (const { active, kind, between: between2 } of effects) {
+      if (active && between2 && viewOf(kind).apart) laws[between2.join("-")] = APART;
+    }
+    return laws;
   }
   function isRest(velocity3, scale) {
     return Math.abs(velocity3) < NOISE * scale;
@@ -5779,6 +5819,10 @@
         return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
       }
       case "peak":
+        if (laws[names.join("-")] === APART) {
+          const force2 = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
+          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
+        }
         if (forces2 && event.force) {
           const force2 = `${fixed(event.force, decimals.F ?? 2)} N`;
           return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
@@ -5801,7 +5845,13 @@
       case "start":
         return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
       case "release":
-        return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+        if (impulse || !event.force) {
+          return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+        }
+        return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
+          pair,
+          force: `${fixed(event.force, decimals.F ?? 2)} N`
+        }) : tr("The spring between {pair} is let go.", { pair });
       case "end":
         return tr("End of the run.");
       default:
@@ -6791,11 +6841,11 @@ ${lines4.join("\n")}
         velocity: motion(seen, decimals.v ?? 2, view.velocity)
       });
     });
-    return [time, ...carts, ...forces2 ? pushes(header, trajectory, t3, decimals.F ?? 2) : []].join(
+    return [time, ...carts, ...forces2 ? pushes2(header, trajectory, t3, decimals.F ?? 2) : []].join(
       " "
     );
   }
-  function pushes({ contacts }, { t: times2, F: F2, dF }, t3, decimals) {
+  function pushes2({ contacts }, { t: times2, F: F2, dF }, t3, decimals) {
     return contacts.flatMap(({ pair, bodies: [left, right] }) => {
       const force2 = F2[pair] ? valueAt(times2, F2[pair], dF[pair] ?? null, t3) : 0;
       const size = fixed(Math.abs(force2), decimals);
@@ -7029,7 +7079,7 @@ ${lines4.join("\n")}
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
   var MIDDLE = WIDTH4 / 2;
-  var APART = 8;
+  var APART2 = 8;
   var FULL = 95;
   var FreeBody = class {
     /** @type {Run | null} */
@@ -7135,7 +7185,7 @@ ${lines4.join("\n")}
   function tail({ way, side, value }) {
     if (way === "up") {
       const middle = (BOX.top + BOX.bottom) / 2;
-      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
+      return value < 0 ? [MIDDLE - APART2, middle] : [MIDDLE + APART2, BOX.bottom];
     }
     if (side === "middle") return [MIDDLE, AXIS];
     if (side === "below") return [MIDDLE, BOX.bottom];
@@ -7243,16 +7293,16 @@ ${lines4.join("\n")}
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge2, end] = [at3(side.edge), at3(face)];
+      const [edge3, end] = [at3(side.edge), at3(face)];
       const rect = need(group2, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge2 - 2 * WIDTH5 : edge2));
+      put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH5 : edge3));
       const bent = need(group2, '[data-part="spring"]');
-      put(bent, "d", side.bumper ? spring(edge2 / SCALE, end / SCALE) : "");
+      put(bent, "d", side.bumper ? spring(edge3 / SCALE, end / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group2, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name2 = need(group2, '[data-part="name"]');
-      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge2 - 22 * way));
+      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge3 - 22 * way));
       put(name2, "x", px(inside));
       say(name2, index < 0 ? tr("wall") : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
@@ -8267,10 +8317,11 @@ ${lines4.join("\n")}
   }
 
   // ../view/effects-props.js
-  function props(header, layout, t3, face, centre) {
+  function props(run, layout, t3, face, centre) {
+    const { header } = run;
     return header.effects.filter((effect) => actsAt(effect, t3)).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key, header, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t: t3, layout, face, centre }) ?? [];
     });
   }
 
@@ -8308,7 +8359,7 @@ ${lines4.join("\n")}
     at(t3, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run.header, this.layout, t3, face, centre);
+      const pieces = props(run, this.layout, t3, face, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t3, centre));
       const seen = new Set(pieces.map(({ key }) => key));
       for (const [key, element] of this.#drawn) {
@@ -8446,7 +8497,7 @@ ${lines4.join("\n")}
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y2, way * length));
         });
         const touching = this.#windows.some(
-          (w2) => w2.pair === push.pair && t3 >= w2.start && t3 <= w2.end
+          (w2) => w2.pair === push.pair && !w2.loose && t3 >= w2.start && t3 <= w2.end
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
@@ -8839,7 +8890,7 @@ ${lines4.join("\n")}
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
-      const laws = lawsOf(header.contacts);
+      const laws = lawsOf(header);
       this.told = [
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
@@ -8917,11 +8968,11 @@ ${lines4.join("\n")}
     /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
-      const pushes2 = isTold(run) ? marks(header, false) : [];
+      const pushes3 = isTold(run) ? marks(header, false) : [];
       this.#touches = windows;
       this.#events = [
         ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end"),
-        ...pushes2.map(({ t: t3 }) => ({ t: t3, kind: "push" }))
+        ...pushes3.map(({ t: t3 }) => ({ t: t3, kind: "push" }))
       ];
       if (this.#until !== header.until) this.#renumber(header.until);
       this.#mark();
@@ -9390,8 +9441,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.drawing.show(run, this.player.time);
       this.player.until = header.until;
       this.player.parts = slowParts(this.drawing.windows);
-      const pushes2 = isTold(run) ? marks(header, false) : [];
-      this.player.stops = [...header.events, ...pushes2].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
+      const pushes3 = isTold(run) ? marks(header, false) : [];
+      this.player.stops = [...header.events, ...pushes3].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
       this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t: t3 }) => t3);
       this.#zoom();
       this.player.seek(this.player.time);

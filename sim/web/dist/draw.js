@@ -11267,6 +11267,7 @@ ${table3(facts)}
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between: between2 }, { key: key2, layout, face }) {
@@ -11451,32 +11452,108 @@ ${table3(facts)}
     return from ? tr("from {from} s", { from: short(from) }) : "";
   }
 
+  // ../view/trajectory.js
+  function fromBaked(numbers, events) {
+    const parts2 = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts2[quantity] = {};
+      for (const [key2, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts2[quantity][key2] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts2;
+  }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
+  function rowAt(times2, t) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt2(times2, values, slopes, t) {
+    const k = rowAt(times2, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t);
+  }
+  function hermite(times2, values, slopes, k, t) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, i) => c[i])
+    );
+    const h = at(times2, k + 1) - at(times2, k);
+    const s = (t - at(times2, k)) / h;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const r = 1 - s;
+    const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found) ? found : at(values, k);
+  }
+
   // ../effects/release/view.js
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at = 0 } }, t) => t < at,
-    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces({ between: between2 }, { key: key2, layout, face }) {
-      const [a, b] = between2 ?? ["", ""];
-      const x = (face(a, "right") + face(b, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key: key2, run, t, layout, face }) {
+      const [a, b] = effect.between ?? ["", ""];
+      const [begun, ended] = pushes(effect, run);
+      const low = layout.track - ABOVE2;
+      const ends = [face(a, "right"), face(b, "left")].map(Number);
+      if (t > ended) {
+        const there = edge2(run, a, ended) - edge2(run, a, t);
+        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key2} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
+      const [start = 0, end = 0] = t < begun ? [middle, middle] : ends;
+      const wire = coil(start - HALF, end + HALF, low, TURNS2, HIGH);
+      const plates = t < begun ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key: key2, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
-        { key: `${key2} latch`, cls: "carts-latch", d: latch }
+        { key: key2, cls: "carts-coil", d: wire },
+        { key: `${key2} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between: between2, numbers: { at = 0 } }, { header, trajectory }) {
+    const pair = between2?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun = mine.find(({ kind, t }) => kind === "release" && t === at);
+    if (!begun || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun.t);
+    return [begun.t, ended?.t ?? Infinity];
+  }
+  function edge2({ header, trajectory }, name, t, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
+    return valueAt2(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -11539,8 +11616,9 @@ ${table3(facts)}
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between: between2 }) {
-    return between2 !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between: between2 }) => String(between2?.join("-"))));
@@ -11571,6 +11649,7 @@ ${table3(facts)}
   var BOTH_FORCES = tr(
     "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
   );
+  var APART = "apart";
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
   function motion(velocity2, decimals, scale) {
@@ -11579,8 +11658,12 @@ ${table3(facts)}
     const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
     return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  function lawsOf({ contacts, effects }) {
+    const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+    for (const { active, kind, between: between2 } of effects) {
+      if (active && between2 && viewOf(kind).apart) laws[between2.join("-")] = APART;
+    }
+    return laws;
   }
   function isRest(velocity2, scale) {
     return Math.abs(velocity2) < NOISE * scale;
@@ -11608,6 +11691,10 @@ ${table3(facts)}
         return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
       }
       case "peak":
+        if (laws[names.join("-")] === APART) {
+          const force = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
+          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force }) : tr("{pair} are nearest.", { pair });
+        }
         if (forces2 && event.force) {
           const force = `${fixed(event.force, decimals.F ?? 2)} N`;
           return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
@@ -11630,7 +11717,13 @@ ${table3(facts)}
       case "start":
         return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
       case "release":
-        return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
+        if (impulse || !event.force) {
+          return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
+        }
+        return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
+          pair,
+          force: `${fixed(event.force, decimals.F ?? 2)} N`
+        }) : tr("The spring between {pair} is let go.", { pair });
       case "end":
         return tr("End of the run.");
       default:
@@ -11687,55 +11780,6 @@ ${table3(facts)}
   function sentence(text3) {
     const capitalised = capital(text3);
     return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
-  }
-
-  // ../view/trajectory.js
-  function fromBaked(numbers, events) {
-    const parts2 = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts2[quantity] = {};
-      for (const [key2, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts2[quantity][key2] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
-      }
-    }
-    return parts2;
-  }
-  function isTold({ trajectory }) {
-    return trajectory.t.length > 1;
-  }
-  function rowAt(times2, t) {
-    let low = 0;
-    let high = times2.length;
-    while (low < high) {
-      const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t
-      ) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
-  }
-  function valueAt2(times2, values, slopes, t) {
-    const k = rowAt(times2, t);
-    if (k < 0) return Number(values[0]);
-    if (k >= times2.length - 1) return Number(values[values.length - 1]);
-    return hermite(times2, values, slopes, k, t);
-  }
-  function hermite(times2, values, slopes, k, t) {
-    const at = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
-    const h = at(times2, k + 1) - at(times2, k);
-    const s = (t - at(times2, k)) / h;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
-    const r = 1 - s;
-    const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
-    return Number.isFinite(found) ? found : at(values, k);
   }
 
   // ../view/effects-forces.js
@@ -12408,7 +12452,7 @@ ${ground(baked, layout, hatch)}
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
-${forces2 && pushes(baked)}
+${forces2 && pushes2(baked)}
 <g data-part="guess"></g>
 ${legend(baked, layout)}
 </svg>`;
@@ -12426,7 +12470,7 @@ ${legend(baked, layout)}
     return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
-  function pushes({ run: { header } }) {
+  function pushes2({ run: { header } }) {
     const linked = linkedPairs(header);
     const style = (name) => {
       const i = header.bodies.findIndex((body2) => body2.name === name);
@@ -12455,11 +12499,11 @@ ${legend(baked, layout)}
     const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge2, from) => {
+    const wall = (edge3, from) => {
       const box2 = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html`<rect class="carts-wall" ${box2}/>
 <rect ${box2} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge3)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html`<g data-part="ground">
@@ -12933,6 +12977,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const touch = open.get(pair);
       if (event.kind === "contact" && !event.impulse) {
         open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "release" && !event.impulse) {
+        open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t, loose: true });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
       } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
@@ -13188,7 +13234,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
   var MIDDLE = WIDTH5 / 2;
-  var APART = 8;
+  var APART2 = 8;
   var FULL2 = 95;
   var FreeBody = class {
     /** @type {Run | null} */
@@ -13294,7 +13340,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function tail2({ way, side: side2, value }) {
     if (way === "up") {
       const middle = (BOX.top + BOX.bottom) / 2;
-      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
+      return value < 0 ? [MIDDLE - APART2, middle] : [MIDDLE + APART2, BOX.bottom];
     }
     if (side2 === "middle") return [MIDDLE, AXIS];
     if (side2 === "below") return [MIDDLE, BOX.bottom];
@@ -13402,16 +13448,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side2.name) ?? -1;
       put(group, "class", index2 < 0 ? "carts-wall" : `carts-b${index2 % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge2, end] = [at(side2.edge), at(face)];
+      const [edge3, end] = [at(side2.edge), at(face)];
       const rect = need(group, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge2 - 2 * WIDTH6 : edge2));
+      put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH6 : edge3));
       const bent = need(group, '[data-part="spring"]');
-      put(bent, "d", side2.bumper ? spring(edge2 / SCALE, end / SCALE) : "");
+      put(bent, "d", side2.bumper ? spring(edge3 / SCALE, end / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group, '[data-part="face"]');
       put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
       const name = need(group, '[data-part="name"]');
-      const inside6 = Math.min(WIDTH6 - 34, Math.max(34, edge2 - 22 * way));
+      const inside6 = Math.min(WIDTH6 - 34, Math.max(34, edge3 - 22 * way));
       put(name, "x", px(inside6));
       say(name, index2 < 0 ? tr("wall") : side2.name);
       const arrow = need(group, '[data-part="arrow"]');
@@ -13731,7 +13777,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       label: tr("motion of {cart}", { cart: curve3.label })
     }));
     for (const name of parts2.names.filter((one) => one !== WARMED)) {
-      const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name).stored ?? "", "stored"];
+      const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name, header), "stored"];
       if (!label) continue;
       const values = column(name);
       const lowest = values.reduce((least, value) => Math.min(least, value), 0);
@@ -13741,6 +13787,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const warm = { values: column(WARMED), style: "warmed", over: false, slopes: null };
     bands.push({ ...warm, label: warmed(header) });
     return bands;
+  }
+  function stored(kind, { effects }) {
+    const { lasts, stored: where = "" } = viewOf(kind);
+    return !lasts || effects.some((one) => one.kind === kind && lasts(one)) ? where : "";
   }
   function warmed({ contacts, effects }) {
     const what = contacts.length ? [tr("bumpers")] : [];
@@ -14225,10 +14275,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // ../view/effects-props.js
-  function props(header, layout, t, face, centre) {
+  function props(run, layout, t, face, centre) {
+    const { header } = run;
     return header.effects.filter((effect) => actsAt(effect, t)).flatMap((effect) => {
       const key2 = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key: key2, header, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key: key2, header, run, t, layout, face, centre }) ?? [];
     });
   }
 
@@ -14266,7 +14317,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     at(t, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run.header, this.layout, t, face, centre);
+      const pieces = props(run, this.layout, t, face, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows2(run, this.layout, this.full, t, centre));
       const seen = new Set(pieces.map(({ key: key2 }) => key2));
       for (const [key2, element] of this.#drawn) {
@@ -14404,7 +14455,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side2]), y, way * length));
         });
         const touching = this.#windows.some(
-          (w) => w.pair === push2.pair && t >= w.start && t <= w.end
+          (w) => w.pair === push2.pair && !w.loose && t >= w.start && t <= w.end
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
@@ -14797,7 +14848,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
-      const laws = lawsOf(header.contacts);
+      const laws = lawsOf(header);
       this.told = [
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
@@ -14875,11 +14926,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
-      const pushes2 = isTold(run) ? marks(header, false) : [];
+      const pushes3 = isTold(run) ? marks(header, false) : [];
       this.#touches = windows;
       this.#events = [
         ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end"),
-        ...pushes2.map(({ t }) => ({ t, kind: "push" }))
+        ...pushes3.map(({ t }) => ({ t, kind: "push" }))
       ];
       if (this.#until !== header.until) this.#renumber(header.until);
       this.#mark();

@@ -538,6 +538,7 @@
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between }, { key, layout, face }) {
@@ -606,28 +607,55 @@
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at: at2 = 0 } }, t) => t < at2,
-    phrase: ({ numbers: { energy = 0, at: at2 = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at: at2 = 0, stiffness } }, t) => t < at2 || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at: at2 = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at2) })
     ],
-    pieces({ between }, { key, layout, face }) {
-      const [a, b] = between ?? ["", ""];
-      const x = (face(a, "right") + face(b, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key, run, t, layout, face }) {
+      const [a, b] = effect.between ?? ["", ""];
+      const [begun, ended] = pushes(effect, run);
+      const low = layout.track - ABOVE2;
+      const ends2 = [face(a, "right"), face(b, "left")].map(Number);
+      if (t > ended) {
+        const there = edge(run, a, ended) - edge(run, a, t);
+        const start2 = Number(ends2[0]) + there * layout.scale - HALF;
+        const long = (edge(run, b, ended, -1) - edge(run, a, ended)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends2[0]) + Number(ends2[1])) / 2;
+      const [start = 0, end = 0] = t < begun ? [middle, middle] : ends2;
+      const wire = coil(start - HALF, end + HALF, low, TURNS2, HIGH);
+      const plates = t < begun ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
-        { key: `${key} latch`, cls: "carts-latch", d: latch }
+        { key, cls: "carts-coil", d: wire },
+        { key: `${key} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between, numbers: { at: at2 = 0 } }, { header, trajectory }) {
+    const pair = between?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun = mine.find(({ kind, t }) => kind === "release" && t === at2);
+    if (!begun || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun.t);
+    return [begun.t, ended?.t ?? Infinity];
+  }
+  function edge({ header, trajectory }, name, t, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
+    return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -690,8 +718,9 @@
     const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between }) {
-    return between !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
@@ -889,7 +918,7 @@ ${ground(baked, layout, hatch)}
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
-${forces && pushes(baked)}
+${forces && pushes2(baked)}
 <g data-part="guess"></g>
 ${legend(baked, layout)}
 </svg>`;
@@ -907,7 +936,7 @@ ${legend(baked, layout)}
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
-  function pushes({ run: { header } }) {
+  function pushes2({ run: { header } }) {
     const linked = linkedPairs(header);
     const style = (name) => {
       const i = header.bodies.findIndex((body2) => body2.name === name);
@@ -936,11 +965,11 @@ ${legend(baked, layout)}
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at2(x))} ${px(under)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge, from) => {
+    const wall = (edge2, from) => {
       const box2 = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html2`<rect class="carts-wall" ${box2}/>
 <rect ${box2} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html2`<g data-part="ground">
@@ -979,6 +1008,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       const touch = open2.get(pair);
       if (event.kind === "contact" && !event.impulse) {
         open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      } else if (event.kind === "release" && !event.impulse) {
+        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t, loose: true });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
       } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
@@ -1070,10 +1101,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
 
   // ../view/effects-props.js
-  function props(header, layout, t, face, centre) {
+  function props(run, layout, t, face, centre) {
+    const { header } = run;
     return header.effects.filter((effect) => actsAt(effect, t)).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key, header, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t, layout, face, centre }) ?? [];
     });
   }
 
@@ -1111,7 +1143,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     at(t, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run.header, this.layout, t, face, centre);
+      const pieces = props(run, this.layout, t, face, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
       const seen = new Set(pieces.map(({ key }) => key));
       for (const [key, element] of this.#drawn) {
@@ -1249,7 +1281,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
           put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends2[side]), y, way * length));
         });
         const touching = this.#windows.some(
-          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+          (w) => w.pair === push.pair && !w.loose && t >= w.start && t <= w.end
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
@@ -1615,8 +1647,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     while (left > 0 && now < until) {
       const inside = slowAt(parts, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
-      const next = Math.min(edge, until);
+      const edge2 = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge2, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
       now = next;

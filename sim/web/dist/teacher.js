@@ -1637,6 +1637,7 @@ ${table2(facts)}
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between: between2 }, { key, layout, face }) {
@@ -1739,32 +1740,105 @@ ${table2(facts)}
     return from ? tr("from {from} s", { from: short(from) }) : "";
   }
 
+  // ../view/trajectory.js
+  function fromBaked(numbers, events) {
+    const parts = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts;
+  }
+  function rowAt(times2, t) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt2(times2, values, slopes, t) {
+    const k = rowAt(times2, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t);
+  }
+  function hermite(times2, values, slopes, k, t) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, i) => c[i])
+    );
+    const h = at(times2, k + 1) - at(times2, k);
+    const s = (t - at(times2, k)) / h;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const r = 1 - s;
+    const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found) ? found : at(values, k);
+  }
+
   // ../effects/release/view.js
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at = 0 } }, t) => t < at,
-    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces({ between: between2 }, { key, layout, face }) {
-      const [a, b] = between2 ?? ["", ""];
-      const x = (face(a, "right") + face(b, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key, run, t, layout, face }) {
+      const [a, b] = effect.between ?? ["", ""];
+      const [begun, ended] = pushes(effect, run);
+      const low = layout.track - ABOVE;
+      const ends = [face(a, "right"), face(b, "left")].map(Number);
+      if (t > ended) {
+        const there = edge2(run, a, ended) - edge2(run, a, t);
+        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
+      const [start = 0, end = 0] = t < begun ? [middle, middle] : ends;
+      const wire = coil(start - HALF, end + HALF, low, TURNS2, HIGH);
+      const plates = t < begun ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
-        { key: `${key} latch`, cls: "carts-latch", d: latch }
+        { key, cls: "carts-coil", d: wire },
+        { key: `${key} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between: between2, numbers: { at = 0 } }, { header, trajectory }) {
+    const pair = between2?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun = mine.find(({ kind, t }) => kind === "release" && t === at);
+    if (!begun || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun.t);
+    return [begun.t, ended?.t ?? Infinity];
+  }
+  function edge2({ header, trajectory }, name, t, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
+    return valueAt2(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -1824,8 +1898,9 @@ ${table2(facts)}
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between: between2 }) {
-    return between2 !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between: between2 }) => String(between2?.join("-"))));
@@ -1863,21 +1938,6 @@ ${table2(facts)}
   }
   function lower(name) {
     return name.slice(0, 1).toLowerCase() + name.slice(1);
-  }
-
-  // ../view/trajectory.js
-  function fromBaked(numbers, events) {
-    const parts = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts[quantity] = {};
-      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
-      }
-    }
-    return parts;
   }
 
   // ../view/effects-forces.js
@@ -2387,7 +2447,7 @@ ${ground(baked, layout, hatch)}
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
-${forces && pushes(baked)}
+${forces && pushes2(baked)}
 <g data-part="guess"></g>
 ${legend(baked, layout)}
 </svg>`;
@@ -2405,7 +2465,7 @@ ${legend(baked, layout)}
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
-  function pushes({ run: { header } }) {
+  function pushes2({ run: { header } }) {
     const linked = linkedPairs(header);
     const style = (name) => {
       const i = header.bodies.findIndex((body2) => body2.name === name);
@@ -2434,11 +2494,11 @@ ${legend(baked, layout)}
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge2, from) => {
+    const wall = (edge3, from) => {
       const box = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html2`<rect class="carts-wall" ${box}/>
 <rect ${box} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge3)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html2`<g data-part="ground">
