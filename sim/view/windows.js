@@ -1,7 +1,9 @@
 /** When bodies touch, or push each other by a spring that is let go. */
 
+import { rowAt } from "./trajectory.js";
+
 /** @typedef {import("./types.js").RunEvent} RunEvent */
-/** @typedef {{pair: string, bodies: string[], start: number, end: number, loose?: boolean}} Touch `loose`: by a spring */
+/** @typedef {{pair: string, bodies: string[], start: number, end: number, loose?: boolean, near?: boolean}} Touch `loose`: by a spring; `near`: by a force that acts across the room between them */
 
 /**
  * Contacts that last, in order of their start. One that does not end lasts until its peak.
@@ -33,6 +35,32 @@ export function touches(events, until) {
     found.push({ ...touch, end: peak > touch.start ? peak : until });
   }
   return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+}
+
+const FELT = 0.1; // of the greatest force; less is not what one wants to see slowly
+
+/**
+ * Contacts, and the times in which pairs that never touch push each other most, in order.
+ * @param {import("./types.js").Run} run @returns {Touch[]}
+ */
+export function windowsOf({ header, trajectory }) {
+  const found = touches(header.events, header.until);
+  const { t, F } = trajectory;
+  for (const event of header.events) {
+    const pair = event.bodies.join("-");
+    const column = F[pair];
+    const within = found.some(
+      (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end,
+    );
+    if (event.kind !== "peak" || within || !column || t.length < 2) continue;
+    const felt = (/** @type {number} */ k) => Number(column[k]) > FELT * (event.force ?? 0);
+    let [first, last] = [rowAt(t, event.t), rowAt(t, event.t)];
+    while (first > 0 && felt(first)) first -= 1;
+    while (last < t.length - 1 && felt(last)) last += 1;
+    const window = { start: Number(t[first]), end: Number(t[last]) };
+    found.push({ pair, bodies: event.bodies, ...window, near: true });
+  }
+  return found.sort((a, b) => a.start - b.start);
 }
 
 /** @param {Touch[]} windows @param {number} t in s @returns {Touch | undefined} the touch that began last, up to t */

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from sim.dynamics.motion.polynomial import Poly, slope
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
@@ -42,7 +44,24 @@ def guards_of(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
     not cleared touches at its resting overlap, a pair that may push again when its force turns
     positive, unless it clears first.
     """
-    return (*_guards(gap, branch), *offs_of(gap)) if gap.loose else _guards(gap, branch)
+    own = _guards(gap, branch)
+    if gap.loose:
+        own = (*own, *offs_of(gap))
+    return (*own, NEAREST) if gap.rate < 0.0 and _comes_near(gap) else own
+
+
+NEAREST = Guard("nearest", "rate")
+
+STILL = 1e-9
+"""Of the speed that force and room between a pair can give. What is slower does not come nearer."""
+
+
+def _comes_near(gap: Gap) -> bool:
+    """Does a pair close whose force has no limit, so that it never touches?"""
+    if not any(link.nearest for link in gap.links):
+        return False
+    force = abs(math.fsum(link.force(gap.room, 0.0) for link in gap.links))
+    return -gap.rate > STILL * math.sqrt(force * gap.room / gap.mu)
 
 
 def offs_of(gap: Gap) -> tuple[Guard, ...]:

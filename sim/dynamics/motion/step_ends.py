@@ -20,7 +20,7 @@ PARTED = [-1.0]
 """Of a locked contact that nobody presses any more: it is over."""
 
 
-FINAL = ("touch", "clear", "off")
+FINAL = ("touch", "clear", "off", "nearest")
 """Ends that no rounding takes back."""
 
 

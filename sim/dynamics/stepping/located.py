@@ -17,8 +17,11 @@ from sim.dynamics.stepping.impacts import Impacts
 from sim.dynamics.stepping.pairs import Row
 
 Key = tuple[str, int, int]
-"""("gap", its number, which of its guards), ("loose", the gap, which spring) or ("body", its first
-cart, 0)."""
+"""("gap", its number, which of its guards), ("loose", the gap, which spring), ("near", the
+gap, 0) or ("body", its first cart, 0)."""
+
+NEAR = "near"
+"""Guards of pairs that turn round without touching."""
 
 MOST_CHANGES = 12
 """Within one step. Then the rest of it is taken without looking, as methods without events do."""
@@ -60,6 +63,8 @@ class Located:
             if gap in field.joined:
                 continue
             d, rate = field.overlap(pair, s, v)
+            if pair.apart:
+                found[NEAR, gap, 0] = rate
             for which, spring in enumerate(pair.loose):
                 found["loose", gap, which] = spring.reach + d
             if pair.force is None:
@@ -83,6 +88,8 @@ class Located:
         assert field.modes is not None
         slipping = []
         for kind, number, which in keys:
+            if kind == NEAR:
+                continue  # a step ends here, and is told of
             if kind == "loose":
                 self.impacts.fall_off(field.pair_at[number], s, v, now=True)
             elif kind == "gap" and number in field.held:
@@ -153,5 +160,7 @@ def first_zero(
 
 
 def crossed(before: dict[Key, float], after: dict[Key, float]) -> list[Key]:
-    """Guards that are negative at the end of a trial step."""
-    return [key for key in before if after.get(key, 1.0) < 0.0]
+    """Guards that are negative at the end of a trial step; a pair has to close before it turns."""
+    return [
+        key for key in before if after.get(key, 1.0) < 0.0 and (key[0] != NEAR or before[key] > 0.0)
+    ]

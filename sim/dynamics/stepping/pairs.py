@@ -30,6 +30,11 @@ class Pair:
     links: tuple[PairForce, ...]
     loose: tuple[LooseForce, ...] = ()  # those of them that fall off
 
+    @property
+    def apart(self) -> bool:
+        """Does a force without a limit keep the two from ever touching?"""
+        return any(link.nearest for link in self.links)
+
 
 @dataclass(frozen=True, slots=True)
 class Detail:
