@@ -313,3 +313,21 @@ def test_two_that_overlap_have_no_room_for_a_spring_and_are_told_so() -> None:
 def test_a_stiffness_that_is_none_is_refused(stiffness: Any) -> None:
     with pytest.raises(SceneError):
         read_scene(pair(release={"stiffness": stiffness}))
+
+
+@pytest.mark.parametrize("at", [0.11, 0.12, 0.14, 0.16])
+def test_let_go_in_the_middle_of_a_collision_it_acts_beside_the_bumpers(at: float) -> None:
+    """Bumpers and spring give all back: momentum and energy alone say how the two part."""
+    carts = {
+        "A": {"mass": 0.5, "position": 1, "velocity": 0.5},
+        "B": {"mass": 1, "position": 1.25},
+    }
+    contact = {"stiffness": 400, "restitution": 1}
+    finished = done(pair(carts=carts, contact=contact, release={"at": at, "stiffness": 30}))
+    centre, mu = 0.25 / 1.5, 1 / 3
+    apart = math.sqrt(0.5**2 + 2 * 0.06 / mu)
+    wanted = [centre - mu / 0.5 * apart, centre + mu / 1.0 * apart]
+    assert list(finished.v) == pytest.approx(wanted, abs=1e-13)
+    assert finished.ledger.imbalance() < 1e-12
+    impulses = [e.impulse for e in finished.record.events if e.kind == "separate"]
+    assert math.fsum(impulses) == pytest.approx(mu * (0.5 + apart), abs=1e-13)
