@@ -10,31 +10,41 @@ import { rowAt } from "./trajectory.js";
  * @param {RunEvent[]} events @param {number} until in s @returns {Touch[]}
  */
 export function touches(events, until) {
-  /** @type {Map<string, Touch>} */
-  const open = new Map();
+  /** @type {Map<string, {touch: Touch, before: Record<string, number>}>} */
+  const open = new Map(); // contacts by pair, springs by “loose A-B”
   /** @type {Map<string, number>} */
   const peaks = new Map();
   /** @type {Touch[]} */
   const found = [];
   for (const event of events) {
-    const pair = event.bodies.join("-");
-    const touch = open.get(pair);
+    const { bodies, before, t: start } = event;
+    const pair = bodies.join("-");
+    const touch = { pair, bodies, start, end: start };
     if (event.kind === "contact" && !event.impulse) {
-      open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      open.set(pair, { touch, before });
     } else if (event.kind === "release" && !event.impulse) {
-      open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t, loose: true });
+      open.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
     } else if (event.kind === "peak") {
       peaks.set(pair, event.t);
-    } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-      open.delete(pair);
-      found.push({ ...touch, end: event.t });
+    } else if (event.kind === "separate" || event.kind === "stick") {
+      const keys = [`loose ${pair}`, pair].filter((key) => open.has(key));
+      const key = keys.length < 2 || begunWith(before, open.get(String(keys[0]))) ? keys[0] : pair;
+      const over = key && open.get(key);
+      if (!over) continue;
+      open.delete(key);
+      found.push({ ...over.touch, end: event.t });
     }
   }
-  for (const touch of open.values()) {
-    const peak = peaks.get(touch.pair) ?? until;
+  for (const { touch } of open.values()) {
+    const peak = touch.loose ? until : (peaks.get(touch.pair) ?? until);
     found.push({ ...touch, end: peak > touch.start ? peak : until });
   }
   return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+}
+
+/** @param {Record<string, number>} before @param {{before: Record<string, number>} | undefined} one */
+function begunWith(before, one) {
+  return Object.entries(one?.before ?? {}).every(([name, v]) => before[name] === v);
 }
 
 const FELT = 0.1; // of the greatest force; less is not what one wants to see slowly

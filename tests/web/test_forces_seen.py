@@ -144,3 +144,22 @@ def test_who_is_not_a_hand_is_drawn_as_before() -> None:
     during, after = seen(plain, PIECES, times=[0.2, 0.6])
     assert during[0]["cls"] == "carts-hand"
     assert after == []
+
+
+def test_a_spring_that_is_let_go_in_a_contact_has_a_window_of_its_own() -> None:
+    """Bumpers part first, then the spring falls off: two separations of one pair."""
+    release = {"between": ["A", "B"], "energy": 0.06, "at": 0.12, "stiffness": 30}
+    plain = {
+        "carts": {
+            "A": {"mass": 0.5, "position": 1, "velocity": 0.5},
+            "B": {"mass": 1, "position": 1.25},
+        },
+        "contact": {"stiffness": 400},
+        "effects": [{"release": release}],
+        "until": 0.6,
+    }
+    contact, spring = windows(plain)
+    assert [contact["start"], spring["start"]] == pytest.approx([0.1, 0.12])
+    assert contact["end"] < spring["end"] < 0.6
+    assert "loose" not in contact
+    assert spring["loose"] is True

@@ -13014,24 +13014,32 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const peaks = /* @__PURE__ */ new Map();
     const found = [];
     for (const event of events) {
-      const pair = event.bodies.join("-");
-      const touch = open.get(pair);
+      const { bodies, before: before2, t: start } = event;
+      const pair = bodies.join("-");
+      const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
-        open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+        open.set(pair, { touch, before: before2 });
       } else if (event.kind === "release" && !event.impulse) {
-        open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t, loose: true });
+        open.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before: before2 });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
-      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-        open.delete(pair);
-        found.push({ ...touch, end: event.t });
+      } else if (event.kind === "separate" || event.kind === "stick") {
+        const keys2 = [`loose ${pair}`, pair].filter((key3) => open.has(key3));
+        const key2 = keys2.length < 2 || begunWith(before2, open.get(String(keys2[0]))) ? keys2[0] : pair;
+        const over2 = key2 && open.get(key2);
+        if (!over2) continue;
+        open.delete(key2);
+        found.push({ ...over2.touch, end: event.t });
       }
     }
-    for (const touch of open.values()) {
-      const peak = peaks.get(touch.pair) ?? until;
+    for (const { touch } of open.values()) {
+      const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
       found.push({ ...touch, end: peak > touch.start ? peak : until });
     }
     return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+  function begunWith(before2, one) {
+    return Object.entries(one?.before ?? {}).every(([name, v]) => before2[name] === v);
   }
   var FELT = 0.1;
   function windowsOf({ header, trajectory }) {

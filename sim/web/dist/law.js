@@ -1045,24 +1045,32 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     const peaks = /* @__PURE__ */ new Map();
     const found2 = [];
     for (const event of events) {
-      const pair = event.bodies.join("-");
-      const touch = open2.get(pair);
+      const { bodies, before, t: start } = event;
+      const pair = bodies.join("-");
+      const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
-        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+        open2.set(pair, { touch, before });
       } else if (event.kind === "release" && !event.impulse) {
-        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t, loose: true });
+        open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
-      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-        open2.delete(pair);
-        found2.push({ ...touch, end: event.t });
+      } else if (event.kind === "separate" || event.kind === "stick") {
+        const keys = [`loose ${pair}`, pair].filter((key2) => open2.has(key2));
+        const key = keys.length < 2 || begunWith(before, open2.get(String(keys[0]))) ? keys[0] : pair;
+        const over = key && open2.get(key);
+        if (!over) continue;
+        open2.delete(key);
+        found2.push({ ...over.touch, end: event.t });
       }
     }
-    for (const touch of open2.values()) {
-      const peak = peaks.get(touch.pair) ?? until;
+    for (const { touch } of open2.values()) {
+      const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
       found2.push({ ...touch, end: peak > touch.start ? peak : until });
     }
     return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+  function begunWith(before, one) {
+    return Object.entries(one?.before ?? {}).every(([name, v]) => before[name] === v);
   }
   var FELT = 0.1;
   function windowsOf({ header, trajectory }) {
