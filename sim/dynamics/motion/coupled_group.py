@@ -163,9 +163,7 @@ def coupled_group(
     if (swinging := _in_modes(bodies, gaps, branches, now, limit)) is not None:
         return swinging
     step = _converged(bodies, gaps, branches, limit)
-    sizes = [size(force, step.length) for force in step.contact]
-    ends, duration = first_ends(step, sizes)
-    return _group(step, ends, duration, now)
+    return _group(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
 
 
 def _group(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
