@@ -97,7 +97,7 @@ def _contact_forces(laws: Iterable[str]) -> str:
 
 def _pieces(scene: Scene) -> dict[str, Piece]:
     """By kind; those that move the carts themselves last: they may need what others say."""
-    pieces = {name: piece_of(name) for name in dict.fromkeys(e.kind for e in scene.effects)}
+    pieces = {name: piece_of(name, scene) for name in dict.fromkeys(e.kind for e in scene.effects)}
     return dict(sorted(pieces.items(), key=lambda item: bool(item[1].move)))
 
 
@@ -126,7 +126,7 @@ def _step(scene: Scene) -> float:
             swing = math.sqrt(_reduced(scene, k) / law.steepest)
             step = min(step, 0.5 * math.pi * swing / PARTS)
     for effect in scene.effects:
-        quarter = piece_of(effect.kind).quarter
+        quarter = piece_of(effect.kind, scene).quarter
         if quarter is not None:
             step = min(step, quarter(effect, scene) / PARTS)
     return float(f"{max(step, scene.until / MOST_STEPS):.2g}")

@@ -3,7 +3,8 @@
     BodyForce         on one cart          F = steady − linear v − quadratic v |v|
     CoulombFriction   on one cart          at most `static` at rest, `kinetic` against the motion
     PairForce         between neighbours   N(gap, its rate), pushes them apart when positive
-    EnergyRelease     energy set free between two touching carts at one instant
+    EnergyRelease     energy set free between two touching carts: at one instant, or by a
+                      LooseForce, a PairForce that ends for good
 
 Every solver knows these four, so an effect brings formulas and no solver. They are imported only
 where a scene lists the effect.
@@ -54,12 +55,14 @@ class CoulombFriction:
 
 @dataclass(frozen=True, slots=True)
 class EnergyRelease:
-    """`energy` [J] set free between the bodies of `gap` at `time` [s]."""
+    """`energy` [J] set free between the bodies of `gap` at `time` [s], at once or by a `spring`."""
 
     kind: str
     gap: int
     energy: float
     time: float
+    spring: LooseForce | None = None
+    index: int = 0  # its effect's place in the list of the scene
 
 
 class PairForce(Protocol):
@@ -85,6 +88,19 @@ class PairForce(Protocol):
 
     def damping(self) -> float:
         """N s/m. What of the force is −damping × rate: that part only takes energy."""
+
+
+class LooseForce(PairForce, Protocol):
+    """A linear force that only pushes, and falls off for good at the gap `reach` [m]."""
+
+    reach: float
+    strongest: float  # N, when it is let go
+
+    def placed(self, gap: float) -> LooseForce:
+        """The same with all its energy at this gap [m], where it is let go."""
+
+    def impulse(self, time: float, summed: float) -> float:
+        """N s in `time` [s] before it falls off; `summed` [m s] is the integral of −gap."""
 
 
 class Acting:

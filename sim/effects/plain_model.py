@@ -36,9 +36,12 @@ class Piece:
     quarter: Callable[[Effect, Scene], float] | None = None
 
 
-def piece_of(kind: str) -> Piece:
-    """The piece of one kind of effect. Raises ImportError where its folder has none."""
-    found = getattr(import_module(f"sim.effects.{kind}.model"), "PIECE", None)
+def piece_of(kind: str, scene: Scene) -> Piece:
+    """The piece of one kind of effect: PIECE, or what `piece` makes for a scene. Raises ImportError
+    where its folder has none."""
+    model = import_module(f"sim.effects.{kind}.model")
+    make = getattr(model, "piece", None)
+    found = getattr(model, "PIECE", None) if make is None else make(scene)
     if not isinstance(found, Piece):
         raise ImportError(f"sim.effects.{kind}.model holds no PIECE")
     return found

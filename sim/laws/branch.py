@@ -5,14 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-Cause = Literal["apart", "turn", "climb", "touch", "clear", "halt", "slip"]
+Cause = Literal["apart", "turn", "climb", "touch", "clear", "off", "nearest", "halt", "slip"]
 """What ends a step:
 
 apart   a contact's force is zero               touch   a linked pair reaches its bumpers
 turn    a bumper is deepest                     clear   a linked pair's old overlap is gone
 climb   it is back at its old depth, or, with   halt    a sliding body comes to v = 0
         e = 0, pressed as hard as at its        slip    static friction has reached its limit
-        greatest overlap
+        greatest overlap                     off     a loose spring has its natural length
+nearest a pair that never touches has
+        come as near as it will
 """
 
 

@@ -51,7 +51,8 @@ class EffectKind:
     `needs` are keys that must be there beside the numbers: ``cart`` or ``between``. `one_of`:
     at least one of these numbers must be given. `stores`: its work is a change of energy that is
     stored, in the place of each cart or in the gap between two; `gives`: it is energy that comes
-    into the scene. What is neither, and what drag and dampers take, is warm.
+    into the scene, but where the number `stored_with` is given: then it is stored in the gap. What
+    is neither, and what drag and dampers take, is warm.
     """
 
     name: str
@@ -65,11 +66,17 @@ class EffectKind:
     by: str | None = None  # default agent of a force
     stores: Literal["", "place", "gap"] = ""
     gives: bool = False
+    stored_with: str = ""
+    apart: bool = False  # its two never touch, however fast they come
     called: str = ""  # in sentences: “Not simulated: a slope”; left out: the name
     switch: str = ""  # on its switch; left out: as it is called
     agent: str = ""  # who pushes, in “force on A by the air”; empty: `by`, or the other of the two
     rule: Rule | None = None
     room_rule: RoomRule | None = None
+
+    def keeps(self, effect: Effect) -> Literal["", "place", "gap"]:
+        """Where an effect of this kind stores what it gives, if it does."""
+        return "gap" if self.stored_with in effect.numbers else self.stores
 
     @property
     def label(self) -> str:

@@ -43,8 +43,9 @@ export function kindsOnOne({ effects }) {
 }
 
 /** @param {Effect} effect @returns {boolean} whether two bodies push or pull each other by it without touching */
-export function isLink({ kind, between }) {
-  return between !== null && viewOf(kind).link !== null;
+export function isLink(effect) {
+  const { link, lasts } = viewOf(effect.kind);
+  return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
 }
 
 /** @param {Header} header @returns {Set<string>} pairs, such as A-B, that can push or pull each other without touching */

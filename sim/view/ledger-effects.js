@@ -51,9 +51,7 @@ export function ledgerWithEffects({ header, trajectory }, parts) {
   }));
   for (const name of parts.names.filter((one) => one !== WARMED)) {
     const [label, style] =
-      name === BUMPERS
-        ? [tr("in squeezed bumpers"), "squeezed"]
-        : [viewOf(name).stored ?? "", "stored"];
+      name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name, header), "stored"];
     if (!label) continue; // it gives energy, or takes it away, and keeps none
     const values = column(name);
     // What is stored counts from where there is least. (A long run has more values than a call takes.)
@@ -64,6 +62,12 @@ export function ledgerWithEffects({ header, trajectory }, parts) {
   const warm = { values: column(WARMED), style: "warmed", over: false, slopes: null };
   bands.push({ ...warm, label: warmed(header) });
   return bands;
+}
+
+/** @param {string} kind @param {import("./types.js").Header} header @returns {string} where effects of that kind store energy; "" where they do not */
+function stored(kind, { effects }) {
+  const { lasts, stored: where = "" } = viewOf(kind);
+  return !lasts || effects.some((one) => one.kind === kind && lasts(one)) ? where : "";
 }
 
 /** @param {import("./types.js").Header} header */

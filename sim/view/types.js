@@ -39,17 +39,17 @@
  * What `sim/effects/<kind>/view.js` says of an effect; whatever it leaves out, the drawing has a plain answer for:
  * `name` in lists of what is left out, `leftOut` below the picture; `row` of its force arrow from above, `side` of a cart where it
  * acts, `agent` it comes from, `around`: who gets the momentum, `earth`: the Earth too; `link`: what a label calls it that acts between two
- * bodies (null: no lasting force); `stored`, `warms`: its parts of the energy ledger; `slope` in rad; `pieces`: what it looks like.
+ * bodies (null: no lasting force), `lasts`: whether this one does, `apart`: never lets them touch; `stored`, `warms`: its parts of the energy ledger; `slope` in rad; `acts` then, and is `seen` (left out: while it acts); `pieces`: what it looks like.
  * @typedef {(name: string, side: "left" | "right") => number} Face drawing coordinate of a side of a body
  * @typedef {(name: string) => number} Centre drawing coordinate of the middle of a cart
  * @typedef {{key: string, cls: string, behind?: boolean, d?: string, text?: string, x?: string, y?: string, anchor?: string}} Piece
  * @typedef {{everyone: boolean, on: string, both: string, agent: string, seen: (text: string) => string}} Said
  * @typedef {{name?: string, leftOut?: string, row?: number, side?: (force: number) => "below" | "above" | "left" | "right" | "middle",
  *   agent?: (effect: Effect) => string, around?: string | ((effect: Effect, agent: string) => string), earth?: boolean,
- *   link?: string | null, stored?: string, warms?: (effect: Effect) => string, slope?: (effect: Effect) => number,
+ *   link?: string | null, lasts?: (effect: Effect) => boolean, apart?: boolean, stored?: string, warms?: (effect: Effect) => string, slope?: (effect: Effect) => number,
  *   forceName?: (on: string, by: string) => string, label?: (told: {on: string, by: string, size: string}) => string,
- *   acts?: (effect: Effect, t: number) => boolean, phrase?: (effect: Effect, said: Said) => string[],
- *   pieces?: (effect: Effect, place: {key: string, header: Header, layout: Layout, face: Face, centre: Centre}) => Piece[],
+ *   acts?: (effect: Effect, t: number) => boolean, seen?: (effect: Effect, t: number) => boolean, phrase?: (effect: Effect, said: Said) => string[],
+ *   pieces?: (effect: Effect, place: {key: string, header: Header, run: Run, t: number, layout: Layout, face: Face, centre: Centre}) => Piece[],
  *   marks?: (effect: Effect, agent: string, until: number, forces: boolean) => {t: number, sentence: string}[]}} EffectView
  *
  * A page's facts about one scene:

@@ -1,36 +1,76 @@
-/** When bodies touch. */
+/** When bodies touch, or push each other by a spring that is let go. */
+
+import { rowAt } from "./trajectory.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
-/** @typedef {{pair: string, bodies: string[], start: number, end: number}} Touch */
+/** @typedef {{pair: string, bodies: string[], start: number, end: number, loose?: boolean, near?: boolean}} Touch `loose`: by a spring; `near`: by a force that acts across the room between them */
 
 /**
  * Contacts that last, in order of their start. One that does not end lasts until its peak.
  * @param {RunEvent[]} events @param {number} until in s @returns {Touch[]}
  */
 export function touches(events, until) {
-  /** @type {Map<string, Touch>} */
-  const open = new Map();
+  /** @type {Map<string, {touch: Touch, before: Record<string, number>}>} */
+  const open = new Map(); // contacts by pair, springs by “loose A-B”
   /** @type {Map<string, number>} */
   const peaks = new Map();
   /** @type {Touch[]} */
   const found = [];
   for (const event of events) {
-    const pair = event.bodies.join("-");
-    const touch = open.get(pair);
+    const { bodies, before, t: start } = event;
+    const pair = bodies.join("-");
+    const touch = { pair, bodies, start, end: start };
     if (event.kind === "contact" && !event.impulse) {
-      open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+      open.set(pair, { touch, before });
+    } else if (event.kind === "release" && !event.impulse) {
+      open.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
     } else if (event.kind === "peak") {
       peaks.set(pair, event.t);
-    } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-      open.delete(pair);
-      found.push({ ...touch, end: event.t });
+    } else if (event.kind === "separate" || event.kind === "stick") {
+      const keys = [`loose ${pair}`, pair].filter((key) => open.has(key));
+      const key = keys.length < 2 || begunWith(before, open.get(String(keys[0]))) ? keys[0] : pair;
+      const over = key && open.get(key);
+      if (!over) continue;
+      open.delete(key);
+      found.push({ ...over.touch, end: event.t });
     }
   }
-  for (const touch of open.values()) {
-    const peak = peaks.get(touch.pair) ?? until;
+  for (const { touch } of open.values()) {
+    const peak = touch.loose ? until : (peaks.get(touch.pair) ?? until);
     found.push({ ...touch, end: peak > touch.start ? peak : until });
   }
   return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+}
+
+/** @param {Record<string, number>} before @param {{before: Record<string, number>} | undefined} one */
+function begunWith(before, one) {
+  return Object.entries(one?.before ?? {}).every(([name, v]) => before[name] === v);
+}
+
+const FELT = 0.1; // of the greatest force; less is not what one wants to see slowly
+
+/**
+ * Contacts, and the times in which pairs that never touch push each other most, in order.
+ * @param {import("./types.js").Run} run @returns {Touch[]}
+ */
+export function windowsOf({ header, trajectory }) {
+  const found = touches(header.events, header.until);
+  const { t, F } = trajectory;
+  for (const event of header.events) {
+    const pair = event.bodies.join("-");
+    const column = F[pair];
+    const within = found.some(
+      (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end,
+    );
+    if (event.kind !== "peak" || within || !column || t.length < 2) continue;
+    const felt = (/** @type {number} */ k) => Number(column[k]) > FELT * (event.force ?? 0);
+    let [first, last] = [rowAt(t, event.t), rowAt(t, event.t)];
+    while (first > 0 && felt(first)) first -= 1;
+    while (last < t.length - 1 && felt(last)) last += 1;
+    const window = { start: Number(t[first]), end: Number(t[last]) };
+    found.push({ pair, bodies: event.bodies, ...window, near: true });
+  }
+  return found.sort((a, b) => a.start - b.start);
 }
 
 /** @param {Touch[]} windows @param {number} t in s @returns {Touch | undefined} the touch that began last, up to t */

@@ -23,6 +23,7 @@ export const QUANTITIES = {
 const BOTH_FORCES = tr(
   "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.",
 );
+const APART = "apart"; // instead of a law: what acts between the two never lets them touch
 const IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
 const JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
 
@@ -36,9 +37,13 @@ export function motion(velocity, decimals, scale) {
     : tr("{speed} to the left", { speed });
 }
 
-/** @param {Header["contacts"]} contacts @returns {Laws} */
-export function lawsOf(contacts) {
-  return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+/** @param {Header} header @returns {Laws} */
+export function lawsOf({ contacts, effects }) {
+  const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  for (const { active, kind, between } of effects) {
+    if (active && between && viewOf(kind).apart) laws[between.join("-")] = APART;
+  }
+  return laws;
 }
 
 /** @param {number} velocity @param {number} scale */
@@ -72,6 +77,12 @@ export function eventSentence(event, telling, laws) {
       return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
     }
     case "peak":
+      if (laws[names.join("-")] === APART) {
+        const force = `${fixed(event.force ?? 0, decimals.F ?? 2)}\u00a0N`;
+        return forces
+          ? tr("{pair} are nearest: {force} on each.", { pair, force })
+          : tr("{pair} are nearest.", { pair });
+      }
       if (forces && event.force) {
         const force = `${fixed(event.force, decimals.F ?? 2)}\u00a0N`;
         return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
@@ -98,7 +109,15 @@ export function eventSentence(event, telling, laws) {
         ? tr("{pair} start to slide.", { pair })
         : tr("{cart} starts to slide.", { cart: pair });
     case "release":
-      return told(tr("The exploder between {pair} releases.", { pair }), shown, after);
+      if (impulse || !event.force) {
+        return told(tr("The exploder between {pair} releases.", { pair }), shown, after);
+      }
+      return forces
+        ? tr("The spring between {pair} is let go: {force} on each.", {
+            pair,
+            force: `${fixed(event.force, decimals.F ?? 2)}\u00a0N`,
+          })
+        : tr("The spring between {pair} is let go.", { pair });
     case "end":
       return tr("End of the run.");
     default:

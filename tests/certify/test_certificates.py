@@ -25,8 +25,8 @@ from tests.reference.many_digits import UnsupportedError
 NO_BOUND = {
     *("drag-linear", "drag-quadratic", "drag-steady-speed", "magnets-collision", "magnets-repel"),
     *("hertz-cradle", "hertz-pair", "release-and-friction", "release-explosion"),
-    *("release-while-moving", "spring-and-push", "spring-damped", "spring-pair"),
-    *("spring-to-wall", "push-a-train", "touching-row", "triple-hit"),
+    *("release-by-a-spring", "release-while-moving", "spring-and-push", "spring-damped"),
+    *("spring-pair", "spring-to-wall", "push-a-train", "touching-row", "triple-hit"),
 }
 """Scenes of the registry without a certificate: other effects, Hertz, three bodies at once."""
 

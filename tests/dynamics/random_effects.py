@@ -103,6 +103,8 @@ def effect(draw: st.DrawFn, plain: dict[str, Any], kinds: tuple[str, ...]) -> di
         else:
             body["energy"] = draw(st.sampled_from(["0.1", "1"]))
             body["at"] = draw(st.sampled_from(["0", "0.2"]))
+            if draw(st.booleans()) and rooms[k] >= 0:
+                body["stiffness"] = draw(st.sampled_from(["5", "40", "800"]))
     return {kind: body}
 
 
@@ -141,6 +143,8 @@ def acted_on(
             cart = plain["carts"][f"c{k}"]
             cart["position"] = f"{float(cart['position']) - closer:.6f}"
         plain["start"] = {"overlap": True}
+        for entry in plain["effects"]:  # a spring needs two that just touch
+            entry.get("release", {}).pop("stiffness", None)
     return plain
 
 

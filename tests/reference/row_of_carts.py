@@ -60,7 +60,9 @@ class Row:
         self.kinds = self.acting.kinds
         self.work = [0.0] * len(self.kinds)
         self.changes = 0
-        for _, k, _ in self.acting.releases:
+        for _, k, effect in self.acting.releases:
+            if "stiffness" in effect.numbers:
+                raise UnsupportedError("a spring that falls off")
             d, s = self.overlap(k, self.x, self.v)
             if d > NOTHING:
                 raise UnsupportedError("a release of an overlap")

@@ -211,7 +211,7 @@ def _seconds(call: Callable[[], object]) -> float:
 
 def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -> float:
     """J in contacts that still push, in springs and magnets, and height on an incline."""
-    field, total = run.field, 0.0
+    field, total = run.field, run.impacts.latched
     for pair in field.pairs:
         d, rate = field.overlap(pair, s, v)
         law = contact_law(pair.contact)

@@ -1,4 +1,7 @@
-"""The exploder at work: two carts that are latched together, and the instant that parts them."""
+"""The exploder at work: two carts that are latched together, and what parts them.
+
+That is one instant, or a spring that lies between the two from then on: a link, until it falls off.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,8 @@ from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import Chain
 from sim.dynamics.state.clock import ZERO, Time
-from sim.effects.forces import EnergyRelease
+from sim.dynamics.state.touching import Loose
+from sim.effects.forces import EnergyRelease, LooseForce
 
 TOUCHING = 1e-12
 """m. Room that rounding leaves between two carts that touch."""
@@ -34,11 +38,14 @@ def set_free(
         if gap.room > TOUCHING:
             record.idle_bursts.append((gap.index, now[0], gap.room))
             return False
-    else:  # what their bumpers still hold is no part of the energy
+    elif release.spring is None:  # what their bumpers still hold is no part of the energy
         if gap.law is not None:
             ledger.dissipate(gap.law.stored(-gap.room, -gap.rate, gap.memory))
             contacts.tell_separation(gap, now, contacts.contact_force(gap), record)
         gap.touching = None
+    if release.spring is not None:
+        _let_go(gap, release, release.spring.placed(gap.room), now, record)
+        return True
     left, right, mu = gap.left, gap.right, gap.mu
     left.held = right.held = False  # that they start is told by the release itself
     before = (left.v, right.v)
@@ -57,6 +64,38 @@ def set_free(
             if other.law is None and other.rate != 0.0:
                 other.touching = None  # it rested; now it opens, or is struck
     return True
+
+
+def _let_go(
+    gap: Gap, release: EnergyRelease, spring: LooseForce, now: Time, record: Record
+) -> None:
+    """From now on the spring pushes; what bumpers hold they give back beside it."""
+    if gap.law is None:
+        gap.touching = None  # an impact that rested
+    gap.time = now
+    speeds = (gap.left.v, gap.right.v)
+    loose = Loose(release, spring, now, speeds)
+    gap.links, gap.loose = (*gap.links, spring), (*gap.loose, loose)
+    record.let_go.append(loose)
+    record.event("release", gap, now, speeds, speeds, 0.0, spring.strongest)
+
+
+SPENT = 1e-9
+"""Of its force when it was let go. A spring that pushes no more than that has its full length."""
+
+
+def fall_off(gap: Gap, now: Time, record: Record) -> int:
+    """Loose springs that have their full length push no more. Returns the number of events told."""
+    left_over = [one.link.force(gap.room, 0.0) / one.link.strongest for one in gap.loose]
+    least = max(SPENT, min(left_over))
+    spent = [one for one, part in zip(gap.loose, left_over, strict=True) if part <= least]
+    for one in spent:
+        out = (gap.left.v, gap.right.v)
+        one.ended = now[0]
+        record.event("separate", gap, now, one.before, out, one.impulse, 0.0)
+    gap.loose = tuple(one for one in gap.loose if one not in spent)
+    gap.links = tuple(link for link in gap.links if all(link is not one.link for one in spent))
+    return len(spent)
 
 
 def split(chain: Chain, gap: Gap, now: Time, record: Record) -> None:

@@ -122,11 +122,15 @@ def _start_with_effects(sim: Simulation, forces: Forces) -> None:
 
 
 def _store(sim: Simulation, *, first: bool) -> None:
-    """Energy in springs and magnets, at the start or at the end."""
+    """Energy in springs and magnets, at the start or at the end; of releases still to come too."""
     for gap in sim.chain.gaps:
         for link in gap.links if gap is not None else ():
             assert gap is not None
             sim.ledger.store(link.kind, link.energy(gap.room), first=first)
+    let_go = [loose.of for loose in sim.record.let_go]
+    for one in sim.forces.releases if sim.forces is not None else ():
+        if one.spring is not None and one not in let_go:
+            sim.ledger.store(one.kind, one.energy, first=first)
 
 
 def _events(sim: Simulation, max_events: int, max_steps: int, progress: Progress | None) -> Run:

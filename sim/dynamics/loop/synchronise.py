@@ -73,6 +73,8 @@ def _settle_gap(
         if gap.law is not None:
             record.depth(gap, part.deepest)
             gap.memory = gap.law.remember(part.deepest, gap.memory)
+    for one in gap.loose:
+        one.impulse += one.link.impulse(elapsed(motion.begun, now), part.summed)
     gap.room, gap.rate, gap.time = -part.over, -part.rate, now
     if touching is None and gap.room >= 0.0:
         gap.memory = 0.0

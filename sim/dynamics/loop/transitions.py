@@ -3,12 +3,14 @@
 apart   the contact is over                      touch   a linked pair's contact begins
 turn    the bumper springs back                  clear   its bumper forgets
 climb   the bumper is pressed further            halt    the body stands still for a moment
-                                                 slip    it begins to slide
+off     a loose spring falls off                 slip    it begins to slide
+nearest a pair that never touches turns round
 """
 
 from __future__ import annotations
 
-from sim.dynamics.loop import contacts
+from sim.dynamics.loop import contacts, release
+from sim.dynamics.motion.guards import branch_of, push_now
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state import flips
@@ -43,6 +45,10 @@ def _changing(motion: Motion, end: End) -> Body | Gap:
 def _in_gap(cause: Cause, gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
     if cause == "touch":
         return _touch(gap, now, record, ledger)
+    if cause == "off":
+        return release.fall_off(gap, now, record)
+    if cause == "nearest":
+        return _nearest(gap, now, record)
     if cause == "clear":
         gap.room = gap.memory = 0.0
     elif gap.touching is None:
@@ -80,6 +86,14 @@ def _touch(gap: Gap, now: Time, record: Record, ledger: Ledger) -> int:
         gap.room = -gap.law.resting_overlap(gap.memory) if gap.memory else 0.0
     contacts.touch(gap, now, record, ledger)
     return 2
+
+
+def _nearest(gap: Gap, now: Time, record: Record) -> int:
+    """Two that never touch turn round: their greatest force. No impulse: it begins nowhere."""
+    gap.rate = 0.0
+    speeds = (gap.left.v, gap.right.v)
+    record.event("peak", gap, now, speeds, speeds, 0.0, push_now(gap, branch_of(gap)))
+    return 1
 
 
 def struck(motion: Motion) -> list[Gap]:

@@ -27,7 +27,7 @@ from sim.dynamics.motion.series import Row
 from sim.dynamics.motion.step import Step, slope_of
 from sim.dynamics.motion.step_ends import first_ends, found_again
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.state.body import Body, Gap
+from sim.dynamics.state.body import Body, Gap, kinds_of
 from sim.dynamics.state.clock import ZERO, Time
 from sim.laws.branch import Branch
 from sim.laws.contact_law import ContactLaw
@@ -78,7 +78,7 @@ class IntegratedStep(Step):
         """N by the law, dN/dt by the dense output."""
         _, growth = Step.force(self, k, t)
         room = -value(self.over[k], t)
-        linked = math.fsum(link.force(room, 0.0) for link in self.gaps[k].links)
+        linked = math.fsum(link.force(room, 0.0) for link in self.row.links[k])
         return self.contact_force(k, t) + linked, growth
 
     def squares(self, i: int, t: float) -> tuple[float, float, float]:
@@ -111,8 +111,10 @@ def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: floa
         duration = min(better, step.length)
     step = step.cut(duration)
     touched = [gap.touching is not None for gap in gaps]
-    loads = [body.load for body in bodies]
-    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, "adaptive", 3)
+    loads, linked = [body.load for body in bodies], [kinds_of(gap) for gap in gaps]
+    return CoupledGroup(
+        bodies, gaps, now, duration, ends, step, touched, loads, linked, "adaptive", 3
+    )
 
 
 def _integrated(

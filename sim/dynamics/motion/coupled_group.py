@@ -22,7 +22,7 @@ from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, ex
 from sim.dynamics.motion.step import Step
 from sim.dynamics.motion.step_ends import first_ends
 from sim.dynamics.motion.work_accounting import book_step
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.branch import Branch
@@ -47,6 +47,7 @@ class CoupledGroup:
     step: Step
     touched: list[bool]  # which gaps are contacts, not links alone
     loads: list[Load]
+    linked: list[tuple[str, ...]]
     name: str = "power-series"
     tier: int = 2
     parabolic: ClassVar[bool] = False
@@ -132,8 +133,9 @@ class CoupledGroup:
         step, found = self.step, []
         for k, gap in enumerate(self.members):
             over, rate = value_and_slope(step.over[k], t)
+            summed = value(integral(step.over[k]), t) if gap.loose else 0.0
             if gap.touching is None:
-                found.append(Part(over, rate))
+                found.append(Part(over, rate, summed=summed))
                 continue
             seen = tuple(
                 (
@@ -144,8 +146,8 @@ class CoupledGroup:
                 )
                 for when in (step.greatest(k, t) if peaks else ())
             )
-            kept = step.dissipated(k, t)
-            found.append(Part(over, rate, step.impulse(k, t), kept, step.deepest(k, t), seen))
+            kept, deepest = step.dissipated(k, t), step.deepest(k, t)
+            found.append(Part(over, rate, step.impulse(k, t), kept, deepest, seen, summed))
         return found
 
 
@@ -161,16 +163,14 @@ def coupled_group(
     if (swinging := _in_modes(bodies, gaps, branches, now, limit)) is not None:
         return swinging
     step = _converged(bodies, gaps, branches, limit)
-    sizes = [size(force, step.length) for force in step.contact]
-    ends, duration = first_ends(step, sizes)
-    return _group(step, ends, duration, now)
+    return _group(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
 
 
 def _group(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
     bodies, gaps = step.bodies, step.gaps
     touched = [gap.touching is not None for gap in gaps]
-    loads = [body.load for body in bodies]
-    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads)
+    loads, linked = [body.load for body in bodies], [kinds_of(gap) for gap in gaps]
+    return CoupledGroup(bodies, gaps, now, duration, ends, step, touched, loads, linked)
 
 
 def _at_rest(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from sim.dynamics.motion.polynomial import Poly, slope
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap
@@ -42,6 +44,32 @@ def guards_of(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
     not cleared touches at its resting overlap, a pair that may push again when its force turns
     positive, unless it clears first.
     """
+    own = _guards(gap, branch)
+    if gap.loose:
+        own = (*own, *offs_of(gap))
+    return (*own, NEAREST) if gap.rate < 0.0 and _comes_near(gap) else own
+
+
+NEAREST = Guard("nearest", "rate")
+
+STILL = 1e-9
+"""Of the speed that force and room between a pair can give. What is slower does not come nearer."""
+
+
+def _comes_near(gap: Gap) -> bool:
+    """Does a pair close whose force has no limit, so that it never touches?"""
+    if not any(link.nearest for link in gap.links):
+        return False
+    force = abs(math.fsum(link.force(gap.room, 0.0) for link in gap.links))
+    return -gap.rate > STILL * math.sqrt(force * gap.room / gap.mu)
+
+
+def offs_of(gap: Gap) -> tuple[Guard, ...]:
+    """A loose spring falls off where the two are as far apart as it is long."""
+    return tuple(Guard("off", "overlap", level=-one.link.reach) for one in gap.loose)
+
+
+def _guards(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
     law = gap.law
     if gap.touching is not None:
         return (
@@ -66,7 +94,7 @@ def along(gap: Gap, guard: Guard, over: Poly, force: Poly) -> Poly:
         quantity = slope(over)
     if guard.rises:
         return [guard.level - quantity[0], *(-c for c in quantity[1:])]
-    return quantity
+    return [quantity[0] - guard.level, *quantity[1:]] if guard.level else quantity
 
 
 def _push_to_come(gap: Gap, over: Poly) -> Poly:

@@ -20,8 +20,9 @@ from typing import ClassVar
 from sim.dynamics.motion.guards import PUSH_ROUNDING, branch_of, guards_of
 from sim.dynamics.motion.oscillation import Oscillation, rate_of
 from sim.dynamics.motion.series import REACH, is_rounding
+from sim.dynamics.motion.step_ends import FINAL
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.flips import NO_MOTION, margin
 from sim.dynamics.state.loads import Load
@@ -45,6 +46,7 @@ class LinearPair:
     pull: float  # m/s², a_A − a_B
     touched: list[bool]
     loads: list[Load]
+    linked: list[tuple[str, ...]]
     drag: float = 0.0  # N s/m, linear, of the one body beside a wall
     name: str = "pair-phase"
     tier: int = 1
@@ -129,8 +131,9 @@ class LinearPair:
         """The one gap."""
         (gap,), between, branch = self.members, self.between, self.branch
         over, rate = between.over(t)
+        summed = between.sum(t) if gap.loose else 0.0
         if gap.touching is None:
-            return [Part(over, rate)]
+            return [Part(over, rate, summed=summed)]
         seen = []
         for when in between.greatest(branch.kappa, branch.gamma, t) if peaks else ():
             a, b = (self.state(self.side(body), when)[1] for body in self.bodies)
@@ -138,7 +141,8 @@ class LinearPair:
         loss = branch.gamma * between.damped(t) if branch.gamma else 0.0
         if gap.law is not None:
             loss += gap.law.kept(branch, between.o0, over)
-        return [Part(over, rate, self._impulse(t), loss, between.deepest(t), tuple(seen))]
+        pushed, deepest = self._impulse(t), between.deepest(t)
+        return [Part(over, rate, pushed, loss, deepest, tuple(seen), summed)]
 
     def book(self, accounts: Accounts, t: float) -> None:
         """Impulses from outside and work, by name."""
@@ -187,10 +191,10 @@ def linear_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> Linear
             (a.load.steady + b.load.steady) / total,
         )
     ends, duration = _first_ends(gap, branch, between, limit)
-    touched, loads = [gap.touching is not None], [a.load, b.load]
     return LinearPair(
-        bodies, [gap], now, duration, ends, branch, between, mu, drift, pull, touched, loads, drag
-    )
+        bodies, [gap], now, duration, ends, branch, between, mu, drift, pull,
+        [gap.touching is not None], [a.load, b.load], [kinds_of(gap)], drag,
+    )  # fmt: skip
 
 
 def _first_ends(
@@ -201,7 +205,7 @@ def _first_ends(
     for guard in guards_of(gap, branch):
         t = _happens(gap, branch, between, guard)
         step = 1.0 / between.rate.w0
-        stays = guard.cause not in ("touch", "clear")  # a contact that is taken up again stays on
+        stays = guard.cause not in FINAL  # a contact that is taken up again stays on
         if stays and t <= NO_MOTION * step and (part := margin(gap, gap.time, step)):
             t = _happens(gap, branch, between, guard, part)
         if t <= duration:

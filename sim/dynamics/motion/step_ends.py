@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from sim.dynamics.motion.guards import along, guards_of, reserves
+from sim.dynamics.motion.guards import along, guards_of, offs_of, reserves
 from sim.dynamics.motion.polynomial import Poly, first_fall, size, value_and_slope
 from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Body, End
@@ -20,6 +20,10 @@ PARTED = [-1.0]
 """Of a locked contact that nobody presses any more: it is over."""
 
 
+FINAL = ("touch", "clear", "off", "nearest")
+"""Ends that no rounding takes back."""
+
+
 def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
     """All that happens at one time, and that time [s]; nothing, and the length of the step.
 
@@ -30,7 +34,7 @@ def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
     duration = step.length
     for end, guarded in [*_in_gaps(step, sizes, noise), *_of_bodies(step)]:
         found = first_fall(guarded, duration)
-        stays = end.cause not in ("touch", "clear")  # a contact that is taken up again stays on
+        stays = end.cause not in FINAL  # a contact that is taken up again stays on
         if found is not None and stays and found <= NO_MOTION * step.length:
             found = _when_decided(step, end, guarded, duration, found)
         if found is not None:
@@ -90,9 +94,9 @@ def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End
         touches = gap.touching is not None
         if touches and branch.locked and (sizes[k] <= noise or gap.rate > 0.0):
             yield End("apart", k), PARTED  # nobody pushes them together any more
-        elif not touches or sizes[k] >= noise:
-            for guard in guards_of(gap, branch):
-                yield End(guard.cause, k), along(gap, guard, step.over[k], step.contact[k])
+            continue
+        for guard in guards_of(gap, branch) if not touches or sizes[k] >= noise else offs_of(gap):
+            yield End(guard.cause, k), along(gap, guard, step.over[k], step.contact[k])
 
 
 def _of_bodies(step: Step) -> Iterator[tuple[End, Poly]]:

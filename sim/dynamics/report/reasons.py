@@ -88,14 +88,14 @@ def _clusters(scene: Scene, solvers: list[InRows]) -> list[str]:
             for gap, touches in zip(solver.members, solver.touched, strict=True)
             if touches
         ]
-        linked = [gap.index for gap in solver.members if gap.links]
+        linked = [gap.index for gap, own in zip(solver.members, solver.linked, strict=True) if own]
         acting = sorted({force.kind for load in solver.loads for force in load.forces})
         acting += [FRICTION] if any(load.grips for load in solver.loads) else []
         causes: list[str] = []
         if touching:
             causes.append(said("{pairs} in contact", pairs=_names(scene, touching)))
         if linked:
-            kinds = sorted({link.kind for gap in solver.members for link in gap.links})
+            kinds = sorted({kind for own in solver.linked for kind in own})
             pairs = _names(scene, linked)
             causes.append(said("{links} between {pairs}", links=_effects(kinds), pairs=pairs))
         if acting:

@@ -38,7 +38,7 @@ def energy_parts(run: Run, samples: Trajectory) -> Parts:
     names = account.names
     found: Parts = {name: array("d") for name in (*names, "warmed")}
     at_first = dict.fromkeys(names, 0.0) | account.stored(
-        [c.position for c in scene.carts], [c.velocity for c in scene.carts], {}
+        [c.position for c in scene.carts], [c.velocity for c in scene.carts], 0.0, {}
     )
     whole = math.fsum([kinetic(scene, [c.velocity for c in scene.carts]), *at_first.values()])
     pairs = {gap: ("F", "-".join(scene.names_at(gap))) for gap in range(len(scene.contacts))}
@@ -47,7 +47,7 @@ def energy_parts(run: Run, samples: Trajectory) -> Parts:
         x = [columns[("x", c.name)][k] for c in scene.carts]
         v = [columns[("v", c.name)][k] for c in scene.carts]
         forces = {gap: columns[key][k] for gap, key in pairs.items() if key in columns}
-        stored = account.stored(x, v, forces)
+        stored = account.stored(x, v, t, forces)
         first_of_two = k + 1 < len(times) and times[k + 1] == t
         given = account.given(x, t, before=first_of_two)
         for name in names:
@@ -82,24 +82,32 @@ class _Account:
         self.acting = acting(scene)
         lasting = any(contact is not None and contact.stiffness for contact in scene.contacts)
         listed = {effect.kind for effect in scene.effects}
-        stores = {name: kind.stores for name, kind in kinds().items() if name in listed}
+        of = {name: [e for e in scene.effects if e.kind == name] for name in listed}
+        known = {name: kind for name, kind in kinds().items() if name in listed}
         in_gaps, in_places = (
-            [k for k, w in stores.items() if w == way] for way in ("gap", "place")
+            [k for k, kind in known.items() if any(kind.keeps(e) == way for e in of[k])]
+            for way in ("gap", "place")
         )
-        self.giving = [name for name in stores if kinds()[name].gives]
+        self.giving = [name for name, kind in known.items() if kind.gives]
         self.storing = [*(["bumpers"] if lasting else []), *in_gaps, *in_places]
-        self.names = (*self.storing, *self.giving)
+        self.names = tuple(dict.fromkeys((*self.storing, *self.giving)))
         self.heights, self.pushes = _body_forces(run, self.acting)
         happened = {(e.t, e.bodies) for e in run.record.events if e.kind == "release"}
+        every = [release for effect in self.acting for release in effect.releases()]
         self.releases = [
             release
-            for effect in self.acting
-            for release in effect.releases()
-            if (release.time, scene.names_at(release.gap)) in happened
+            for release in every
+            if release.spring is None and (release.time, scene.names_at(release.gap)) in happened
+        ]
+        let_go = {one.of.index: one for one in run.record.let_go}
+        self.springs = [
+            (release, let_go.get(release.index)) for release in every if release.spring is not None
         ]
 
-    def stored(self, x: list[float], v: list[float], forces: dict[int, float]) -> dict[str, float]:
-        """J by kind. `forces` [N] by gap: all that a pair does to each other, links too."""
+    def stored(
+        self, x: list[float], v: list[float], t: float, forces: dict[int, float]
+    ) -> dict[str, float]:
+        """J by kind at t s. `forces` [N] by gap: all that a pair does to each other, links too."""
         scene = self.scene
         found = dict.fromkeys(self.storing, 0.0)
         for gap, contact in enumerate(scene.contacts):
@@ -110,6 +118,14 @@ class _Account:
                 if link is not None:
                     found[one.kind] += link.energy(max(room, TOUCH))
                     between += link.force(max(room, TOUCH), rate)
+            for release, loose in self.springs:
+                if release.gap != gap:
+                    continue
+                if loose is None or t < loose.begun[0]:
+                    found[release.kind] += release.energy
+                elif t <= loose.ended:
+                    found[release.kind] += loose.link.energy(room)
+                    between += loose.link.force(room, rate)
             if contact is not None and contact.stiffness:
                 found["bumpers"] += _squeezed(contact, -room, forces.get(gap, math.inf) - between)
         for cart, force in self.heights:

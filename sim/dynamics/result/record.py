@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from sim.dynamics.result.events import ORDER, Event
 from sim.dynamics.state.body import Body, Gap, Motion
 from sim.dynamics.state.clock import Time
+from sim.dynamics.state.touching import Loose
 from sim.scene.model import Scene
 
 TOLD = 100
@@ -63,6 +64,8 @@ class Record:
     joints: list[Joint] = field(default_factory=list)
     idle_bursts: list[tuple[int, float, float]] = field(default_factory=list)
     """Gap, time [s] and room [m] of exploders whose carts did not touch."""
+    let_go: list[Loose] = field(default_factory=list)
+    """Springs of exploders, whether they have fallen off or not."""
     deepest: dict[int, tuple[float, float]] = field(default_factory=dict)
     """Per gap: greatest overlap [m] and the approach speed [m/s] of that contact."""
 

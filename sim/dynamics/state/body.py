@@ -17,7 +17,7 @@ from typing import Protocol
 
 from sim.dynamics.state.clock import NEVER, ZERO, Time
 from sim.dynamics.state.loads import NO_LOAD, Load
-from sim.dynamics.state.touching import Touching
+from sim.dynamics.state.touching import Loose, Touching
 from sim.effects.forces import PairForce
 from sim.laws.branch import Cause
 from sim.laws.contact_law import ContactLaw, Figures
@@ -51,6 +51,7 @@ class Part:
     dissipated: float = 0.0  # J that it does not give back
     deepest: float = 0.0  # m, greatest overlap
     peaks: tuple[PeakSoFar, ...] = ()  # its greatest force is one of these
+    summed: float = 0.0  # m s, integral of the overlap; asked for by loose springs alone
 
 
 class Accounts(Protocol):
@@ -191,6 +192,7 @@ class Gap:
     turn: int = 0  # counts predictions: an older one in the calendar is void
     touching: Touching | None = None
     links: tuple[PairForce, ...] = ()  # springs and magnets across it
+    loose: tuple[Loose, ...] = ()  # those of them that fall off
     solver: Motion | None = None  # what moves it, while it touches or is linked
     joined: bool = False
     stride: float = 0.0  # s, of the next step that an adaptive method would take; 0: not known
@@ -219,6 +221,11 @@ class Gap:
             assert self.law is not None
             self._figures = (mu, figures_of(self.law, mu))  # type: ignore[arg-type]
         return self._figures[1]
+
+
+def kinds_of(gap: Gap) -> tuple[str, ...]:
+    """What acts across it just now, besides a contact."""
+    return tuple(link.kind for link in gap.links)
 
 
 @lru_cache(maxsize=4096)

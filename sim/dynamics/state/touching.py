@@ -7,9 +7,11 @@ far, and its greatest force.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from sim.dynamics.state.clock import Time
+from sim.effects.forces import EnergyRelease, LooseForce
 
 
 @dataclass(slots=True)
@@ -36,6 +38,18 @@ class Touching:
         """Keep the greater force; of equal ones the first."""
         if self.peak is None or peak.force > self.peak.force * (1.0 + HANDED_OVER):
             self.peak = peak
+
+
+@dataclass(slots=True)
+class Loose:
+    """A spring that was let go, and pushes until it falls off."""
+
+    of: EnergyRelease
+    link: LooseForce
+    begun: Time
+    before: tuple[float, float]  # m/s, of the left and right body when it was let go
+    impulse: float = 0.0  # N s, booked so far
+    ended: float = math.inf  # s, when it fell off
 
 
 HANDED_OVER = 1e-12

@@ -14,7 +14,7 @@ from typing import Any
 from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.pairs import Pair, Row
-from sim.effects.forces import EnergyRelease
+from sim.effects.forces import EnergyRelease, LooseForce
 
 SWEEPS = 20
 """Times that impulses go through the row at one instant, at most."""
@@ -33,6 +33,8 @@ class Blow:
     after: tuple[float, float]
     impulse: float
     warmed: float  # J
+    let_go: LooseForce | None = None  # then nothing has happened yet
+    time: float = 0.0  # s, when that was
 
 
 class Impacts:
@@ -43,6 +45,8 @@ class Impacts:
         self.remembering = [p for p in field.pairs if p.force is not None and p.force.remembers]
         self.sudden = [p for p in field.pairs if p.force is None]
         self.releases = list(field.releases)
+        self.springs = [release for release in self.releases if release.spring is not None]
+        self.loosens = bool(self.springs)
         self.watches = bool(self.sudden or self.releases)
         self.blows: list[Blow] = []
 
@@ -63,8 +67,11 @@ class Impacts:
             field.memory[pair.gap] = _remembered(d, field.memory[pair.gap])
         if not self.watches:
             return
+        for pair in field.pairs if self.loosens else ():
+            if pair.loose:
+                self.fall_off(pair, s, v)
         while self.releases and self.releases[0].time <= t:
-            self.set_free(self.releases.pop(0), s, v)
+            self.set_free(self.releases.pop(0), t, s, v)
         for _ in range(SWEEPS):
             hit = [pair for pair in self.sudden if self._closes(pair, s, v)]
             if not hit:
@@ -89,8 +96,8 @@ class Impacts:
         mu = 1.0 / (1.0 / m1 + 1.0 / m2)
         self._set(pair, left, right, v, (v1, v2), out, mu)
 
-    def set_free(self, release: EnergyRelease, s: Row, v: Row) -> None:
-        """½ mu w'² = ½ mu w² + E, where the two touch."""
+    def set_free(self, release: EnergyRelease, t: float, s: Row, v: Row) -> None:
+        """½ mu w'² = ½ mu w² + E, where the two touch; or from now on a spring is between them."""
         field = self.field
         pair = field.pair_at[release.gap]
         d, _ = field.overlap(pair, s, v)
@@ -100,10 +107,30 @@ class Impacts:
             return
         (m1, left, v1), (m2, right, v2) = self._body(pair.left, v), self._body(pair.right, v)
         mu = 1.0 / (1.0 / m1 + 1.0 / m2)
+        if release.spring is not None:
+            spring = release.spring.placed(-d)
+            pair.links, pair.loose = (*pair.links, spring), (*pair.loose, spring)
+            self.springs.remove(release)
+            now = (v1, v2)
+            self.blows.append(Blow(release.kind, pair, now, now, 0.0, 0.0, spring, t))
+            return
         apart = math.sqrt((v2 - v1) ** 2 + 2.0 * release.energy / mu)
         change = apart - (v2 - v1)
         out = v1 - mu / m1 * change, v2 + mu / m2 * change
         self._set(pair, left, right, v, (v1, v2), out, mu, release.kind)
+
+    def fall_off(self, pair: Pair, s: Row, v: Row, *, now: bool = False) -> None:
+        """Springs that have their full length push no more; `now`: the longest has it."""
+        d, _ = self.field.overlap(pair, s, v)
+        length = max(-d, min(spring.reach for spring in pair.loose) if now else -d)
+        spent = [spring for spring in pair.loose if spring.reach <= length]
+        pair.loose = tuple(spring for spring in pair.loose if spring not in spent)
+        pair.links = tuple(link for link in pair.links if link not in spent)
+
+    @property
+    def latched(self) -> float:
+        """J in springs that nobody has let go."""
+        return math.fsum(release.energy for release in self.springs)
 
     def _body(self, cart: int | None, v: Row) -> tuple[float, list[int], float]:
         """Mass, carts and velocity of the body of a cart; a wall is infinite."""

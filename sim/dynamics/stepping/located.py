@@ -17,7 +17,11 @@ from sim.dynamics.stepping.impacts import Impacts
 from sim.dynamics.stepping.pairs import Row
 
 Key = tuple[str, int, int]
-"""("gap", its number, which of its guards) or ("body", its first cart, 0)."""
+"""("gap", its number, which of its guards), ("loose", the gap, which spring), ("near", the
+gap, 0) or ("body", its first cart, 0)."""
+
+NEAR = "near"
+"""Guards of pairs that turn round without touching."""
 
 MOST_CHANGES = 12
 """Within one step. Then the rest of it is taken without looking, as methods without events do."""
@@ -59,6 +63,10 @@ class Located:
             if gap in field.joined:
                 continue
             d, rate = field.overlap(pair, s, v)
+            if pair.apart:
+                found[NEAR, gap, 0] = rate
+            for which, spring in enumerate(pair.loose):
+                found["loose", gap, which] = spring.reach + d
             if pair.force is None:
                 found["gap", gap, 0] = -d
                 continue
@@ -80,7 +88,11 @@ class Located:
         assert field.modes is not None
         slipping = []
         for kind, number, which in keys:
-            if kind == "gap" and number in field.held:
+            if kind == NEAR:
+                continue  # a step ends here, and is told of
+            if kind == "loose":
+                self.impacts.fall_off(field.pair_at[number], s, v, now=True)
+            elif kind == "gap" and number in field.held:
                 held.let_go(field, number)
                 field.modes[number] = "press" if which else "apart"
             elif kind == "gap":
@@ -148,5 +160,7 @@ def first_zero(
 
 
 def crossed(before: dict[Key, float], after: dict[Key, float]) -> list[Key]:
-    """Guards that are negative at the end of a trial step."""
-    return [key for key in before if after.get(key, 1.0) < 0.0]
+    """Guards that are negative at the end of a trial step; a pair has to close before it turns."""
+    return [
+        key for key in before if after.get(key, 1.0) < 0.0 and (key[0] != NEAR or before[key] > 0.0)
+    ]

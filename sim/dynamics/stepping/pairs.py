@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.effects.forces import PairForce
+from sim.effects.forces import LooseForce, PairForce
 from sim.laws.lookup import contact_law
 from sim.laws.stepping import SteppedContact
 from sim.scene.model import Contact, Scene
@@ -28,6 +28,12 @@ class Pair:
     mu: float
     force: SteppedContact | None
     links: tuple[PairForce, ...]
+    loose: tuple[LooseForce, ...] = ()  # those of them that fall off
+
+    @property
+    def apart(self) -> bool:
+        """Does a force without a limit keep the two from ever touching?"""
+        return any(link.nearest for link in self.links)
 
 
 @dataclass(frozen=True, slots=True)

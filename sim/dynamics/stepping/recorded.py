@@ -102,6 +102,7 @@ class Recorder:
                 if gap == pair.gap
             )
             self._from_wall(pair.left, pair.right, impulses[pair.gap] + linked)
+        self._springs(t, weighted)
         for weight, detail in weighted:
             for (kind, k), force in detail.outside.items():
                 ledger.push_from_outside(weight * force, kind)
@@ -116,15 +117,24 @@ class Recorder:
         for blow in run.impacts.blows:
             self.story.blow(t, blow)
             self._from_wall(blow.pair.left, blow.pair.right, blow.impulse)
-            if blow.release:
+            if blow.release and blow.let_go is None:
                 ledger.work(blow.release, -blow.warmed)
-            else:
+            elif not blow.release:
                 ledger.dissipate(blow.warmed)
         run.impacts.blows.clear()
         self.v = list(run.v)
         self.count += 1
         if self.count % self.every == 0 or t >= self.scene.until:
             self._row(t, a, detail)
+
+    def _springs(self, t: float, weighted: list[tuple[float, Detail]]) -> None:
+        """What loose springs gave in a step, those that were let go at its beginning too."""
+        blows = self.run.impacts.blows
+        for blow in [one for one in blows if one.let_go is not None and one.time < t]:
+            self.story.blow(t, blow)
+            blows.remove(blow)
+        for gap, loose in self.story.loose.items():
+            loose.impulse += math.fsum(w * d.links.get((loose.kind, gap), 0.0) for w, d in weighted)
 
     def _bumpers(self, push: Row) -> None:
         """What a step left in the bumpers for good."""
@@ -182,6 +192,8 @@ class Recorder:
             for link in pair.links:
                 d, _ = field.overlap(pair, self.run.s, self.run.v)
                 self.ledger.store(link.kind, link.energy(-d), first=first)
+        for release in self.run.impacts.springs:
+            self.ledger.store(release.kind, release.energy, first=first)
 
     def finish(self) -> SteppedRun:
         """The stepper came to the end of the scene: settle the accounts."""

@@ -7,6 +7,7 @@ step right there. Times are those of the ends of steps: nothing is put in betwee
 from __future__ import annotations
 
 import dataclasses
+import math
 from dataclasses import dataclass
 
 from sim.dynamics.result.events import ORDER, Event
@@ -14,6 +15,7 @@ from sim.dynamics.result.record import Record
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Blow
 from sim.dynamics.stepping.pairs import Pair, Row
+from sim.effects.forces import LooseForce
 
 Speeds = tuple[float, float]
 
@@ -31,17 +33,47 @@ class Touch:
 
 
 @dataclass(slots=True)
+class LetGo:
+    """A spring that lies loose in a gap."""
+
+    kind: str
+    spring: LooseForce
+    before: Speeds
+    impulse: float = 0.0  # N s so far
+
+
+STILL = 1e-9
+"""Of the greatest approach so far, and of what the force can give: less is left by rounding."""
+
+SPENT = 1e-6
+"""Of its force when it was let go. Steps to where a spring falls off end so near to that."""
+
+
+def reachable(pair: Pair, d: float) -> float:
+    """m/s. What force and room between a pair can give."""
+    force = sum(abs(link.force(-d, 0.0)) for link in pair.links)
+    return math.sqrt(force * max(-d, 0.0) / pair.mu)
+
+
+@dataclass(slots=True)
 class Story:
     """Collects events of one stepped run into its record."""
 
     field: Field
     record: Record
     touching: dict[int, Touch] = dataclasses.field(default_factory=dict)
+    loose: dict[int, LetGo] = dataclasses.field(default_factory=dict)
+    closing: dict[int, float] = dataclasses.field(default_factory=dict)
+    """m/s, of pairs that never touch: how fast they have come nearer, at most."""
 
     def step(self, t: float, old: Row, v: Row, s: Row, push: Row, impulses: list[float]) -> None:
         """A step ended at t: velocities before and after it, forces now, impulses in it."""
         for pair in self.field.pairs:
             gap = pair.gap
+            if gap in self.loose:
+                self._loose(t, pair, s, v)
+            if pair.apart:
+                self._nearest(t, pair, s, v, push[gap])
             if pair.force is None:
                 continue
             touch = self.touching.get(gap)
@@ -73,16 +105,39 @@ class Story:
             now = self._speeds(pair, v)
             self._tell(t, "separate", pair, touch.before, now, touch.impulse, touch.last)
 
+    def _loose(self, t: float, pair: Pair, s: Row, v: Row) -> None:
+        """A spring that pushes no more has fallen off."""
+        one = self.loose[pair.gap]
+        d, _ = self.field.overlap(pair, s, v)
+        if one.spring.force(-d, 0.0) <= SPENT * one.spring.strongest:
+            del self.loose[pair.gap]
+            self._tell(t, "separate", pair, one.before, self._speeds(pair, v), one.impulse, 0.0)
+
+    def _nearest(self, t: float, pair: Pair, s: Row, v: Row, push: float) -> None:
+        """Two that never touch turn round: their greatest force."""
+        d, rate = self.field.overlap(pair, s, v)
+        fastest = self.closing.get(pair.gap, 0.0)
+        if rate > STILL * max(fastest, reachable(pair, d)):
+            self.closing[pair.gap] = max(rate, fastest)
+        elif fastest:
+            self.closing[pair.gap] = 0.0
+            force = push + sum(link.force(-d, -rate) for link in pair.links)
+            speeds = self._speeds(pair, v)
+            self._tell(t, "peak", pair, speeds, speeds, 0.0, force)
+
     def blow(self, t: float, blow: Blow) -> None:
-        """An impulse without duration."""
+        """An impulse without duration, or a spring that is let go."""
+        spring = blow.let_go
+        if spring is not None:
+            self.loose[blow.pair.gap] = LetGo(blow.release, spring, blow.before)
         self._tell(
-            t,
+            t if spring is None else blow.time,
             "release" if blow.release else "contact",
             blow.pair,
             blow.before,
             blow.after,
             blow.impulse,
-            None,
+            None if spring is None else spring.strongest,
         )
 
     def finish(self, t: float, v: Row) -> None:

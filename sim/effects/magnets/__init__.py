@@ -51,6 +51,7 @@ KIND = EffectKind(
     needs="between",
     walls=True,
     stores="gap",
+    apart=True,
     called=said("magnets"),
     room_rule=_apart,
 )

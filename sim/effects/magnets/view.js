@@ -15,6 +15,7 @@ const POLES = [
 export default {
   name: tr("magnets"),
   link: tr("magnets"),
+  apart: true,
   stored: tr("between the magnets"),
   phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
   pieces({ between }, { key, layout, face }) {

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
 from sim.pages.widget.run import Run
+from sim.scene.effects import kinds
 
 ROUNDING = 1e-12  # of the force itself; less than that is nought
 UNKNOWN = 0.1  # of the weight: the force of an effect that nothing is known of here
@@ -29,6 +32,15 @@ def greatest_force(header: Mapping[str, Any], controls: Sequence[Any], run: Run 
         else:
             greatest = max(greatest, peak, 0.0 if effect["between"] else max(estimates))
     return greatest
+
+
+def kept_apart(header: Mapping[str, Any]) -> set[str]:
+    """Pairs, such as A-B, that an effect keeps from ever touching."""
+    return {
+        "-".join(effect["between"])
+        for effect in header["effects"]
+        if effect["active"] and effect["between"] and kinds()[effect["kind"]].apart
+    }
 
 
 def effect_target(target: str, effects: Sequence[Mapping[str, Any]]) -> tuple[int, str] | None:
@@ -81,16 +93,20 @@ def _estimate(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
         return float(n.get("linear", 0.0) * speed + n.get("quadratic", 0.0) * speed**2)
     if kind == "push":
         return float(abs(n["force"]))
-    if kind == "release":
-        return 0.0
-    if kind not in ("spring", "magnets"):  # told by its run; before one, a part of the weight
+    own = largest_of(kind)
+    if own is not None:
+        return own(effect, header)
+    if kind != "spring":  # told by its run; before one, a part of the weight
         return 0.0 if effect["between"] else float(UNKNOWN * weight)
     left, right = effect["between"]
     start = bodies[left]["position"] + bodies[left]["length"] / 2 if left in bodies else 0.0
     end = header["track"]["length"]
     if right in bodies:
         end = bodies[right]["position"] - bodies[right]["length"] / 2
-    room = end - start
-    if kind == "spring":
-        return float(n["stiffness"] * abs(n["length"] - room))
-    return float(n["strength"] / max(room, 0.01) ** n.get("power", 3.0))
+    return float(n["stiffness"] * abs(n["length"] - (end - start)))
+
+
+def largest_of(kind: str) -> Callable[..., float] | None:
+    """What `largest.py` in the folder of an effect says of its force; None where there is none."""
+    name = f"sim.effects.{kind}.largest"
+    return import_module(name).largest if find_spec(name) is not None else None

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.widget.effects_scale import greatest_force
+from sim.pages.widget.effects_scale import greatest_force, kept_apart
 from sim.pages.widget.numbers import decimals_for, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
@@ -112,7 +112,10 @@ def _reachable_force(
     it; else the estimate.
     """
     greatest = 0.0
+    apart = kept_apart(header)
     for k, contact in enumerate(header["contacts"]):
+        if contact["pair"] in apart:
+            continue  # their bumpers never meet
         estimates = [_elastic_force(variant, variant["contacts"][k]) for variant in variants]
         column = () if run is None else run.F.get(contact["pair"], ())
         peak = max(column, default=0.0)

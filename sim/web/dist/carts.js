@@ -180,11 +180,11 @@
   }
   function slowParts(touches2) {
     const parts2 = [];
-    for (const { start, end } of touches2) {
-      const duration2 = end - start;
+    for (const { start, end: end2 } of touches2) {
+      const duration2 = end2 - start;
       const rate = rateFor(duration2);
       if (rate >= 1) continue;
-      const part = { from: start - BEFORE * duration2, to: end + AFTER * duration2, rate };
+      const part = { from: start - BEFORE * duration2, to: end2 + AFTER * duration2, rate };
       const last = parts2.at(-1);
       if (last && part.from <= last.to) {
         last.to = Math.max(last.to, part.to);
@@ -202,8 +202,8 @@
     while (left > 0 && now < until) {
       const inside = slowAt(parts2, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge2 = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
-      const next = Math.min(edge2, until);
+      const edge3 = inside ? inside.to : parts2.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge3, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
       now = next;
@@ -1268,10 +1268,10 @@
       });
     }
     const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const end2 = track.right === "wall" ? face("right", "left") : 2 * layout.width;
     const tooth = 2 * TOOTH;
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
-    const d2 = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    const d2 = teeth(first, Math.min(end2, layout.width) - first, layout.track);
     return [{ ...piece, key, d: d2 }];
   }
   function teeth(x2, length, y2) {
@@ -1338,6 +1338,7 @@
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_2, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between: between2 }, { key, layout, face }) {
@@ -1411,7 +1412,7 @@
     const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
     return layout.track - above - LANE * (layout.lanes - 1 - i2 % layout.lanes);
   }
-  function spring(start, end) {
+  function spring(start, end2) {
     const low = (
       /** @type {number} */
       SPRING[0]
@@ -1420,15 +1421,15 @@
       /** @type {number} */
       SPRING[1]
     );
-    const step = (end - start) / 4;
+    const step = (end2 - start) / 4;
     let d2 = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
       d2 += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
     }
-    return `${d2}L${px(end)} ${px(-(low + high) / 2)}`;
+    return `${d2}L${px(end2)} ${px(-(low + high) / 2)}`;
   }
-  function coil(start, end, y2, turns = TURNS, high = COIL) {
-    const span2 = Math.max(0, end - start);
+  function coil(start, end2, y2, turns = TURNS, high = COIL) {
+    const span2 = Math.max(0, end2 - start);
     const lead = Math.min(LEAD, span2 / 4);
     const step = (span2 - 2 * lead) / turns;
     let d2 = `M${px(start)} ${px(y2)}L${px(start + lead)} ${px(y2)}`;
@@ -1481,36 +1482,140 @@
     return box2.labelY - LINE;
   }
 
+  // ../view/trajectory.js
+  function fromWire(header, numbers) {
+    const { rows, columns, events } = header;
+    const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
+    columns.forEach(([quantity, ...key], k) => {
+      const column = numbers.subarray(k * rows, (k + 1) * rows);
+      const name2 = String(quantity);
+      if (!key.length) parts2[name2] = column;
+      else {
+        parts2[name2] ??= {};
+        parts2[name2][key.join(" ")] = column;
+      }
+    });
+    return parts2;
+  }
+  function fromBaked(numbers, events) {
+    const parts2 = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts2[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts2[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts2;
+  }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
+  function rowAt(times2, t3) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t3
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt(times2, values, slopes, t3) {
+    const k = rowAt(times2, t3);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t3);
+  }
+  function hermite(times2, values, slopes, k, t3) {
+    const at3 = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c2, i2) => c2[i2])
+    );
+    const h2 = at3(times2, k + 1) - at3(times2, k);
+    const s3 = (t3 - at3(times2, k)) / h2;
+    if (!slopes) return at3(values, k) + (at3(values, k + 1) - at3(values, k)) * s3;
+    const r2 = 1 - s3;
+    const found2 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
+    return Number.isFinite(found2) ? found2 : at3(values, k);
+  }
+
   // ../effects/push/view.js
+  var LET_GO = 1.5;
+  var BACK = 0.2;
+  var ROOM = 16;
+  var MIDDLE = 29;
+  var HAND = "M-46 -6L-31 -7C-26 -9 -22 -6 -17 -3.5L-3 -3.5C1 -3.5 1 3 -3 3L-15 3C-10 3 -10 7.5 -15 7.5C-11 7.5 -11 12 -16 12C-13 12 -13 16 -18 16C-26 17 -29 14 -32 9L-46 9M-15 3h-7M-15 7.5h-6M-16 12h-5M-29 0C-24 0 -21 -1 -19 3M-38 -9h-8v20h8Z";
   var view_default5 = {
     name: tr("pushes from outside"),
     row: 2,
     side: (force2) => force2 < 0 ? "right" : "left",
     around: (_2, agent2) => agent2,
     acts: ({ numbers: { from = 0, until = Infinity } }, t3) => t3 >= from && t3 < until,
+    seen: (effect, t3) => begun(effect, t3) && t3 < end(effect) + (isHand(effect) ? LET_GO : 0),
     phrase: (effect, { agent: agent2, seen }) => [
       tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
       seen(forceText(effect.numbers.force ?? 0)),
       times(effect)
     ],
-    pieces({ carts: [name2 = ""], numbers: { force: force2 = 0 } }, { key, header, layout, centre }) {
+    pieces(effect, { key, header, run, t: t3, layout, centre }) {
+      const { carts, numbers } = effect;
+      const name2 = String(carts[0]);
       const y2 = layout.track;
-      const way = force2 >= 0 ? 1 : -1;
+      const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name2);
-      const x2 = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const side = centre(name2) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      if (isHand(effect)) {
+        const past = t3 - end(effect);
+        if (past >= 0 && goesOn(effect, header)) return [];
+        const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+        const left = past < 0 ? side : side - (place(run, name2, t3) - place(run, name2, end(effect))) * layout.scale;
+        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y2 - MIDDLE, way) }];
+      }
+      const x2 = side - 3 * way;
       const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d: d2 }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force: force2 = 0 } }, agent2, until, told3) {
+    marks({ carts, numbers: { from = 0, until: end2, force: force2 = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
       const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force2) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
-      if (end !== void 0 && from < end && end <= until) {
-        marks3.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      if (end2 !== void 0 && from < end2 && end2 <= until) {
+        marks3.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
       }
       return marks3;
     }
   };
+  var isHand = ({ by }) => !by || by === "hand";
+  var begun = ({ numbers: { from = 0 } }, t3) => t3 >= from;
+  var end = ({ numbers: { until = Infinity } }) => until;
+  function goesOn(effect, { effects }) {
+    const on = (one) => one.active && one.kind === effect.kind && one.carts[0] === effect.carts[0] && isHand(one);
+    return effects.some((one) => on(one) && one !== effect && (one.numbers.from ?? 0) >= end(effect));
+  }
+  function place({ trajectory: { t: times2, x: x2, v: v2 } }, name2, t3) {
+    return valueAt(times2, x2[name2] ?? [], v2[name2] ?? [], t3);
+  }
+  function hand(x2, y2, way) {
+    let across2 = true;
+    let absolute = true;
+    return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
+      if (/[a-zA-Z]/.test(part)) {
+        across2 = part !== "v";
+        absolute = part === part.toUpperCase();
+        return part;
+      }
+      const number = Number(part);
+      const shown3 = across2 ? way * number + (absolute ? x2 : 0) : number + (absolute ? y2 : 0);
+      across2 = absolute ? !across2 : across2;
+      return ` ${px(shown3)}`;
+    });
+  }
   function forceText(force2) {
     const size = short(Math.abs(force2));
     return force2 >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
@@ -1526,28 +1631,55 @@
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at: at3 = 0 } }, t3) => t3 < at3,
-    phrase: ({ numbers: { energy = 0, at: at3 = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at: at3 = 0, stiffness } }, t3) => t3 < at3 || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at: at3 = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at3) })
     ],
-    pieces({ between: between2 }, { key, layout, face }) {
-      const [a2, b2] = between2 ?? ["", ""];
-      const x2 = (face(a2, "right") + face(b2, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x2 - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key, run, t: t3, layout, face }) {
+      const [a2, b2] = effect.between ?? ["", ""];
+      const [begun2, ended2] = pushes(effect, run);
+      const low = layout.track - ABOVE2;
+      const ends = [face(a2, "right"), face(b2, "left")].map(Number);
+      if (t3 > ended2) {
+        const there = edge(run, a2, ended2) - edge(run, a2, t3);
+        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const long = (edge(run, b2, ended2, -1) - edge(run, a2, ended2)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
+      const [start = 0, end2 = 0] = t3 < begun2 ? [middle, middle] : ends;
+      const wire = coil(start - HALF, end2 + HALF, low, TURNS2, HIGH);
+      const plates = t3 < begun2 ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end2 + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key, cls: "carts-coil", d: coil(x2 - HALF, x2 + HALF, low, TURNS2, HIGH) },
-        { key: `${key} latch`, cls: "carts-latch", d: latch }
+        { key, cls: "carts-coil", d: wire },
+        { key: `${key} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between: between2, numbers: { at: at3 = 0 } }, { header, trajectory }) {
+    const pair = between2?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun2 = mine.find(({ kind, t: t3 }) => kind === "release" && t3 === at3);
+    if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended2 = mine.find(({ kind, t: t3 }) => kind === "separate" && t3 > begun2.t);
+    return [begun2.t, ended2?.t ?? Infinity];
+  }
+  function edge({ header, trajectory }, name2, t3, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name2)?.length ?? 0) / 2;
+    return valueAt(trajectory.t, trajectory.x[name2] ?? [], trajectory.v[name2] ?? [], t3) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -1565,14 +1697,14 @@
     },
     pieces({ numbers, between: between2 }, { key, layout, face }) {
       const [a2, b2] = between2 ?? ["", ""];
-      const [start, end] = [face(a2, "right"), face(b2, "left")];
+      const [start, end2] = [face(a2, "right"), face(b2, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
-      const middle = (start + end) / 2;
-      const low = a2 === "left" ? start : b2 === "right" ? end - length : middle - length / 2;
+      const middle = (start + end2) / 2;
+      const low = a2 === "left" ? start : b2 === "right" ? end2 - length : middle - length / 2;
       const y2 = layout.track - PUSH - COIL - 5;
       const measure2 = `M${px(low)} ${px(y2 - 3)}v6M${px(low)} ${px(y2)}h${px(length)}m0 -3v6`;
       return [
-        { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key, cls: "carts-coil", d: coil(start, end2, layout.track - PUSH) },
         { key: `${key} natural`, cls: "carts-natural", d: measure2 }
       ];
     }
@@ -1610,8 +1742,9 @@
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a2, b2) => viewOf(a2).row - viewOf(b2).row || (a2 < b2 ? -1 : 1));
   }
-  function isLink({ kind, between: between2 }) {
-    return between2 !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkOf({ effects }, pair) {
     const link = effects.find(
@@ -1888,20 +2021,20 @@
       this.box.disabled = !on;
     }
     /** @param {number[]} values of the grid, SI @param {number} place */
-    show(values, place3) {
+    show(values, place4) {
       this.values = values;
       put(this.slider, "max", String(values.length - 1));
-      this.slider.valueAsNumber = place3;
-      this.box.value = this.text(place3).replace("−", "-");
+      this.slider.valueAsNumber = place4;
+      this.box.value = this.text(place4).replace("−", "-");
       this.#complain("");
     }
     /** What a screen reader says at the slider: the point and its value. @param {number} place @param {string} value */
-    speak(place3, value) {
-      put(this.slider, "aria-valuetext", `${this.text(place3)} ${this.axis.unit}: ${value}`);
+    speak(place4, value) {
+      put(this.slider, "aria-valuetext", `${this.text(place4)} ${this.axis.unit}: ${value}`);
     }
     /** @param {number} place @returns {string} in the axis's unit */
-    text(place3) {
-      return fixed(shown(Number(this.values[place3]), this.axis), this.decimals);
+    text(place4) {
+      return fixed(shown(Number(this.values[place4]), this.axis), this.decimals);
     }
     /** @param {number} value SI, or in the axis's unit @returns {number} the nearest point */
     nearest(value, per = 1) {
@@ -1951,7 +2084,7 @@
       return oklch(0.97 - 0.47 * size, 0.145 * size, centre < 0 ? 250 : 52);
     });
   }
-  function edge([red, green, blue]) {
+  function edge2([red, green, blue]) {
     return [Math.round(EDGE2 * red), Math.round(EDGE2 * green), Math.round(EDGE2 * blue)];
   }
   function oklch(lightness, chroma, hue) {
@@ -2027,8 +2160,8 @@
   var FINE = 400;
   function band(value, { low, step, count: count2 }) {
     if (Number.isNaN(value)) return count2;
-    const place3 = Math.floor((value - low) / step + STEP_SLACK);
-    return Math.min(count2 - 1, Math.max(0, place3));
+    const place4 = Math.floor((value - low) / step + STEP_SLACK);
+    return Math.min(count2 - 1, Math.max(0, place4));
   }
   function mixed(a2, b2, part) {
     if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
@@ -2081,7 +2214,7 @@
     return places;
   }
   function palette({ colours }) {
-    return [...colours, NONE, ...colours.map(edge), ZERO];
+    return [...colours, NONE, ...colours.map(edge2), ZERO];
   }
 
   // src/map/paint.js
@@ -2160,12 +2293,12 @@
       return canvas;
     }
     /** @param {number} k axis @param {number} place @param {typeof g.across} draw @returns {number} drawing coordinate */
-    #along(k, place3, draw) {
+    #along(k, place4, draw) {
       const along = (
         /** @type {import("../../../view/map/types.js").Axis} */
         this.facts.axes[k]
       );
-      const value = shown(Number(this.axes[k]?.[place3]), along);
+      const value = shown(Number(this.axes[k]?.[place4]), along);
       return draw(value, span(along.low, along.high, 1));
     }
     /** @param {PointerEvent} event @returns {number[]} the point of the grid under the pointer */
@@ -2175,8 +2308,8 @@
       const y2 = (event.clientY - box2.top) / box2.height * this.height;
       const fractions = [(x2 - LEFT2) / (RIGHT2 - LEFT2), (BOTTOM2 - y2) / (BOTTOM2 - TOP2)];
       return this.axes.map(({ length }, k) => {
-        const place3 = Math.round(Number(fractions[k]) * (length - 1));
-        return Math.min(length - 1, Math.max(0, place3));
+        const place4 = Math.round(Number(fractions[k]) * (length - 1));
+        return Math.min(length - 1, Math.max(0, place4));
       });
     }
   };
@@ -2258,7 +2391,7 @@
       grid.columns,
       grid.rows,
       axisText,
-      (place3) => valueText(Number(grid.values[place3]), facts)
+      (place4) => valueText(Number(grid.values[place4]), facts)
     );
     const heads = [...table.querySelectorAll("thead tr:last-child th:not(:first-child)")];
     for (const [k, text] of head.entries()) if (heads[k]) heads[k].textContent = text;
@@ -2317,7 +2450,7 @@
           return new AxisControl(
             root,
             axis2,
-            (place3) => this.#choose(this.#places.map((old, other) => other === k ? place3 : old))
+            (place4) => this.#choose(this.#places.map((old, other) => other === k ? place4 : old))
           );
         });
         this.#controls = new Controls(this, facts.controls, {
@@ -2495,7 +2628,7 @@
       }
       #fillTable() {
         if (!this.#grid || !this.#facts) return;
-        const axisText = (k, place3) => this.#axes[k]?.text(place3) ?? "";
+        const axisText = (k, place4) => this.#axes[k]?.text(place4) ?? "";
         fillTable(need(this, ".carts-map-table table"), this.#grid, axisText, this.#facts);
       }
     };
@@ -3168,91 +3301,58 @@
     document.documentElement.dataset.python = state;
   }
 
-  // ../view/trajectory.js
-  function fromWire(header, numbers) {
-    const { rows, columns, events } = header;
-    const parts2 = { t: new Float64Array(0), x: {}, v: {}, a: {}, F: {}, dF: {}, E: {}, events };
-    columns.forEach(([quantity, ...key], k) => {
-      const column = numbers.subarray(k * rows, (k + 1) * rows);
-      const name2 = String(quantity);
-      if (!key.length) parts2[name2] = column;
-      else {
-        parts2[name2] ??= {};
-        parts2[name2][key.join(" ")] = column;
-      }
-    });
-    return parts2;
-  }
-  function fromBaked(numbers, events) {
-    const parts2 = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts2[quantity] = {};
-      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts2[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
-      }
-    }
-    return parts2;
-  }
-  function isTold({ trajectory }) {
-    return trajectory.t.length > 1;
-  }
-  function rowAt(times2, t3) {
-    let low = 0;
-    let high = times2.length;
-    while (low < high) {
-      const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t3
-      ) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
-  }
-  function valueAt(times2, values, slopes, t3) {
-    const k = rowAt(times2, t3);
-    if (k < 0) return Number(values[0]);
-    if (k >= times2.length - 1) return Number(values[values.length - 1]);
-    return hermite(times2, values, slopes, k, t3);
-  }
-  function hermite(times2, values, slopes, k, t3) {
-    const at3 = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c2, i2) => c2[i2])
-    );
-    const h2 = at3(times2, k + 1) - at3(times2, k);
-    const s3 = (t3 - at3(times2, k)) / h2;
-    if (!slopes) return at3(values, k) + (at3(values, k + 1) - at3(values, k)) * s3;
-    const r2 = 1 - s3;
-    const found2 = at3(values, k) * (1 + 2 * s3) * r2 * r2 + at3(slopes, k) * h2 * s3 * r2 * r2 + at3(values, k + 1) * (1 + 2 * r2) * s3 * s3 - at3(slopes, k + 1) * h2 * r2 * s3 * s3;
-    return Number.isFinite(found2) ? found2 : at3(values, k);
-  }
-
   // ../view/windows.js
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
     const found2 = [];
     for (const event of events) {
-      const pair = event.bodies.join("-");
-      const touch = open2.get(pair);
+      const { bodies, before, t: start } = event;
+      const pair = bodies.join("-");
+      const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
-        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+        open2.set(pair, { touch, before });
+      } else if (event.kind === "release" && !event.impulse) {
+        open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
-      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-        open2.delete(pair);
-        found2.push({ ...touch, end: event.t });
+      } else if (event.kind === "separate" || event.kind === "stick") {
+        const keys = [`loose ${pair}`, pair].filter((key2) => open2.has(key2));
+        const key = keys.length < 2 || begunWith(before, open2.get(String(keys[0]))) ? keys[0] : pair;
+        const over = key && open2.get(key);
+        if (!over) continue;
+        open2.delete(key);
+        found2.push({ ...over.touch, end: event.t });
       }
     }
-    for (const touch of open2.values()) {
-      const peak = peaks.get(touch.pair) ?? until;
+    for (const { touch } of open2.values()) {
+      const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
       found2.push({ ...touch, end: peak > touch.start ? peak : until });
     }
     return found2.filter((touch) => touch.end > touch.start).sort((a2, b2) => a2.start - b2.start);
+  }
+  function begunWith(before, one) {
+    return Object.entries(one?.before ?? {}).every(([name2, v2]) => before[name2] === v2);
+  }
+  var FELT = 0.1;
+  function windowsOf({ header, trajectory }) {
+    const found2 = touches(header.events, header.until);
+    const { t: t3, F: F2 } = trajectory;
+    for (const event of header.events) {
+      const pair = event.bodies.join("-");
+      const column = F2[pair];
+      const within = found2.some(
+        (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end
+      );
+      if (event.kind !== "peak" || within || !column || t3.length < 2) continue;
+      const felt = (k) => Number(column[k]) > FELT * (event.force ?? 0);
+      let [first, last] = [rowAt(t3, event.t), rowAt(t3, event.t)];
+      while (first > 0 && felt(first)) first -= 1;
+      while (last < t3.length - 1 && felt(last)) last += 1;
+      const window = { start: Number(t3[first]), end: Number(t3[last]) };
+      found2.push({ pair, bodies: event.bodies, ...window, near: true });
+    }
+    return found2.sort((a2, b2) => a2.start - b2.start);
   }
   function latestTouch(windows, t3) {
     return windows.findLast((touch) => touch.start <= t3);
@@ -3524,7 +3624,7 @@
       return texts ? sheltered(texts) : memory();
     }
   }
-  function place() {
+  function place2() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
     const meta = (name2) => document.querySelector(`meta[name="${name2}"]`)?.getAttribute("content");
     const path3 = location.pathname.split("/").slice(-2).join("/");
@@ -3580,7 +3680,7 @@
     }
     /** The forces are shown at once where one was found before. */
     async restore() {
-      const { site, page: page2 } = place();
+      const { site, page: page2 } = place2();
       const store = await openStore(site);
       const kept = await store.get(`${page2}#${this.id}`).catch(() => null);
       if (kept?.type !== TYPE) return;
@@ -3675,7 +3775,7 @@
     }
     /** @param {string} typed */
     async #keep(typed) {
-      const { site, page: page2 } = place();
+      const { site, page: page2 } = place2();
       const now = (/* @__PURE__ */ new Date()).toISOString();
       const entry2 = {
         id: this.id,
@@ -3736,7 +3836,7 @@
     return found2;
   }
   function ended({ header }) {
-    return touches(header.events, header.until).filter(({ end }) => end < header.until);
+    return touches(header.events, header.until).filter(({ end: end2 }) => end2 < header.until);
   }
   function touchOf(run, { cart, other }) {
     const found2 = ended(run).find(({ bodies }) => bodies.includes(cart) && bodies.includes(other));
@@ -3776,9 +3876,9 @@
     return told3 ? STILL_PLAYS : NOT_SHOWN;
   }
   function note(scene, message) {
-    const place3 = need(scene, ".carts-note");
-    place3.hidden = !message;
-    say(place3, message);
+    const place4 = need(scene, ".carts-note");
+    place4.hidden = !message;
+    say(place4, message);
   }
   function planOf(run) {
     return (run?.header.plan ?? []).map((phase) => ({ ...phase, why: told2(phase.why) }));
@@ -3881,7 +3981,7 @@
       const curve2 = { label: name2, style: styleOf(i2), over: false };
       switch (quantity) {
         case "x": {
-          const values = Float64Array.from(x2, (place3, k) => place3 - camera * Number(times2[k]));
+          const values = Float64Array.from(x2, (place4, k) => place4 - camera * Number(times2[k]));
           return { ...curve2, values, slopes: seen };
         }
         case "v":
@@ -4009,7 +4109,7 @@
       label: tr("motion of {cart}", { cart: curve2.label })
     }));
     for (const name2 of parts2.names.filter((one) => one !== WARMED)) {
-      const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name2).stored ?? "", "stored"];
+      const [label, style] = name2 === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name2, header), "stored"];
       if (!label) continue;
       const values = column(name2);
       const lowest = values.reduce((least, value) => Math.min(least, value), 0);
@@ -4019,6 +4119,10 @@
     const warm = { values: column(WARMED), style: "warmed", over: false, slopes: null };
     bands.push({ ...warm, label: warmed(header) });
     return bands;
+  }
+  function stored(kind, { effects }) {
+    const { lasts, stored: where = "" } = viewOf(kind);
+    return !lasts || effects.some((one) => one.kind === kind && lasts(one)) ? where : "";
   }
   function warmed({ contacts, effects }) {
     const what = contacts.length ? [tr("bumpers")] : [];
@@ -4608,11 +4712,11 @@
           html("span", "", tr("the run")),
           ...rows.map((row) => cell(row, actual ? 1 : 0, "carts-block-arrow"))
         );
-        const place3 = html("div");
+        const place4 = html("div");
         const words = html("p", "", tr("You: {yours} The run: {seen}", { yours, seen }));
         words.setAttribute("aria-hidden", "true");
-        place3.append(grid, words);
-        return place3;
+        place4.append(grid, words);
+        return place4;
       });
     }
     get #pairs() {
@@ -4860,8 +4964,8 @@
     }
     /** Brings back what the reader left here before. */
     async restore() {
-      this.key = `${place().page}#${this.#entry.id}`;
-      this.#store = await openStore(place().site);
+      this.key = `${place2().page}#${this.#entry.id}`;
+      this.#store = await openStore(place2().site);
       if (this.#store.kind === "memory") {
         say(
           this.saved,
@@ -4886,23 +4990,23 @@
     }
     /** Shows the prediction beside the run. @param {Run} run */
     compare(run) {
-      const place3 = need(this.root, ".carts-compared");
-      place3.replaceChildren(...this.form.compare(run));
+      const place4 = need(this.root, ".carts-compared");
+      place4.replaceChildren(...this.form.compare(run));
       const { before, why } = this.#entry;
       if (before) {
         const both = tr("First you said: {first}. After talking you said: {second}.", {
           first: before.said,
           second: this.form.said
         });
-        place3.append(html("p", "", both));
+        place4.append(html("p", "", both));
       }
       const once = this.form.once?.draw(this.#entry.now ?? null, (now) => {
         this.#entry.now = now;
         this.#told();
         void this.#keep();
       });
-      place3.append(once ?? "");
-      place3.hidden = false;
+      place4.append(once ?? "");
+      place4.hidden = false;
       if (!this.#entry.watched) {
         this.#entry.watched = (/* @__PURE__ */ new Date()).toISOString();
         void this.#keep();
@@ -5139,7 +5243,7 @@
      * @param {HTMLElement} place @param {boolean} scipy whether the page can have it
      * @param {() => void} changed when the reader chooses a method or a step
      */
-    constructor(place3, scipy, changed) {
+    constructor(place4, scipy, changed) {
       this.until = 1;
       this.plan = html("ol", "carts-how-plan");
       this.plan.tabIndex = 0;
@@ -5170,7 +5274,7 @@
       table.append(this.told);
       this.table = html("div", "carts-scroll");
       this.table.append(table);
-      place3.replaceChildren(
+      place4.replaceChildren(
         html("p", "carts-how-head", PLAN),
         this.plan,
         this.cost,
@@ -5193,8 +5297,8 @@
     get choice() {
       const method = this.method.value;
       if (method === EXACT3) return null;
-      const place3 = this.slider.valueAsNumber;
-      return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place3] ?? 1e-9 } : { method, parts: PARTS[place3] ?? 103 };
+      const place4 = this.slider.valueAsNumber;
+      return ADAPTIVE2.includes(method) ? { method, rtol: TOLERANCES[place4] ?? 1e-9 } : { method, parts: PARTS[place4] ?? 103 };
     }
     reset() {
       this.method.value = EXACT3;
@@ -5303,13 +5407,13 @@
       clearTimeout(this.#timer);
       const run = this.#exact ?? this.view.run;
       if (!this.details.open) return;
-      const place3 = need(this.details, ".carts-how-body");
+      const place4 = need(this.details, ".carts-how-body");
       if (!isTold(run)) {
         this.#panel = null;
-        place3.replaceChildren(html("p", "", LOCKED));
+        place4.replaceChildren(html("p", "", LOCKED));
         return;
       }
-      this.#panel ??= new HowPanel(place3, canHaveScipy(), () => void this.#chosen());
+      this.#panel ??= new HowPanel(place4, canHaveScipy(), () => void this.#chosen());
       this.#panel.show(run, this.view.baked.view.decimals.t ?? 2);
       if (this.#panel.choice) return;
       say(this.#panel.cost, this.client.state === "failed" ? NO_PYTHON : MEASURING);
@@ -5426,8 +5530,8 @@
     }
     async #ask() {
       const turn = this.#turn;
-      const place3 = this.#place();
-      const note2 = need(place3, ".carts-ladder-note");
+      const place4 = this.#place();
+      const note2 = need(place4, ".carts-ladder-note");
       say(note2, tr("The scene is run once with each effect and once without …"));
       try {
         const { header } = await this.client.ask(this.#owner, this.message);
@@ -5437,11 +5541,11 @@
           header
         );
         if (!ok) throw new Error("refused");
-        need(place3, ".carts-ladder").replaceChildren(...lines2(rungs, reads));
+        need(place4, ".carts-ladder").replaceChildren(...lines2(rungs, reads));
         say(note2, "");
       } catch {
         if (turn !== this.#turn) return;
-        need(place3, ".carts-ladder").replaceChildren();
+        need(place4, ".carts-ladder").replaceChildren();
         say(note2, tr("What effects would change cannot be computed here."));
       }
     }
@@ -5659,7 +5763,7 @@
     const stage = [...scene.querySelectorAll(".carts-stage")].find((one) => one.clientWidth);
     if (stage) {
       const drawn2 = alone2(stage);
-      const height = place2(drawn2, 0, y2, WIDTH3);
+      const height = place3(drawn2, 0, y2, WIDTH3);
       const sky = getComputedStyle(stage.closest(".carts-world") ?? stage).backgroundColor;
       whole.append(svg("rect", { y: y2, width: WIDTH3, height, fill: sky }), drawn2);
       y2 += height + GAP;
@@ -5674,7 +5778,7 @@
         const x2 = column * half;
         write4(graph2.querySelector(".carts-graph-name")?.textContent ?? "", x2 + GAP, y2 + 12, "700");
         const drawn2 = alone2(plot2);
-        const height = place2(drawn2, x2, y2 + LINE2, half - GAP);
+        const height = place3(drawn2, x2, y2 + LINE2, half - GAP);
         whole.append(drawn2);
         const entries = [...graph2.querySelectorAll(".carts-key > span")];
         entries.forEach((entry2, i2) => {
@@ -5682,7 +5786,7 @@
           const sample = entry2.querySelector("svg");
           if (sample) {
             const swatch = alone2(sample);
-            place2(swatch, x2 + GAP, at3 - 10, 26);
+            place3(swatch, x2 + GAP, at3 - 10, 26);
             whole.append(swatch);
           }
           write4(entry2.textContent ?? "", x2 + GAP + 34, at3, "400");
@@ -5722,7 +5826,7 @@
     });
     return copy;
   }
-  function place2(drawn2, x2, y2, width) {
+  function place3(drawn2, x2, y2, width) {
     const [, , w2 = 1, h2 = 1] = (drawn2.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
     const height = width * h2 / w2;
     for (const [name2, value] of Object.entries({ x: x2, y: y2, width, height })) {
@@ -5759,6 +5863,7 @@
   var BOTH_FORCES = tr(
     "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
   );
+  var APART = "apart";
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
   function motion(velocity3, decimals, scale) {
@@ -5767,8 +5872,12 @@
     const speed = `${fixed(Math.abs(velocity3) / per, decimals)} ${unit}`;
     return velocity3 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  function lawsOf({ contacts, effects }) {
+    const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+    for (const { active, kind, between: between2 } of effects) {
+      if (active && between2 && viewOf(kind).apart) laws[between2.join("-")] = APART;
+    }
+    return laws;
   }
   function isRest(velocity3, scale) {
     return Math.abs(velocity3) < NOISE * scale;
@@ -5796,6 +5905,10 @@
         return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
       }
       case "peak":
+        if (laws[names.join("-")] === APART) {
+          const force2 = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
+          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
+        }
         if (forces2 && event.force) {
           const force2 = `${fixed(event.force, decimals.F ?? 2)} N`;
           return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force: force2 });
@@ -5818,7 +5931,13 @@
       case "start":
         return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
       case "release":
-        return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+        if (impulse || !event.force) {
+          return told3(tr("The exploder between {pair} releases.", { pair }), shown3, after);
+        }
+        return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
+          pair,
+          force: `${fixed(event.force, decimals.F ?? 2)} N`
+        }) : tr("The spring between {pair} is let go.", { pair });
       case "end":
         return tr("End of the run.");
       default:
@@ -6256,12 +6375,12 @@ ${lines4.join("\n")}
   function change(scene, target, value) {
     const keys = target.split(".");
     const path3 = scene.carts?.[String(keys[0])] ? ["carts", ...keys] : effectPath(scene, keys) ?? keys;
-    let place3 = scene;
+    let place4 = scene;
     for (const key of path3.slice(0, -1)) {
-      place3[key] ??= {};
-      place3 = place3[key];
+      place4[key] ??= {};
+      place4 = place4[key];
     }
-    place3[String(path3.at(-1))] = value;
+    place4[String(path3.at(-1))] = value;
   }
   function flow(value) {
     if (Array.isArray(value)) return `[${value.map(flow).join(", ")}]`;
@@ -6288,7 +6407,7 @@ ${lines4.join("\n")}
      * @param {() => Promise<string>} program the scene's model as a text that Python writes
      */
     constructor(root, baked, state, program) {
-      const place3 = need(root, ".carts-take");
+      const place4 = need(root, ".carts-take");
       const { fence } = baked;
       const text = document.createElement("textarea");
       text.readOnly = true;
@@ -6305,7 +6424,7 @@ ${lines4.join("\n")}
         row.append(button);
       }
       const code = html("div", "carts-take-code");
-      place3.append(row, note2, text, code);
+      place4.append(row, note2, text, code);
       const offer = async (made3) => {
         text.hidden = false;
         text.value = made3;
@@ -6336,7 +6455,7 @@ ${lines4.join("\n")}
         },
         block: () => offer(sceneBlock(fence, state().settings))
       };
-      place3.addEventListener("click", async (event) => {
+      place4.addEventListener("click", async (event) => {
         const button = (
           /** @type {Element} */
           event.target.closest("button")
@@ -6542,8 +6661,8 @@ ${lines4.join("\n")}
     async nearest(wanted) {
       this.#loading ??= this.#load();
       const table = await this.#loading;
-      const place3 = presetOf(table, wanted) ?? this.#onGrid(table, wanted);
-      return { ...runAt(table, place3.number), set: place3.set };
+      const place4 = presetOf(table, wanted) ?? this.#onGrid(table, wanted);
+      return { ...runAt(table, place4.number), set: place4.set };
     }
     /** @param {Table} table @param {Settings} wanted */
     #onGrid({ axes }, wanted) {
@@ -6554,9 +6673,9 @@ ${lines4.join("\n")}
       let number = 0;
       for (const axis2 of axes) {
         const asked3 = wanted[axis2.set];
-        const place3 = nearest(axis2.numbers, this.#number(axis2, asked3));
-        number = number * axis2.values.length + place3;
-        if (asked3 !== void 0) set[axis2.set] = axis2.values[place3] ?? asked3;
+        const place4 = nearest(axis2.numbers, this.#number(axis2, asked3));
+        number = number * axis2.values.length + place4;
+        if (asked3 !== void 0) set[axis2.set] = axis2.values[place4] ?? asked3;
       }
       return { number, set };
     }
@@ -6590,10 +6709,10 @@ ${lines4.join("\n")}
     return { number: before + k, set: wanted };
   }
   var plain3 = (settings) => JSON.stringify(Object.entries(settings).sort());
-  function runAt({ headers, numbers }, place3) {
+  function runAt({ headers, numbers }, place4) {
     const sizeOf = (header2) => header2.ok ? header2.rows * header2.columns.length : 0;
-    const start = headers.slice(0, place3).reduce((sum, header2) => sum + sizeOf(header2), 0);
-    const header = headers[place3];
+    const start = headers.slice(0, place4).reduce((sum, header2) => sum + sizeOf(header2), 0);
+    const header = headers[place4];
     return { header, numbers: numbers.subarray(start, start + sizeOf(header)) };
   }
 
@@ -6807,20 +6926,20 @@ ${lines4.join("\n")}
     const time = tr("At {time} s:", { time: fixed(t3, decimals.t ?? 3) });
     const carts = header.bodies.slice(0, FEW2).map(({ name: name2 }) => {
       const [x2, v2, a2] = [trajectory.x[name2], trajectory.v[name2], trajectory.a[name2]];
-      const place3 = valueAt(trajectory.t, x2 ?? [], v2 ?? [], t3) - camera * t3;
+      const place4 = valueAt(trajectory.t, x2 ?? [], v2 ?? [], t3) - camera * t3;
       const speed = valueAt(trajectory.t, v2 ?? [], a2 ?? [], t3) - camera;
       const seen = Math.abs(speed) < NOISE * view.velocity ? 0 : speed;
       return tr("{cart} at {place} m, {velocity}.", {
         cart: name2,
-        place: fixed(place3, decimals.x ?? 3),
+        place: fixed(place4, decimals.x ?? 3),
         velocity: motion(seen, decimals.v ?? 2, view.velocity)
       });
     });
-    return [time, ...carts, ...forces2 ? pushes(header, trajectory, t3, decimals.F ?? 2) : []].join(
+    return [time, ...carts, ...forces2 ? pushes2(header, trajectory, t3, decimals.F ?? 2) : []].join(
       " "
     );
   }
-  function pushes({ contacts }, { t: times2, F: F2, dF }, t3, decimals) {
+  function pushes2({ contacts }, { t: times2, F: F2, dF }, t3, decimals) {
     return contacts.flatMap(({ pair, bodies: [left, right] }) => {
       const force2 = F2[pair] ? valueAt(times2, F2[pair], dF[pair] ?? null, t3) : 0;
       const size = fixed(Math.abs(force2), decimals);
@@ -6912,8 +7031,8 @@ ${lines4.join("\n")}
             held.sent = value;
             acts.change(control, value, event.timeStamp);
           });
-          for (const end of ["pointerup", "pointercancel"]) {
-            group2.addEventListener(end, () => {
+          for (const end2 of ["pointerup", "pointercancel"]) {
+            group2.addEventListener(end2, () => {
               this.#held = null;
             });
           }
@@ -6950,7 +7069,7 @@ ${lines4.join("\n")}
     /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
-      this.#windows = windows;
+      this.#windows = windows.filter(({ near }) => !near);
       this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
       let most = this.#first;
       for (const { values } of this.#curves) {
@@ -7053,8 +7172,8 @@ ${lines4.join("\n")}
   var HEIGHT2 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE = WIDTH4 / 2;
-  var APART = 8;
+  var MIDDLE2 = WIDTH4 / 2;
+  var APART2 = 8;
   var FULL = 95;
   var FreeBody = class {
     /** @type {Run | null} */
@@ -7082,7 +7201,7 @@ ${lines4.join("\n")}
     /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
-      this.#windows = windows;
+      this.#windows = windows.filter(({ near }) => !near);
     }
     /** @param {number} t in s */
     at(t3) {
@@ -7160,11 +7279,11 @@ ${lines4.join("\n")}
   function tail({ way, side, value }) {
     if (way === "up") {
       const middle = (BOX.top + BOX.bottom) / 2;
-      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
+      return value < 0 ? [MIDDLE2 - APART2, middle] : [MIDDLE2 + APART2, BOX.bottom];
     }
-    if (side === "middle") return [MIDDLE, AXIS];
-    if (side === "below") return [MIDDLE, BOX.bottom];
-    if (side === "above") return [MIDDLE, BOX.top];
+    if (side === "middle") return [MIDDLE2, AXIS];
+    if (side === "below") return [MIDDLE2, BOX.bottom];
+    if (side === "above") return [MIDDLE2, BOX.top];
     return [side === "left" ? BOX.left : BOX.right, AXIS];
   }
 
@@ -7222,7 +7341,7 @@ ${lines4.join("\n")}
     /** @param {number} t in s */
     at(t3) {
       const run = this.#run;
-      const touch = this.#windows.find(({ end }) => t3 <= end) ?? this.#windows.at(-1);
+      const touch = this.#windows.find(({ end: end2 }) => t3 <= end2) ?? this.#windows.at(-1);
       put(this.plot, "visibility", touch ? "visible" : "hidden");
       this.root.classList.toggle(
         "carts-is-slow",
@@ -7240,6 +7359,10 @@ ${lines4.join("\n")}
       [left, right].forEach((side, k) => {
         this.#draw(k, side, Number(faces[k]), middle, force2);
       });
+      const pushed = touch.loose && t3 >= touch.start && t3 <= touch.end;
+      const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
+      const wire = coil(at3(left.face), at3(right.face), TRACK - 14, void 0, 6);
+      put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
       const pair = listed(touch.bodies.map(body));
       const gap = right.face - left.face;
       const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
@@ -7268,22 +7391,22 @@ ${lines4.join("\n")}
       const index = this.#run?.header.bodies.findIndex(({ name: name3 }) => name3 === side.name) ?? -1;
       put(group2, "class", index < 0 ? "carts-wall" : `carts-b${index % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge2, end] = [at3(side.edge), at3(face)];
+      const [edge3, end2] = [at3(side.edge), at3(face)];
       const rect = need(group2, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge2 - 2 * WIDTH5 : edge2));
+      put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH5 : edge3));
       const bent = need(group2, '[data-part="spring"]');
-      put(bent, "d", side.bumper ? spring(edge2 / SCALE, end / SCALE) : "");
+      put(bent, "d", side.bumper ? spring(edge3 / SCALE, end2 / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group2, '[data-part="face"]');
-      put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
+      put(plate, "transform", `translate(${px(end2 - 3 * way)} 0)`);
       const name2 = need(group2, '[data-part="name"]');
-      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge2 - 22 * way));
+      const inside = Math.min(WIDTH5 - 34, Math.max(34, edge3 - 22 * way));
       put(name2, "x", px(inside));
       say(name2, index < 0 ? tr("wall") : side.name);
       const arrow2 = need(group2, '[data-part="arrow"]');
       const cut = isCut(force2, this.view.force);
       const length = -way * arrowLength(force2, this.view.force, this.#perForce);
-      put(arrow2, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
+      put(arrow2, "d", (cut ? cutArrow : blockArrow)(end2, TRACK - 46, length));
     }
   };
   function lengthText(metres) {
@@ -7478,8 +7601,8 @@ ${lines4.join("\n")}
       const { layout, camera } = this.stage;
       header.bodies.forEach(({ name: name2 }, i2) => {
         const [x2, v2] = [trajectory.x[name2] ?? [], trajectory.v[name2] ?? []];
-        const place3 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
-        const at3 = `translate(${px(place3)} ${px(layout.track)})`;
+        const place4 = layout.origin + (valueAt(trajectory.t, x2, v2, t3) - camera * t3) * layout.scale;
+        const at3 = `translate(${px(place4)} ${px(layout.track)})`;
         this.#group?.children[i2]?.setAttribute("transform", at3);
       });
     }
@@ -7591,10 +7714,10 @@ ${lines4.join("\n")}
         const hint = tr("Move into a touch: the shaded area is the impulse.");
         return say(this.note, this.windows.length ? hint : "");
       }
-      const end = Math.min(t3, touch.end);
+      const end2 = Math.min(t3, touch.end);
       const outline2 = (sign) => {
         const points = Array.from({ length: POINTS2 + 1 }, (_2, k) => {
-          const at3 = touch.start + (end - touch.start) * k / POINTS2;
+          const at3 = touch.start + (end2 - touch.start) * k / POINTS2;
           const force2 = sign * contactForce(run, touch.pair, at3, 0);
           return `${px(timeX(plane, at3))} ${px(valueY(plane, force2))}`;
         });
@@ -7613,9 +7736,9 @@ ${lines4.join("\n")}
         "d",
         outline2(-1)
       );
-      const impulse = area(run, touch.pair, touch.start, end);
+      const impulse = area(run, touch.pair, touch.start, end2);
       const [names, amount3] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
-      const parts2 = changes(run, this.windows, touch, end).filter(({ change: change2 }) => change2 !== null).map(
+      const parts2 = changes(run, this.windows, touch, end2).filter(({ change: change2 }) => change2 !== null).map(
         ({ name: name2, change: change2 }) => tr("m Δv of {name}: {change}", { name: name2, change: fixed(change2 ?? 0, this.decimals) })
       );
       const shaded = t3 >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount3 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount3 });
@@ -7691,10 +7814,10 @@ ${lines4.join("\n")}
   }
   function together2(windows) {
     const groups = [];
-    for (const { start, end } of windows) {
+    for (const { start, end: end2 } of windows) {
       const last = groups.at(-1);
-      if (last && start < last.end) last.end = Math.max(last.end, end);
-      else groups.push({ start, end });
+      if (last && start < last.end) last.end = Math.max(last.end, end2);
+      else groups.push({ start, end: end2 });
     }
     return groups;
   }
@@ -7881,10 +8004,11 @@ ${lines4.join("\n")}
       return [...times2].filter((t3) => t3 <= this.#seen).sort((a2, b2) => a2 - b2);
     }
   };
-  function contactTimes({ header, trajectory }) {
+  function contactTimes(run) {
+    const { trajectory } = run;
     const last = Number(trajectory.t[trajectory.t.length - 1]);
-    return touches(header.events, header.until).slice(0, MOST_CONTACTS).flatMap(
-      ({ start, end }) => Array.from({ length: WITHIN }, (_2, k) => start + (k + 1) / (WITHIN + 1) * (end - start))
+    return windowsOf(run).slice(0, MOST_CONTACTS).flatMap(
+      ({ start, end: end2 }) => Array.from({ length: WITHIN }, (_2, k) => start + (k + 1) / (WITHIN + 1) * (end2 - start))
     ).filter((t3) => t3 <= last);
   }
   function tableTimes({ header, trajectory }) {
@@ -8074,8 +8198,8 @@ ${lines4.join("\n")}
         put(line2, "d", path2(curve2, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
-      const end = Math.min(RIGHT3, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
-      if (room) put(room, "width", px(end - LEFT4 + 1));
+      const end2 = Math.min(RIGHT3, Math.max(LEFT4, timeX(this.#plane, this.#seen)));
+      if (room) put(room, "width", px(end2 - LEFT4 + 1));
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -8284,18 +8408,23 @@ ${lines4.join("\n")}
         },
         { signal }
       );
-      for (const end of ["pointerup", "pointercancel"]) {
-        addEventListener(end, () => leaving2.abort(), { signal });
+      for (const end2 of ["pointerup", "pointercancel"]) {
+        addEventListener(end2, () => leaving2.abort(), { signal });
       }
     });
     return group2;
   }
 
   // ../view/effects-props.js
-  function props(header, layout, t3, face, centre) {
-    return header.effects.filter((effect) => actsAt(effect, t3)).flatMap((effect) => {
+  function isSeen(effect, t3) {
+    const { seen } = viewOf(effect.kind);
+    return seen ? effect.active && seen(effect, t3) : actsAt(effect, t3);
+  }
+  function props(run, layout, t3, face, centre) {
+    const { header } = run;
+    return header.effects.filter((effect) => isSeen(effect, t3)).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key, header, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t: t3, layout, face, centre }) ?? [];
     });
   }
 
@@ -8333,7 +8462,7 @@ ${lines4.join("\n")}
     at(t3, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run.header, this.layout, t3, face, centre);
+      const pieces = props(run, this.layout, t3, face, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t3, centre));
       const seen = new Set(pieces.map(({ key }) => key));
       for (const [key, element] of this.#drawn) {
@@ -8471,7 +8600,7 @@ ${lines4.join("\n")}
           put(need(group2, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y2, way * length));
         });
         const touching = this.#windows.some(
-          (w2) => w2.pair === push.pair && t3 >= w2.start && t3 <= w2.end
+          (w2) => w2.pair === push.pair && !w2.loose && !w2.near && t3 >= w2.start && t3 <= w2.end
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
@@ -8527,8 +8656,8 @@ ${lines4.join("\n")}
       const [low, high] = this.#between();
       if (high - low >= left + right + 2 * GAP3 && !push.bodies.some(isWall)) {
         const begin = Math.min(Math.max(x2 + GAP3, low + left + 2 * GAP3), high - right);
-        const end = Math.max(low + left, Math.min(x2 - GAP3, begin - 2 * GAP3));
-        write3(first, labels2[0] ?? "", end, push.row, "end");
+        const end2 = Math.max(low + left, Math.min(x2 - GAP3, begin - 2 * GAP3));
+        write3(first, labels2[0] ?? "", end2, push.row, "end");
         write3(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
       }
@@ -8546,10 +8675,10 @@ ${lines4.join("\n")}
     #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
-      const end = origin + (track?.length ?? 0) * scale;
+      const end2 = origin + (track?.length ?? 0) * scale;
       return [
         track?.left === "wall" ? Math.max(EDGE3, origin + GAP3) : EDGE3,
-        track?.right === "wall" ? Math.min(width - EDGE3, end - GAP3) : width - EDGE3
+        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP3) : width - EDGE3
       ];
     }
     /** @param {number} size in N */
@@ -8744,9 +8873,9 @@ ${lines4.join("\n")}
       for (let gap = 0; gap <= bodies.length; gap += 1) {
         const [a2, b2] = [this.#carts[gap - 1], this.#carts[gap]];
         if (!a2 && track.left !== "wall" || !b2 && track.right !== "wall") continue;
-        const end = a2 ? Number(centres[gap - 1]) + a2.half : at3(0);
+        const end2 = a2 ? Number(centres[gap - 1]) + a2.half : at3(0);
         const start = b2 ? Number(centres[gap]) - b2.half : at3(track.length ?? 0);
-        const overlap = Math.max(0, end - start);
+        const overlap = Math.max(0, end2 - start);
         const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
         const rest = Math.min(b2?.bumper ?? 0, overlap - share);
         if (b2) left[gap] = rest;
@@ -8807,8 +8936,8 @@ ${lines4.join("\n")}
     const found2 = [];
     for (const { name: name2, length } of header.bodies) {
       const half = length / 2;
-      const place3 = (t3) => valueAt(times2, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
-      const isOut = (t3) => Math.max(place3(t3) - half - high, low - place3(t3) - half) > 0;
+      const place4 = (t3) => valueAt(times2, places[name2] ?? [], v2[name2] ?? [], t3) - camera * t3;
+      const isOut = (t3) => Math.max(place4(t3) - half - high, low - place4(t3) - half) > 0;
       const row = Array.prototype.findIndex.call(times2, isOut);
       if (row < 1) continue;
       let before = Number(times2[row - 1]);
@@ -8819,7 +8948,7 @@ ${lines4.join("\n")}
         else before = middle;
       }
       const velocity3 = valueAt(times2, v2[name2] ?? [], a2[name2] ?? [], after) - camera;
-      found2.push({ t: after, name: name2, side: place3(after) > high ? "right" : "left", velocity: velocity3 });
+      found2.push({ t: after, name: name2, side: place4(after) > high ? "right" : "left", velocity: velocity3 });
     }
     return found2;
   }
@@ -8864,7 +8993,7 @@ ${lines4.join("\n")}
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
-      const laws = lawsOf(header.contacts);
+      const laws = lawsOf(header);
       this.told = [
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
@@ -8942,11 +9071,11 @@ ${lines4.join("\n")}
     /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
-      const pushes2 = isTold(run) ? marks(header, false) : [];
+      const pushes3 = isTold(run) ? marks(header, false) : [];
       this.#touches = windows;
       this.#events = [
         ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end"),
-        ...pushes2.map(({ t: t3 }) => ({ t: t3, kind: "push" }))
+        ...pushes3.map(({ t: t3 }) => ({ t: t3, kind: "push" }))
       ];
       if (this.#until !== header.until) this.#renumber(header.until);
       this.#mark();
@@ -8962,13 +9091,13 @@ ${lines4.join("\n")}
       const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
       const events = this.#events.filter(({ t: t3 }) => t3 <= this.#seen);
       fit(this.bands, touches2.length, () => svg("rect", BAND));
-      touches2.forEach(({ start, end }, k) => {
+      touches2.forEach(({ start, end: end2 }, k) => {
         const band3 = (
           /** @type {Element} */
           this.bands.children[k]
         );
         put(band3, "x", at3(start));
-        put(band3, "width", at3(Math.min(end, this.#seen) - start));
+        put(band3, "width", at3(Math.min(end2, this.#seen) - start));
       });
       fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
       events.forEach(({ t: t3, kind }, k) => {
@@ -9042,9 +9171,8 @@ ${lines4.join("\n")}
     }
     /** Puts a run on the page. @param {Run} run @param {number} t the instant shown, in s */
     show(run, t3) {
-      const { header } = run;
       this.run = run;
-      this.windows = touches(header.events, header.until);
+      this.windows = windowsOf(run);
       this.#words();
       this.stand();
       for (const graph2 of this.graphs) graph2.show(run, t3);
@@ -9092,9 +9220,9 @@ ${lines4.join("\n")}
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */
     #offerWindows() {
-      const begun = this.windows.filter(({ start }) => start <= this.#seen);
-      if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
-      const options = begun.map(({ bodies, start }, i2) => {
+      const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
+      if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
+      const options = begun2.map(({ bodies, start }, i2) => {
         const names = bodies.map(brief).join("–");
         const option2 = html(
           "option",
@@ -9161,7 +9289,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
      * @param {{graph: (quantity: string, seen: boolean) => void, view: (key: string, seen: boolean) => void, playing: (key: string, on: boolean) => void, areas: (on: boolean) => void}} acts
      */
     constructor(root, baked, views, now, acts) {
-      const place3 = need(root, ".carts-choices");
+      const place4 = need(root, ".carts-choices");
       const { show, forces: forces2, slow: slow2 } = baked.fence;
       const graphs = Object.keys(QUANTITIES).filter((quantity) => forces2 === "shown" || !FORCES.includes(quantity)).map((quantity) => ({
         key: quantity,
@@ -9173,7 +9301,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       const still = { key: "stills", label: STILLS, seen: now.stills };
       const sound = { key: "sound", label: SOUND, seen: now.sound };
       const stops = { key: "stops", label: STOPS, seen: slow2 === "stops" };
-      place3.replaceChildren(
+      place4.replaceChildren(
         group(tr("Graphs"), graphs, acts.graph),
         group(tr("Views"), views, acts.view),
         group(tr("Picture"), [areas], (_2, on) => acts.areas(on)),
@@ -9415,8 +9543,8 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       this.drawing.show(run, this.player.time);
       this.player.until = header.until;
       this.player.parts = slowParts(this.drawing.windows);
-      const pushes2 = isTold(run) ? marks(header, false) : [];
-      this.player.stops = [...header.events, ...pushes2].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
+      const pushes3 = isTold(run) ? marks(header, false) : [];
+      this.player.stops = [...header.events, ...pushes3].map(({ t: t3 }) => t3).sort((a2, b2) => a2 - b2);
       this.player.halts = header.events.filter(({ kind }) => HALTS.has(kind)).map(({ t: t3 }) => t3);
       this.#zoom();
       this.player.seek(this.player.time);
@@ -9477,7 +9605,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
     }
     /** @param {string} quantity @param {boolean} seen */
     #chooseGraph(quantity, seen) {
-      const place3 = need(this.root, ".carts-graphs");
+      const place4 = need(this.root, ".carts-graphs");
       const { graphs } = this.drawing;
       const there = graphs.find((graph3) => graph3.quantity === quantity);
       if (!seen && there) {
@@ -9486,7 +9614,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
       }
       if (!seen || there) return;
       const graph2 = new GraphView(emptyGraph(this.baked, quantity), this.baked, this.seek);
-      place3.insertBefore(graph2.root, need(place3, ".carts-story"));
+      place4.insertBefore(graph2.root, need(place4, ".carts-story"));
       graphs.push(graph2);
       graph2.enable();
       graph2.behind = this.behind;

@@ -209,9 +209,9 @@
       this.state = EntityDecoderState.NumericDecimal;
       return this.stateNumericDecimal(input, offset);
     }
-    addToNumericResult(input, start, end, base) {
-      if (start !== end) {
-        const digitCount = end - start;
+    addToNumericResult(input, start, end2, base) {
+      if (start !== end2) {
+        const digitCount = end2 - start;
         this.result = this.result * Math.pow(base, digitCount) + Number.parseInt(input.substr(start, digitCount), base);
         this.consumed += digitCount;
       }
@@ -1475,14 +1475,14 @@
       this.reset();
       this.end(data);
     }
-    getSlice(start, end) {
+    getSlice(start, end2) {
       while (start - this.bufferOffset >= this.buffers[0].length) {
         this.shiftBuffer();
       }
-      let slice = this.buffers[0].slice(start - this.bufferOffset, end - this.bufferOffset);
-      while (end - this.bufferOffset > this.buffers[0].length) {
+      let slice = this.buffers[0].slice(start - this.bufferOffset, end2 - this.bufferOffset);
+      while (end2 - this.bufferOffset > this.buffers[0].length) {
         this.shiftBuffer();
-        slice += this.buffers[0].slice(0, end - this.bufferOffset);
+        slice += this.buffers[0].slice(0, end2 - this.bufferOffset);
       }
       return slice;
     }
@@ -2922,9 +2922,9 @@
     knownAdjacent(prev, current);
     knownAdjacent(getEnd(current), next);
   };
-  var knownSegment = (prev, start, end, next) => {
+  var knownSegment = (prev, start, end2, next) => {
     knownAdjacent(prev, start);
-    knownAdjacent(getEnd(end), next);
+    knownAdjacent(getEnd(end2), next);
   };
   var knownSiblings = (prev, current, next) => {
     knownAdjacent(prev, current);
@@ -2978,8 +2978,8 @@
       triggerConnected(element);
       if (shadowRoots.has(element))
         element = shadowRoots.get(element).shadowRoot;
-      let { [NEXT]: next, [END]: end } = element;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = element;
+      while (next !== end2) {
         if (next.nodeType === ELEMENT_NODE)
           triggerConnected(next);
         next = next[NEXT];
@@ -2992,8 +2992,8 @@
       triggerDisconnected(element);
       if (shadowRoots.has(element))
         element = shadowRoots.get(element).shadowRoot;
-      let { [NEXT]: next, [END]: end } = element;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = element;
+      while (next !== end2) {
         if (next.nodeType === ELEMENT_NODE)
           triggerDisconnected(next);
         next = next[NEXT];
@@ -3106,17 +3106,17 @@
   };
   var { Parser: Parser2 } = HTMLParser2;
   var append$1 = (self, node, active) => {
-    const end = self[END];
+    const end2 = self[END];
     node.parentNode = self;
-    knownBoundaries(end[PREV], node, end);
+    knownBoundaries(end2[PREV], node, end2);
     if (active && node.nodeType === ELEMENT_NODE)
       connectedCallback(node);
     return node;
   };
-  var attribute = (element, end, attribute2, value, active) => {
+  var attribute = (element, end2, attribute2, value, active) => {
     attribute2[VALUE] = value;
     attribute2.ownerElement = element;
-    knownSiblings(end[PREV], attribute2, end);
+    knownSiblings(end2[PREV], attribute2, end2);
     if (attribute2.name === "class")
       element.className = value;
     if (active)
@@ -3157,9 +3157,9 @@
         }
         if (create2)
           node = append$1(node, document3.createElement(name), false);
-        let end = node[END];
+        let end2 = node[END];
         for (const name2 of keys(attributes2))
-          attribute(node, end, document3.createAttribute(name2), attributes2[name2], active);
+          attribute(node, end2, document3.createAttribute(name2), attributes2[name2], active);
       },
       // #text, #comment
       oncomment(data) {
@@ -3201,8 +3201,8 @@
       htmlClasses.set(name.toUpperCase(), Class);
     }
   };
-  var loopSegment = ({ [NEXT]: next, [END]: end }, json) => {
-    while (next !== end) {
+  var loopSegment = ({ [NEXT]: next, [END]: end2 }, json) => {
+    while (next !== end2) {
       switch (next.nodeType) {
         case ATTRIBUTE_NODE:
           attrAsJSON(next, json);
@@ -5470,10 +5470,10 @@
      * @returns {NodeStruct | null}
      */
     get firstChild() {
-      let { [NEXT]: next, [END]: end } = this;
+      let { [NEXT]: next, [END]: end2 } = this;
       while (next.nodeType === ATTRIBUTE_NODE)
         next = next[NEXT];
-      return next === end ? null : next;
+      return next === end2 ? null : next;
     }
     /**
      * @returns {NodeStruct | null}
@@ -5516,21 +5516,21 @@
       insert(this, this[END], nodes);
     }
     replaceChildren(...nodes) {
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end && next.nodeType === ATTRIBUTE_NODE)
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2 && next.nodeType === ATTRIBUTE_NODE)
         next = next[NEXT];
-      while (next !== end) {
+      while (next !== end2) {
         const after2 = getEnd(next)[NEXT];
         next.remove();
         next = after2;
       }
       if (nodes.length)
-        insert(this, end, nodes);
+        insert(this, end2, nodes);
     }
     getElementsByClassName(className) {
       const elements = new NodeList();
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         if (next.nodeType === ELEMENT_NODE && next.hasAttribute("class") && next.classList.has(className))
           elements.push(next);
         next = next[NEXT];
@@ -5539,8 +5539,8 @@
     }
     getElementsByTagName(tagName2) {
       const elements = new NodeList();
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         if (next.nodeType === ELEMENT_NODE && (next.localName === tagName2 || localCase(next) === tagName2))
           elements.push(next);
         next = next[NEXT];
@@ -5549,8 +5549,8 @@
     }
     querySelector(selectors) {
       const matches2 = prepareMatch(this, selectors);
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         if (next.nodeType === ELEMENT_NODE && matches2(next))
           return next;
         next = next.nodeType === ELEMENT_NODE && next.localName === "template" ? next[END] : next[NEXT];
@@ -5560,8 +5560,8 @@
     querySelectorAll(selectors) {
       const matches2 = prepareMatch(this, selectors);
       const elements = new NodeList();
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         if (next.nodeType === ELEMENT_NODE && matches2(next))
           elements.push(next);
         next = next.nodeType === ELEMENT_NODE && next.localName === "template" ? next[END] : next[NEXT];
@@ -5622,8 +5622,8 @@
       return node;
     }
     normalize() {
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         const { [NEXT]: $next, [PREV]: $prev, nodeType } = next;
         if (nodeType === TEXT_NODE) {
           if (!next[VALUE])
@@ -5651,8 +5651,8 @@
   };
   var NonElementParentNode = class extends ParentNode {
     getElementById(id) {
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         if (next.nodeType === ELEMENT_NODE && next.id === id)
           return next;
         next = next[NEXT];
@@ -5663,9 +5663,9 @@
       const { ownerDocument, constructor } = this;
       const nonEPN = new constructor(ownerDocument);
       if (deep) {
-        const { [END]: end } = nonEPN;
+        const { [END]: end2 } = nonEPN;
         for (const node of this.childNodes)
-          nonEPN.insertBefore(node.cloneNode(deep), end);
+          nonEPN.insertBefore(node.cloneNode(deep), end2);
       }
       return nonEPN;
     }
@@ -6190,11 +6190,11 @@
     // <contentRelated>
     get innerText() {
       const text3 = [];
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         if (next.nodeType === TEXT_NODE) {
           text3.push(next.textContent.replace(/\s+/g, " "));
-        } else if (text3.length && next[NEXT] != end && BLOCK_ELEMENTS.has(next.tagName)) {
+        } else if (text3.length && next[NEXT] != end2 && BLOCK_ELEMENTS.has(next.tagName)) {
           text3.push("\n");
         }
         next = next[NEXT];
@@ -6206,8 +6206,8 @@
      */
     get textContent() {
       const text3 = [];
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         const nodeType = next.nodeType;
         if (nodeType === TEXT_NODE || nodeType === CDATA_SECTION_NODE)
           text3.push(next.textContent);
@@ -6446,7 +6446,7 @@
     // <custom>
     toString() {
       const out = [];
-      const { [END]: end } = this;
+      const { [END]: end2 } = this;
       let next = { [NEXT]: this };
       let isOpened = false;
       do {
@@ -6497,7 +6497,7 @@
             isOpened = false;
             break;
         }
-      } while (next !== end);
+      } while (next !== end2);
       return out.join("");
     }
     toJSON() {
@@ -9746,17 +9746,17 @@
       }
     }
   );
-  var deleteContents = ({ [START]: start, [END]: end }, fragment = null) => {
-    setAdjacent(start[PREV], end[NEXT]);
+  var deleteContents = ({ [START]: start, [END]: end2 }, fragment = null) => {
+    setAdjacent(start[PREV], end2[NEXT]);
     do {
       const after2 = getEnd(start);
-      const next = after2 === end ? after2 : after2[NEXT];
+      const next = after2 === end2 ? after2 : after2[NEXT];
       if (fragment)
         fragment.insertBefore(start, fragment[END]);
       else
         start.remove();
       start = next;
-    } while (start !== end);
+    } while (start !== end2);
   };
   var Range = class _Range {
     constructor() {
@@ -9802,12 +9802,12 @@
       this[END] = getEnd(node);
     }
     cloneContents() {
-      let { [START]: start, [END]: end } = this;
+      let { [START]: start, [END]: end2 } = this;
       const fragment = start.ownerDocument.createDocumentFragment();
-      while (start !== end) {
+      while (start !== end2) {
         fragment.insertBefore(start.cloneNode(true), fragment[END]);
         start = getEnd(start);
-        if (start !== end)
+        if (start !== end2)
           start = start[NEXT];
       }
       return fragment;
@@ -9864,14 +9864,14 @@
       this.root = root;
       this.currentNode = root;
       this.whatToShow = whatToShow;
-      let { [NEXT]: next, [END]: end } = root;
+      let { [NEXT]: next, [END]: end2 } = root;
       if (root.nodeType === DOCUMENT_NODE) {
         const { documentElement } = root;
         next = documentElement;
-        end = documentElement[END];
+        end2 = documentElement[END];
       }
       const nodes = [];
-      while (next && next !== end) {
+      while (next && next !== end2) {
         if (isOK(next, whatToShow))
           nodes.push(next);
         next = next[NEXT];
@@ -9885,8 +9885,8 @@
     }
   };
   var query = (method, ownerDocument, selectors) => {
-    let { [NEXT]: next, [END]: end } = ownerDocument;
-    return method.call({ ownerDocument, [NEXT]: next, [END]: end }, selectors);
+    let { [NEXT]: next, [END]: end2 } = ownerDocument;
+    return method.call({ ownerDocument, [NEXT]: next, [END]: end2 }, selectors);
   };
   var globalExports = assign(
     {},
@@ -10059,10 +10059,10 @@
       const document3 = new constructor();
       document3[CUSTOM_ELEMENTS] = customElements2;
       if (deep) {
-        const end = document3[END];
+        const end2 = document3[END];
         const { childNodes } = this;
         for (let { length } = childNodes, i = 0; i < length; i++)
-          document3.insertBefore(childNodes[i].cloneNode(true), end);
+          document3.insertBefore(childNodes[i].cloneNode(true), end2);
         if (doctype)
           document3[DOCTYPE] = childNodes[0];
       }
@@ -10084,8 +10084,8 @@
         switch (node.nodeType) {
           case ELEMENT_NODE:
           case DOCUMENT_FRAGMENT_NODE: {
-            let { [NEXT]: next, [END]: end } = node;
-            while (next !== end) {
+            let { [NEXT]: next, [END]: end2 } = node;
+            while (next !== end2) {
               if (next.nodeType === ELEMENT_NODE)
                 upgrade(next);
               next = next[NEXT];
@@ -10146,8 +10146,8 @@
     }
     get all() {
       const nodeList = new NodeList();
-      let { [NEXT]: next, [END]: end } = this;
-      while (next !== end) {
+      let { [NEXT]: next, [END]: end2 } = this;
+      while (next !== end2) {
         switch (next.nodeType) {
           case ELEMENT_NODE:
             nodeList.push(next);
@@ -10732,8 +10732,8 @@ ${rows.map(row)}</tbody>
   var FINE = 400;
   function band(value, { low, step, count }) {
     if (Number.isNaN(value)) return count;
-    const place = Math.floor((value - low) / step + STEP_SLACK);
-    return Math.min(count - 1, Math.max(0, place));
+    const place2 = Math.floor((value - low) / step + STEP_SLACK);
+    return Math.min(count - 1, Math.max(0, place2));
   }
   function mixed(a, b, part) {
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
@@ -10928,10 +10928,10 @@ ${table2(facts, draw)}
 <noscript><p class="carts-noscript">The picture and the table show the values. Asking single points needs JavaScript.</p></noscript>
 </div>`;
   }
-  var valueAt = ({ values }, place) => values[place] ?? Number.NaN;
-  function axisText(facts, axis2, place) {
+  var valueAt = ({ values }, place2) => values[place2] ?? Number.NaN;
+  function axisText(facts, axis2, place2) {
     const along = facts.axes[axis2];
-    return along ? fixed(shown(Number(along.values[place]), along), axisDecimals2(along)) : "";
+    return along ? fixed(shown(Number(along.values[place2]), along), axisDecimals2(along)) : "";
   }
   function over(facts, draw) {
     const height = heightOf(facts);
@@ -10946,9 +10946,9 @@ ${table2(facts, draw)}
   function side(facts, { id }) {
     const { label, unit, axes: axes2, here, of, controls } = facts;
     const points = axes2.map(({ set, label: name, unit: measured2, values }, k) => {
-      const place = here[k] ?? 0;
-      const text3 = axisText(facts, k, place);
-      const range = html`min="0" max=${values.length - 1} step="1" value=${place}`;
+      const place2 = here[k] ?? 0;
+      const text3 = axisText(facts, k, place2);
+      const range = html`min="0" max=${values.length - 1} step="1" value=${place2}`;
       return slider({ id, set, label: name, unit: measured2, range, text: text3 }, " carts-map-axis");
     });
     const further = controls.map(({ set, label: name, unit: measured2, low, high, step, value }) => {
@@ -10986,8 +10986,8 @@ ${further}</div>`;
     const { head, lines: lines3 } = tableOf(
       columns,
       second?.values.length ?? 1,
-      (axis2, place) => axisText(facts, axis2, place),
-      (place) => valueText(valueAt(draw, place), facts)
+      (axis2, place2) => axisText(facts, axis2, place2),
+      (place2) => valueText(valueAt(draw, place2), facts)
     );
     const heads = second ? head : [facts.label];
     const across3 = html`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
@@ -11197,10 +11197,10 @@ ${table3(facts)}
       });
     }
     const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const end2 = track.right === "wall" ? face("right", "left") : 2 * layout.width;
     const tooth = 2 * TOOTH;
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
-    const d = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    const d = teeth(first, Math.min(end2, layout.width) - first, layout.track);
     return [{ ...piece, key: key2, d }];
   }
   function teeth(x, length, y) {
@@ -11267,6 +11267,7 @@ ${table3(facts)}
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between: between2 }, { key: key2, layout, face }) {
@@ -11340,7 +11341,7 @@ ${table3(facts)}
     const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
   }
-  function spring(start, end) {
+  function spring(start, end2) {
     const low = (
       /** @type {number} */
       SPRING[0]
@@ -11349,15 +11350,15 @@ ${table3(facts)}
       /** @type {number} */
       SPRING[1]
     );
-    const step = (end - start) / 4;
+    const step = (end2 - start) / 4;
     let d = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
       d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
     }
-    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+    return `${d}L${px(end2)} ${px(-(low + high) / 2)}`;
   }
-  function coil(start, end, y, turns = TURNS, high = COIL) {
-    const span2 = Math.max(0, end - start);
+  function coil(start, end2, y, turns = TURNS, high = COIL) {
+    const span2 = Math.max(0, end2 - start);
     const lead = Math.min(LEAD, span2 / 4);
     const step = (span2 - 2 * lead) / turns;
     let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
@@ -11410,36 +11411,126 @@ ${table3(facts)}
     return box2.labelY - LINE;
   }
 
+  // ../view/trajectory.js
+  function fromBaked(numbers, events) {
+    const parts2 = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts2[quantity] = {};
+      for (const [key2, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts2[quantity][key2] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts2;
+  }
+  function isTold({ trajectory }) {
+    return trajectory.t.length > 1;
+  }
+  function rowAt(times2, t) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt2(times2, values, slopes, t) {
+    const k = rowAt(times2, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t);
+  }
+  function hermite(times2, values, slopes, k, t) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, i) => c[i])
+    );
+    const h = at(times2, k + 1) - at(times2, k);
+    const s = (t - at(times2, k)) / h;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const r = 1 - s;
+    const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found) ? found : at(values, k);
+  }
+
   // ../effects/push/view.js
+  var LET_GO = 1.5;
+  var BACK = 0.2;
+  var ROOM = 16;
+  var MIDDLE = 29;
+  var HAND = "M-46 -6L-31 -7C-26 -9 -22 -6 -17 -3.5L-3 -3.5C1 -3.5 1 3 -3 3L-15 3C-10 3 -10 7.5 -15 7.5C-11 7.5 -11 12 -16 12C-13 12 -13 16 -18 16C-26 17 -29 14 -32 9L-46 9M-15 3h-7M-15 7.5h-6M-16 12h-5M-29 0C-24 0 -21 -1 -19 3M-38 -9h-8v20h8Z";
   var view_default5 = {
     name: tr("pushes from outside"),
     row: 2,
     side: (force) => force < 0 ? "right" : "left",
     around: (_, agent2) => agent2,
     acts: ({ numbers: { from = 0, until = Infinity } }, t) => t >= from && t < until,
+    seen: (effect, t) => begun(effect, t) && t < end(effect) + (isHand(effect) ? LET_GO : 0),
     phrase: (effect, { agent: agent2, seen }) => [
       tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
       seen(forceText(effect.numbers.force ?? 0)),
       times(effect)
     ],
-    pieces({ carts: [name = ""], numbers: { force = 0 } }, { key: key2, header, layout, centre }) {
+    pieces(effect, { key: key2, header, run, t, layout, centre }) {
+      const { carts, numbers } = effect;
+      const name = String(carts[0]);
       const y = layout.track;
-      const way = force >= 0 ? 1 : -1;
+      const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name);
-      const x = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const side2 = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      if (isHand(effect)) {
+        const past = t - end(effect);
+        if (past >= 0 && goesOn(effect, header)) return [];
+        const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+        const left = past < 0 ? side2 : side2 - (place(run, name, t) - place(run, name, end(effect))) * layout.scale;
+        return [{ key: key2, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, way) }];
+      }
+      const x = side2 - 3 * way;
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key: key2, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told3) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
       const who = { cart: String(carts[0]), agent: agent2 };
       const begins = told3 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks3 = from <= until ? [{ t: from, sentence: begins }] : [];
-      if (end !== void 0 && from < end && end <= until) {
-        marks3.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      if (end2 !== void 0 && from < end2 && end2 <= until) {
+        marks3.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
       }
       return marks3;
     }
   };
+  var isHand = ({ by }) => !by || by === "hand";
+  var begun = ({ numbers: { from = 0 } }, t) => t >= from;
+  var end = ({ numbers: { until = Infinity } }) => until;
+  function goesOn(effect, { effects }) {
+    const on = (one) => one.active && one.kind === effect.kind && one.carts[0] === effect.carts[0] && isHand(one);
+    return effects.some((one) => on(one) && one !== effect && (one.numbers.from ?? 0) >= end(effect));
+  }
+  function place({ trajectory: { t: times2, x, v } }, name, t) {
+    return valueAt2(times2, x[name] ?? [], v[name] ?? [], t);
+  }
+  function hand(x, y, way) {
+    let across3 = true;
+    let absolute = true;
+    return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
+      if (/[a-zA-Z]/.test(part)) {
+        across3 = part !== "v";
+        absolute = part === part.toUpperCase();
+        return part;
+      }
+      const number = Number(part);
+      const shown2 = across3 ? way * number + (absolute ? x : 0) : number + (absolute ? y : 0);
+      across3 = absolute ? !across3 : across3;
+      return ` ${px(shown2)}`;
+    });
+  }
   function forceText(force) {
     const size = short(Math.abs(force));
     return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
@@ -11455,28 +11546,55 @@ ${table3(facts)}
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at = 0 } }, t) => t < at,
-    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces({ between: between2 }, { key: key2, layout, face }) {
-      const [a, b] = between2 ?? ["", ""];
-      const x = (face(a, "right") + face(b, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key: key2, run, t, layout, face }) {
+      const [a, b] = effect.between ?? ["", ""];
+      const [begun2, ended] = pushes(effect, run);
+      const low = layout.track - ABOVE2;
+      const ends = [face(a, "right"), face(b, "left")].map(Number);
+      if (t > ended) {
+        const there = edge2(run, a, ended) - edge2(run, a, t);
+        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key2} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
+      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends;
+      const wire = coil(start - HALF, end2 + HALF, low, TURNS2, HIGH);
+      const plates = t < begun2 ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end2 + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key: key2, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
-        { key: `${key2} latch`, cls: "carts-latch", d: latch }
+        { key: key2, cls: "carts-coil", d: wire },
+        { key: `${key2} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between: between2, numbers: { at = 0 } }, { header, trajectory }) {
+    const pair = between2?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun2 = mine.find(({ kind, t }) => kind === "release" && t === at);
+    if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun2.t);
+    return [begun2.t, ended?.t ?? Infinity];
+  }
+  function edge2({ header, trajectory }, name, t, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
+    return valueAt2(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -11494,14 +11612,14 @@ ${table3(facts)}
     },
     pieces({ numbers, between: between2 }, { key: key2, layout, face }) {
       const [a, b] = between2 ?? ["", ""];
-      const [start, end] = [face(a, "right"), face(b, "left")];
+      const [start, end2] = [face(a, "right"), face(b, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
-      const middle = (start + end) / 2;
-      const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+      const middle = (start + end2) / 2;
+      const low = a === "left" ? start : b === "right" ? end2 - length : middle - length / 2;
       const y = layout.track - PUSH - COIL - 5;
       const measure2 = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
       return [
-        { key: key2, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key: key2, cls: "carts-coil", d: coil(start, end2, layout.track - PUSH) },
         { key: `${key2} natural`, cls: "carts-natural", d: measure2 }
       ];
     }
@@ -11539,8 +11657,9 @@ ${table3(facts)}
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between: between2 }) {
-    return between2 !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between: between2 }) => String(between2?.join("-"))));
@@ -11571,6 +11690,7 @@ ${table3(facts)}
   var BOTH_FORCES = tr(
     "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
   );
+  var APART = "apart";
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
   function motion(velocity2, decimals, scale) {
@@ -11579,8 +11699,12 @@ ${table3(facts)}
     const speed = `${fixed(Math.abs(velocity2) / per, decimals)} ${unit}`;
     return velocity2 > 0 ? tr("{speed} to the right", { speed }) : tr("{speed} to the left", { speed });
   }
-  function lawsOf(contacts) {
-    return Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+  function lawsOf({ contacts, effects }) {
+    const laws = Object.fromEntries(contacts.map(({ pair, law }) => [pair, law]));
+    for (const { active, kind, between: between2 } of effects) {
+      if (active && between2 && viewOf(kind).apart) laws[between2.join("-")] = APART;
+    }
+    return laws;
   }
   function isRest(velocity2, scale) {
     return Math.abs(velocity2) < NOISE * scale;
@@ -11608,6 +11732,10 @@ ${table3(facts)}
         return tr("{mover} reaches {other}.", { mover: String(mover), other: body(String(other)) });
       }
       case "peak":
+        if (laws[names.join("-")] === APART) {
+          const force = `${fixed(event.force ?? 0, decimals.F ?? 2)} N`;
+          return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force }) : tr("{pair} are nearest.", { pair });
+        }
         if (forces2 && event.force) {
           const force = `${fixed(event.force, decimals.F ?? 2)} N`;
           return tr("{pair}: bumpers squeezed the most, {force} on each.", { pair, force });
@@ -11630,7 +11758,13 @@ ${table3(facts)}
       case "start":
         return names[1] ? tr("{pair} start to slide.", { pair }) : tr("{cart} starts to slide.", { cart: pair });
       case "release":
-        return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
+        if (impulse || !event.force) {
+          return told3(tr("The exploder between {pair} releases.", { pair }), shown2, after2);
+        }
+        return forces2 ? tr("The spring between {pair} is let go: {force} on each.", {
+          pair,
+          force: `${fixed(event.force, decimals.F ?? 2)} N`
+        }) : tr("The spring between {pair} is let go.", { pair });
       case "end":
         return tr("End of the run.");
       default:
@@ -11687,55 +11821,6 @@ ${table3(facts)}
   function sentence(text3) {
     const capitalised = capital(text3);
     return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
-  }
-
-  // ../view/trajectory.js
-  function fromBaked(numbers, events) {
-    const parts2 = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts2[quantity] = {};
-      for (const [key2, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts2[quantity][key2] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
-      }
-    }
-    return parts2;
-  }
-  function isTold({ trajectory }) {
-    return trajectory.t.length > 1;
-  }
-  function rowAt(times2, t) {
-    let low = 0;
-    let high = times2.length;
-    while (low < high) {
-      const middle = low + high >> 1;
-      if (
-        /** @type {number} */
-        times2[middle] <= t
-      ) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
-  }
-  function valueAt2(times2, values, slopes, t) {
-    const k = rowAt(times2, t);
-    if (k < 0) return Number(values[0]);
-    if (k >= times2.length - 1) return Number(values[values.length - 1]);
-    return hermite(times2, values, slopes, k, t);
-  }
-  function hermite(times2, values, slopes, k, t) {
-    const at = (
-      /** @type {(column: Column, k: number) => number} */
-      ((c, i) => c[i])
-    );
-    const h = at(times2, k + 1) - at(times2, k);
-    const s = (t - at(times2, k)) / h;
-    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
-    const r = 1 - s;
-    const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
-    return Number.isFinite(found) ? found : at(values, k);
   }
 
   // ../view/effects-forces.js
@@ -11863,7 +11948,7 @@ ${lines3}</tbody></table></div>
     );
     return html`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
 <p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/>${sides}<path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
 </section>`;
   }
   function bars(baked) {
@@ -12244,14 +12329,14 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
   }
   function curve2({ run: { header } }, { cart: cart2, quantity }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
-    const place = pad(quantity);
+    const place2 = pad(quantity);
     const knobs = KNOBS.map(
-      (k) => html`<circle class="carts-knob" data-index=${k} cx=${LEFT4 + STEP * k} cy=${place.zero} r="7"/>`
+      (k) => html`<circle class="carts-knob" data-index=${k} cx=${LEFT4 + STEP * k} cy=${place2.zero} r="7"/>`
     );
     const heights = TIMES2[quantity === "F" ? "contact" : "run"].map(
-      (name) => html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place.low} max=${HIGHEST} step="0.5" disabled></label>`
+      (name) => html`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place2.low} max=${HIGHEST} step="0.5" disabled></label>`
     );
-    const flat = path2(place, [0, 0, 0, 0, 0]);
+    const flat = path2(place2, [0, 0, 0, 0, 0]);
     return html`<div class="carts-sketch">
 <svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/>${axes(quantity)}<path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d=${flat}/>${knobs}</svg>
 <div class="carts-heights"><p>${quantity === "F" ? tr("Move the five points, or type heights from 0 to 10.") : tr("Move the five points, or type heights from −10 to 10: right is positive.")}</p>${heights}</div>
@@ -12408,7 +12493,7 @@ ${ground(baked, layout, hatch)}
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
-${forces2 && pushes(baked)}
+${forces2 && pushes2(baked)}
 <g data-part="guess"></g>
 ${legend(baked, layout)}
 </svg>`;
@@ -12426,7 +12511,7 @@ ${legend(baked, layout)}
     return html`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
-  function pushes({ run: { header } }) {
+  function pushes2({ run: { header } }) {
     const linked = linkedPairs(header);
     const style = (name) => {
       const i = header.bodies.findIndex((body2) => body2.name === name);
@@ -12447,7 +12532,7 @@ ${legend(baked, layout)}
     const first = left === "wall" ? 0 : low;
     const last = right === "wall" ? Number(length) : high;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
-    const end = right === "wall" ? at(last) : at(high) + BEYOND;
+    const end2 = right === "wall" ? at(last) : at(high) + BEYOND;
     const under2 = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
@@ -12455,16 +12540,16 @@ ${legend(baked, layout)}
     const parts2 = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts2 }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge2, from) => {
+    const wall = (edge3, from) => {
       const box2 = html`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html`<rect class="carts-wall" ${box2}/>
 <rect ${box2} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge3)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
-<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
+<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
       (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 21)}>${fixed(x, axisDecimals(numbers))}</text>
@@ -12492,7 +12577,7 @@ ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(
   var LONG = 60;
   var SPEEDS = [1, 10, 100];
   var START2 = "M3 3v10M13 3L6 8l7 5z";
-  var BACK = "M12.5 3v10M10 3L3 8l7 5z";
+  var BACK2 = "M12.5 3v10M10 3L3 8l7 5z";
   var FORWARD = "M3.5 3v10M6 3l7 5-7 5z";
   function timeline({ run: { header } }) {
     return html`<div class="carts-timeline">
@@ -12508,7 +12593,7 @@ ${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(
     );
     return html`<div class="carts-transport">
 ${button("start", START2, tr("Back to the start"), tr("Back to the start (Home)"))}
-${button("back", BACK, tr("Step back"), tr("Step back (left arrow key)"))}
+${button("back", BACK2, tr("Step back"), tr("Step back (left arrow key)"))}
 <button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
 ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
@@ -12600,22 +12685,52 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const peaks = /* @__PURE__ */ new Map();
     const found = [];
     for (const event of events) {
-      const pair = event.bodies.join("-");
-      const touch = open.get(pair);
+      const { bodies, before: before2, t: start } = event;
+      const pair = bodies.join("-");
+      const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
-        open.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+        open.set(pair, { touch, before: before2 });
+      } else if (event.kind === "release" && !event.impulse) {
+        open.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before: before2 });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
-      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-        open.delete(pair);
-        found.push({ ...touch, end: event.t });
+      } else if (event.kind === "separate" || event.kind === "stick") {
+        const keys2 = [`loose ${pair}`, pair].filter((key3) => open.has(key3));
+        const key2 = keys2.length < 2 || begunWith(before2, open.get(String(keys2[0]))) ? keys2[0] : pair;
+        const over2 = key2 && open.get(key2);
+        if (!over2) continue;
+        open.delete(key2);
+        found.push({ ...over2.touch, end: event.t });
       }
     }
-    for (const touch of open.values()) {
-      const peak = peaks.get(touch.pair) ?? until;
+    for (const { touch } of open.values()) {
+      const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
       found.push({ ...touch, end: peak > touch.start ? peak : until });
     }
     return found.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+  function begunWith(before2, one) {
+    return Object.entries(one?.before ?? {}).every(([name, v]) => before2[name] === v);
+  }
+  var FELT = 0.1;
+  function windowsOf({ header, trajectory }) {
+    const found = touches(header.events, header.until);
+    const { t, F } = trajectory;
+    for (const event of header.events) {
+      const pair = event.bodies.join("-");
+      const column = F[pair];
+      const within = found.some(
+        (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end
+      );
+      if (event.kind !== "peak" || within || !column || t.length < 2) continue;
+      const felt = (k) => Number(column[k]) > FELT * (event.force ?? 0);
+      let [first, last] = [rowAt(t, event.t), rowAt(t, event.t)];
+      while (first > 0 && felt(first)) first -= 1;
+      while (last < t.length - 1 && felt(last)) last += 1;
+      const window2 = { start: Number(t[first]), end: Number(t[last]) };
+      found.push({ pair, bodies: event.bodies, ...window2, near: true });
+    }
+    return found.sort((a, b) => a.start - b.start);
   }
   function latestTouch(windows, t) {
     return windows.findLast((touch) => touch.start <= t);
@@ -12804,7 +12919,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   // src/measured/figure.js
   var [LEFT5, RIGHT4, TOP5, BOTTOM5] = [58, 630, 10, 250];
   var LOW = { top: 8, bottom: 104 };
-  var ROOM = 0.06;
+  var ROOM2 = 0.06;
   var HEAD = 1.15;
   var unitOf = ({ kind }) => kind === "length" ? "x in m" : "F in N";
   function reach(lists) {
@@ -12820,10 +12935,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
   var across2 = (axis2, value) => LEFT5 + (value - axis2.low) / (axis2.high - axis2.low) * (RIGHT4 - LEFT5);
   var up2 = (axis2, value, top = TOP5, bottom = BOTTOM5) => bottom - (value - axis2.low) / (axis2.high - axis2.low) * (bottom - top);
   function planes(tracks) {
-    const [begin, end] = reach(tracks.map((track) => track.t));
+    const [begin, end2] = reach(tracks.map((track) => track.t));
     const [low, high] = reach(tracks.map((track) => track.value));
-    const room = ROOM * (high - low) || 1;
-    return { t: span(begin, end, 8), x: span(low - room, high + room, 8) };
+    const room = ROOM2 * (high - low) || 1;
+    return { t: span(begin, end2, 8), x: span(low - room, high + room, 8) };
   }
   function dots(t, values, axis2, up_, room = [TOP5, BOTTOM5]) {
     return t.map((time, k) => `M${px(across2(axis2, time))} ${px(up2(up_, Number(values[k]), ...room))}h0`).join("");
@@ -12834,8 +12949,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @type {Axis | null} */
     #axis = null;
     /** @param {Element} place @param {Element} left for the residuals */
-    constructor(place, left) {
-      this.place = place;
+    constructor(place2, left) {
+      this.place = place2;
       this.left = left;
     }
     /**
@@ -12962,7 +13077,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const curve3 = { label: name, style: styleOf(i), over: false };
       switch (quantity) {
         case "x": {
-          const values = Float64Array.from(x, (place, k) => place - camera * Number(times2[k]));
+          const values = Float64Array.from(x, (place2, k) => place2 - camera * Number(times2[k]));
           return { ...curve3, values, slopes: seen };
         }
         case "v":
@@ -13084,7 +13199,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
-      this.#windows = windows;
+      this.#windows = windows.filter(({ near }) => !near);
       this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
       let most = this.#first;
       for (const { values } of this.#curves) {
@@ -13187,8 +13302,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
   var HEIGHT4 = 60;
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
-  var MIDDLE = WIDTH5 / 2;
-  var APART = 8;
+  var MIDDLE2 = WIDTH5 / 2;
+  var APART2 = 8;
   var FULL2 = 95;
   var FreeBody = class {
     /** @type {Run | null} */
@@ -13216,7 +13331,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       this.#run = run;
-      this.#windows = windows;
+      this.#windows = windows.filter(({ near }) => !near);
     }
     /** @param {number} t in s */
     at(t) {
@@ -13294,11 +13409,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
   function tail2({ way, side: side2, value }) {
     if (way === "up") {
       const middle = (BOX.top + BOX.bottom) / 2;
-      return value < 0 ? [MIDDLE - APART, middle] : [MIDDLE + APART, BOX.bottom];
+      return value < 0 ? [MIDDLE2 - APART2, middle] : [MIDDLE2 + APART2, BOX.bottom];
     }
-    if (side2 === "middle") return [MIDDLE, AXIS];
-    if (side2 === "below") return [MIDDLE, BOX.bottom];
-    if (side2 === "above") return [MIDDLE, BOX.top];
+    if (side2 === "middle") return [MIDDLE2, AXIS];
+    if (side2 === "below") return [MIDDLE2, BOX.bottom];
+    if (side2 === "above") return [MIDDLE2, BOX.top];
     return [side2 === "left" ? BOX.left : BOX.right, AXIS];
   }
 
@@ -13356,7 +13471,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {number} t in s */
     at(t) {
       const run = this.#run;
-      const touch = this.#windows.find(({ end }) => t <= end) ?? this.#windows.at(-1);
+      const touch = this.#windows.find(({ end: end2 }) => t <= end2) ?? this.#windows.at(-1);
       put(this.plot, "visibility", touch ? "visible" : "hidden");
       this.root.classList.toggle(
         "carts-is-slow",
@@ -13374,6 +13489,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
       [left, right].forEach((side2, k) => {
         this.#draw(k, side2, Number(faces[k]), middle, force);
       });
+      const pushed = touch.loose && t >= touch.start && t <= touch.end;
+      const at = (x) => WIDTH6 / 2 + (x - middle) * this.#perMetre;
+      const wire = coil(at(left.face), at(right.face), TRACK - 14, void 0, 6);
+      put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
       const pair = listed(touch.bodies.map(body));
       const gap = right.face - left.face;
       const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
@@ -13402,22 +13521,22 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const index2 = this.#run?.header.bodies.findIndex(({ name: name2 }) => name2 === side2.name) ?? -1;
       put(group, "class", index2 < 0 ? "carts-wall" : `carts-b${index2 % 8}`);
       const way = k === 0 ? 1 : -1;
-      const [edge2, end] = [at(side2.edge), at(face)];
+      const [edge3, end2] = [at(side2.edge), at(face)];
       const rect = need(group, '[data-part="body"]');
-      put(rect, "x", px(k === 0 ? edge2 - 2 * WIDTH6 : edge2));
+      put(rect, "x", px(k === 0 ? edge3 - 2 * WIDTH6 : edge3));
       const bent = need(group, '[data-part="spring"]');
-      put(bent, "d", side2.bumper ? spring(edge2 / SCALE, end / SCALE) : "");
+      put(bent, "d", side2.bumper ? spring(edge3 / SCALE, end2 / SCALE) : "");
       put(bent, "transform", `translate(0 ${TRACK}) scale(${SCALE})`);
       const plate = need(group, '[data-part="face"]');
-      put(plate, "transform", `translate(${px(end - 3 * way)} 0)`);
+      put(plate, "transform", `translate(${px(end2 - 3 * way)} 0)`);
       const name = need(group, '[data-part="name"]');
-      const inside6 = Math.min(WIDTH6 - 34, Math.max(34, edge2 - 22 * way));
+      const inside6 = Math.min(WIDTH6 - 34, Math.max(34, edge3 - 22 * way));
       put(name, "x", px(inside6));
       say(name, index2 < 0 ? tr("wall") : side2.name);
       const arrow = need(group, '[data-part="arrow"]');
       const cut = isCut(force, this.view.force);
       const length = -way * arrowLength(force, this.view.force, this.#perForce);
-      put(arrow, "d", (cut ? cutArrow : blockArrow)(end, TRACK - 46, length));
+      put(arrow, "d", (cut ? cutArrow : blockArrow)(end2, TRACK - 46, length));
     }
   };
   function lengthText(metres) {
@@ -13586,10 +13705,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const hint = tr("Move into a touch: the shaded area is the impulse.");
         return say(this.note, this.windows.length ? hint : "");
       }
-      const end = Math.min(t, touch.end);
+      const end2 = Math.min(t, touch.end);
       const outline = (sign) => {
         const points = Array.from({ length: POINTS2 + 1 }, (_, k) => {
-          const at = touch.start + (end - touch.start) * k / POINTS2;
+          const at = touch.start + (end2 - touch.start) * k / POINTS2;
           const force = sign * contactForce(run, touch.pair, at, 0);
           return `${px(timeX(plane, at))} ${px(valueY(plane, force))}`;
         });
@@ -13608,9 +13727,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
         "d",
         outline(-1)
       );
-      const impulse = area(run, touch.pair, touch.start, end);
+      const impulse = area(run, touch.pair, touch.start, end2);
       const [names, amount2] = [touch.bodies.map(brief).join("–"), fixed(impulse, this.decimals)];
-      const parts2 = changes(run, this.windows, touch, end).filter(({ change }) => change !== null).map(
+      const parts2 = changes(run, this.windows, touch, end2).filter(({ change }) => change !== null).map(
         ({ name, change }) => tr("m Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) })
       );
       const shaded = t >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount2 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount2 });
@@ -13686,10 +13805,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
   function together2(windows) {
     const groups = [];
-    for (const { start, end } of windows) {
+    for (const { start, end: end2 } of windows) {
       const last = groups.at(-1);
-      if (last && start < last.end) last.end = Math.max(last.end, end);
-      else groups.push({ start, end });
+      if (last && start < last.end) last.end = Math.max(last.end, end2);
+      else groups.push({ start, end: end2 });
     }
     return groups;
   }
@@ -13731,7 +13850,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       label: tr("motion of {cart}", { cart: curve3.label })
     }));
     for (const name of parts2.names.filter((one) => one !== WARMED)) {
-      const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [viewOf(name).stored ?? "", "stored"];
+      const [label, style] = name === BUMPERS ? [tr("in squeezed bumpers"), "squeezed"] : [stored(name, header), "stored"];
       if (!label) continue;
       const values = column(name);
       const lowest = values.reduce((least, value) => Math.min(least, value), 0);
@@ -13741,6 +13860,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const warm = { values: column(WARMED), style: "warmed", over: false, slopes: null };
     bands.push({ ...warm, label: warmed(header) });
     return bands;
+  }
+  function stored(kind, { effects }) {
+    const { lasts, stored: where = "" } = viewOf(kind);
+    return !lasts || effects.some((one) => one.kind === kind && lasts(one)) ? where : "";
   }
   function warmed({ contacts, effects }) {
     const what = contacts.length ? [tr("bumpers")] : [];
@@ -13927,10 +14050,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
       return [...times2].filter((t) => t <= this.#seen).sort((a, b) => a - b);
     }
   };
-  function contactTimes({ header, trajectory }) {
+  function contactTimes(run) {
+    const { trajectory } = run;
     const last = Number(trajectory.t[trajectory.t.length - 1]);
-    return touches(header.events, header.until).slice(0, MOST_CONTACTS).flatMap(
-      ({ start, end }) => Array.from({ length: WITHIN }, (_, k) => start + (k + 1) / (WITHIN + 1) * (end - start))
+    return windowsOf(run).slice(0, MOST_CONTACTS).flatMap(
+      ({ start, end: end2 }) => Array.from({ length: WITHIN }, (_, k) => start + (k + 1) / (WITHIN + 1) * (end2 - start))
     ).filter((t) => t <= last);
   }
   function tableTimes({ header, trajectory }) {
@@ -14120,8 +14244,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
         put(line, "d", path(curve3, this.#times(run), this.#plane, this.#seen));
       });
       const room = this.root.querySelector(".carts-seen rect");
-      const end = Math.min(RIGHT3, Math.max(LEFT3, timeX(this.#plane, this.#seen)));
-      if (room) put(room, "width", px(end - LEFT3 + 1));
+      const end2 = Math.min(RIGHT3, Math.max(LEFT3, timeX(this.#plane, this.#seen)));
+      if (room) put(room, "width", px(end2 - LEFT3 + 1));
     }
     /** @param {Run} run */
     #curvesOf({ header, trajectory }) {
@@ -14217,18 +14341,23 @@ ${found && html`<p class="carts-found" hidden></p>`}
         },
         { signal }
       );
-      for (const end of ["pointerup", "pointercancel"]) {
-        addEventListener(end, () => leaving.abort(), { signal });
+      for (const end2 of ["pointerup", "pointercancel"]) {
+        addEventListener(end2, () => leaving.abort(), { signal });
       }
     });
     return group;
   }
 
   // ../view/effects-props.js
-  function props(header, layout, t, face, centre) {
-    return header.effects.filter((effect) => actsAt(effect, t)).flatMap((effect) => {
+  function isSeen(effect, t) {
+    const { seen } = viewOf(effect.kind);
+    return seen ? effect.active && seen(effect, t) : actsAt(effect, t);
+  }
+  function props(run, layout, t, face, centre) {
+    const { header } = run;
+    return header.effects.filter((effect) => isSeen(effect, t)).flatMap((effect) => {
       const key2 = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key: key2, header, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key: key2, header, run, t, layout, face, centre }) ?? [];
     });
   }
 
@@ -14266,7 +14395,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     at(t, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run.header, this.layout, t, face, centre);
+      const pieces = props(run, this.layout, t, face, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows2(run, this.layout, this.full, t, centre));
       const seen = new Set(pieces.map(({ key: key2 }) => key2));
       for (const [key2, element] of this.#drawn) {
@@ -14404,7 +14533,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side2]), y, way * length));
         });
         const touching = this.#windows.some(
-          (w) => w.pair === push2.pair && t >= w.start && t <= w.end
+          (w) => w.pair === push2.pair && !w.loose && !w.near && t >= w.start && t <= w.end
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
@@ -14460,8 +14589,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const [low, high] = this.#between();
       if (high - low >= left + right + 2 * GAP2 && !push2.bodies.some(isWall)) {
         const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
-        const end = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
-        write(first, labels2[0] ?? "", end, push2.row, "end");
+        const end2 = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+        write(first, labels2[0] ?? "", end2, push2.row, "end");
         write(second, labels2[1] ?? "", begin, push2.row, "start");
         return true;
       }
@@ -14479,10 +14608,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
     #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
-      const end = origin + (track?.length ?? 0) * scale;
+      const end2 = origin + (track?.length ?? 0) * scale;
       return [
         track?.left === "wall" ? Math.max(EDGE3, origin + GAP2) : EDGE3,
-        track?.right === "wall" ? Math.min(width - EDGE3, end - GAP2) : width - EDGE3
+        track?.right === "wall" ? Math.min(width - EDGE3, end2 - GAP2) : width - EDGE3
       ];
     }
     /** @param {number} size in N */
@@ -14677,9 +14806,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
       for (let gap = 0; gap <= bodies.length; gap += 1) {
         const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
         if (!a && track.left !== "wall" || !b && track.right !== "wall") continue;
-        const end = a ? Number(centres[gap - 1]) + a.half : at(0);
+        const end2 = a ? Number(centres[gap - 1]) + a.half : at(0);
         const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
-        const overlap = Math.max(0, end - start);
+        const overlap = Math.max(0, end2 - start);
         const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
         const rest = Math.min(b?.bumper ?? 0, overlap - share);
         if (b) left[gap] = rest;
@@ -14740,8 +14869,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const found = [];
     for (const { name, length } of header.bodies) {
       const half = length / 2;
-      const place = (t) => valueAt2(times2, places[name] ?? [], v[name] ?? [], t) - camera * t;
-      const isOut = (t) => Math.max(place(t) - half - high, low - place(t) - half) > 0;
+      const place2 = (t) => valueAt2(times2, places[name] ?? [], v[name] ?? [], t) - camera * t;
+      const isOut = (t) => Math.max(place2(t) - half - high, low - place2(t) - half) > 0;
       const row2 = Array.prototype.findIndex.call(times2, isOut);
       if (row2 < 1) continue;
       let before2 = Number(times2[row2 - 1]);
@@ -14752,7 +14881,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
         else before2 = middle;
       }
       const velocity2 = valueAt2(times2, v[name] ?? [], a[name] ?? [], after2) - camera;
-      found.push({ t: after2, name, side: place(after2) > high ? "right" : "left", velocity: velocity2 });
+      found.push({ t: after2, name, side: place2(after2) > high ? "right" : "left", velocity: velocity2 });
     }
     return found;
   }
@@ -14797,7 +14926,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     show(run) {
       const { header } = run;
       const decimals = this.view.decimals.v ?? 2;
-      const laws = lawsOf(header.contacts);
+      const laws = lawsOf(header);
       this.told = [
         ...isTold(run) ? marks(header, this.telling.forces) : [],
         ...header.events.map((event) => ({
@@ -14875,11 +15004,11 @@ ${found && html`<p class="carts-found" hidden></p>`}
     /** @param {import("../../../../view/types.js").Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
     show(run, windows) {
       const { header } = run;
-      const pushes2 = isTold(run) ? marks(header, false) : [];
+      const pushes3 = isTold(run) ? marks(header, false) : [];
       this.#touches = windows;
       this.#events = [
         ...header.events.slice(0, MOST_EVENTS3).filter((event) => event.kind !== "end"),
-        ...pushes2.map(({ t }) => ({ t, kind: "push" }))
+        ...pushes3.map(({ t }) => ({ t, kind: "push" }))
       ];
       if (this.#until !== header.until) this.#renumber(header.until);
       this.#mark();
@@ -14895,13 +15024,13 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const touches2 = this.#touches.filter(({ start }) => start <= this.#seen);
       const events = this.#events.filter(({ t }) => t <= this.#seen);
       fit(this.bands, touches2.length, () => svg("rect", BAND));
-      touches2.forEach(({ start, end }, k) => {
+      touches2.forEach(({ start, end: end2 }, k) => {
         const band4 = (
           /** @type {Element} */
           this.bands.children[k]
         );
         put(band4, "x", at(start));
-        put(band4, "width", at(Math.min(end, this.#seen) - start));
+        put(band4, "width", at(Math.min(end2, this.#seen) - start));
       });
       fit(this.marks, events.length, () => svg("line", { y1: 1, y2: 17 }));
       events.forEach(({ t, kind }, k) => {
@@ -14975,9 +15104,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** Puts a run on the page. @param {Run} run @param {number} t the instant shown, in s */
     show(run, t) {
-      const { header } = run;
       this.run = run;
-      this.windows = touches(header.events, header.until);
+      this.windows = windowsOf(run);
       this.#words();
       this.stand();
       for (const graph2 of this.graphs) graph2.show(run, t);
@@ -15025,9 +15153,9 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
     /** Parts of the time that the graphs can show alone: those in which bodies touch. */
     #offerWindows() {
-      const begun = this.windows.filter(({ start }) => start <= this.#seen);
-      if (begun.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
-      const options = begun.map(({ bodies, start }, i) => {
+      const begun2 = this.windows.filter(({ start }) => start <= this.#seen);
+      if (begun2.length === this.zoom.options.length - 1 && this.#seen < Infinity) return;
+      const options = begun2.map(({ bodies, start }, i) => {
         const names = bodies.map(brief).join("–");
         const option = html2(
           "option",
@@ -15087,16 +15215,16 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const scale = scaleFor(low, high);
     const known2 = Float64Array.from(values, (value) => value ?? Number.NaN);
     const { places, width, height } = pixels(known2, columns, scale);
-    const letters = Array.from(places, (place) => String.fromCharCode(48 + place)).join("");
+    const letters = Array.from(places, (place2) => String.fromCharCode(48 + place2)).join("");
     return JSON.stringify({ width, height, letters, palette: palette(scale) });
   }
   function measured(facts) {
     const root = filled2("carts-measured", inside4(facts).text);
-    const [place, left] = [".carts-measured-figure", ".carts-measured-left"].map(
+    const [place2, left] = [".carts-measured-figure", ".carts-measured-left"].map(
       (one) => need(root, one)
     );
-    if (place && left && facts.read) {
-      new Figure(place, left).show(facts.read.tracks, unitOf(facts.read), null);
+    if (place2 && left && facts.read) {
+      new Figure(place2, left).show(facts.read.tracks, unitOf(facts.read), null);
     }
     return root.innerHTML;
   }

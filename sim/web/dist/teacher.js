@@ -1332,10 +1332,10 @@ ${table(facts, draw)}
 <noscript><p class="carts-noscript">The picture and the table show the values. Asking single points needs JavaScript.</p></noscript>
 </div>`;
   }
-  var valueAt = ({ values }, place3) => values[place3] ?? Number.NaN;
-  function axisText(facts, axis2, place3) {
+  var valueAt = ({ values }, place4) => values[place4] ?? Number.NaN;
+  function axisText(facts, axis2, place4) {
     const along = facts.axes[axis2];
-    return along ? fixed(shown(Number(along.values[place3]), along), axisDecimals2(along)) : "";
+    return along ? fixed(shown(Number(along.values[place4]), along), axisDecimals2(along)) : "";
   }
   function over(facts, draw) {
     const height = heightOf(facts);
@@ -1350,9 +1350,9 @@ ${table(facts, draw)}
   function side(facts, { id }) {
     const { label, unit, axes: axes2, here, of, controls } = facts;
     const points = axes2.map(({ set, label: name, unit: measured, values }, k) => {
-      const place3 = here[k] ?? 0;
-      const text2 = axisText(facts, k, place3);
-      const range = html2`min="0" max=${values.length - 1} step="1" value=${place3}`;
+      const place4 = here[k] ?? 0;
+      const text2 = axisText(facts, k, place4);
+      const range = html2`min="0" max=${values.length - 1} step="1" value=${place4}`;
       return slider({ id, set, label: name, unit: measured, range, text: text2 }, " carts-map-axis");
     });
     const further = controls.map(({ set, label: name, unit: measured, low, high, step, value }) => {
@@ -1390,8 +1390,8 @@ ${further}</div>`;
     const { head, lines: lines3 } = tableOf(
       columns,
       second?.values.length ?? 1,
-      (axis2, place3) => axisText(facts, axis2, place3),
-      (place3) => valueText(valueAt(draw, place3), facts)
+      (axis2, place4) => axisText(facts, axis2, place4),
+      (place4) => valueText(valueAt(draw, place4), facts)
     );
     const heads = second ? head : [facts.label];
     const across2 = html2`<tr><td></td><th scope="colgroup" colspan=${heads.length}>${first && named(first)}</th></tr>`;
@@ -1577,10 +1577,10 @@ ${table2(facts)}
       });
     }
     const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const end2 = track.right === "wall" ? face("right", "left") : 2 * layout.width;
     const tooth = 2 * TOOTH;
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
-    const d = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    const d = teeth(first, Math.min(end2, layout.width) - first, layout.track);
     return [{ ...piece, key, d }];
   }
   function teeth(x, length, y) {
@@ -1647,6 +1647,7 @@ ${table2(facts)}
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between: between2 }, { key, layout, face }) {
@@ -1681,8 +1682,8 @@ ${table2(facts)}
   function bodyWidth(body2) {
     return Math.max(body2.length - 2 * body2.bumper_length, 0.2 * body2.length);
   }
-  function coil(start, end, y, turns = TURNS, high = COIL) {
-    const span2 = Math.max(0, end - start);
+  function coil(start, end2, y, turns = TURNS, high = COIL) {
+    const span2 = Math.max(0, end2 - start);
     const lead = Math.min(LEAD, span2 / 4);
     const step = (span2 - 2 * lead) / turns;
     let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
@@ -1708,36 +1709,123 @@ ${table2(facts)}
     return `M${px(x - radius)} ${px(y)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 -${d} 0Z`;
   }
 
+  // ../view/trajectory.js
+  function fromBaked(numbers, events) {
+    const parts = { t: Float64Array.from(numbers.t), events };
+    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
+      parts[quantity] = {};
+      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
+        parts[quantity][key] = Float64Array.from(
+          /** @type {number[]} */
+          column
+        );
+      }
+    }
+    return parts;
+  }
+  function rowAt(times2, t) {
+    let low = 0;
+    let high = times2.length;
+    while (low < high) {
+      const middle = low + high >> 1;
+      if (
+        /** @type {number} */
+        times2[middle] <= t
+      ) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+  function valueAt2(times2, values, slopes, t) {
+    const k = rowAt(times2, t);
+    if (k < 0) return Number(values[0]);
+    if (k >= times2.length - 1) return Number(values[values.length - 1]);
+    return hermite(times2, values, slopes, k, t);
+  }
+  function hermite(times2, values, slopes, k, t) {
+    const at = (
+      /** @type {(column: Column, k: number) => number} */
+      ((c, i) => c[i])
+    );
+    const h = at(times2, k + 1) - at(times2, k);
+    const s = (t - at(times2, k)) / h;
+    if (!slopes) return at(values, k) + (at(values, k + 1) - at(values, k)) * s;
+    const r = 1 - s;
+    const found = at(values, k) * (1 + 2 * s) * r * r + at(slopes, k) * h * s * r * r + at(values, k + 1) * (1 + 2 * r) * s * s - at(slopes, k + 1) * h * r * s * s;
+    return Number.isFinite(found) ? found : at(values, k);
+  }
+
   // ../effects/push/view.js
+  var LET_GO = 1.5;
+  var BACK = 0.2;
+  var ROOM = 16;
+  var MIDDLE = 29;
+  var HAND = "M-46 -6L-31 -7C-26 -9 -22 -6 -17 -3.5L-3 -3.5C1 -3.5 1 3 -3 3L-15 3C-10 3 -10 7.5 -15 7.5C-11 7.5 -11 12 -16 12C-13 12 -13 16 -18 16C-26 17 -29 14 -32 9L-46 9M-15 3h-7M-15 7.5h-6M-16 12h-5M-29 0C-24 0 -21 -1 -19 3M-38 -9h-8v20h8Z";
   var view_default5 = {
     name: tr("pushes from outside"),
     row: 2,
     side: (force) => force < 0 ? "right" : "left",
     around: (_, agent2) => agent2,
     acts: ({ numbers: { from = 0, until = Infinity } }, t) => t >= from && t < until,
+    seen: (effect, t) => begun(effect, t) && t < end(effect) + (isHand(effect) ? LET_GO : 0),
     phrase: (effect, { agent: agent2, seen }) => [
       tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
       seen(forceText(effect.numbers.force ?? 0)),
       times(effect)
     ],
-    pieces({ carts: [name = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+    pieces(effect, { key, header, run, t, layout, centre }) {
+      const { carts, numbers } = effect;
+      const name = String(carts[0]);
       const y = layout.track;
-      const way = force >= 0 ? 1 : -1;
+      const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name);
-      const x = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const side2 = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      if (isHand(effect)) {
+        const past = t - end(effect);
+        if (past >= 0 && goesOn(effect, header)) return [];
+        const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+        const left = past < 0 ? side2 : side2 - (place2(run, name, t) - place2(run, name, end(effect))) * layout.scale;
+        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, way) }];
+      }
+      const x = side2 - 3 * way;
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told2) {
       const who = { cart: String(carts[0]), agent: agent2 };
       const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
-      if (end !== void 0 && from < end && end <= until) {
-        marks.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      if (end2 !== void 0 && from < end2 && end2 <= until) {
+        marks.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
       }
       return marks;
     }
   };
+  var isHand = ({ by }) => !by || by === "hand";
+  var begun = ({ numbers: { from = 0 } }, t) => t >= from;
+  var end = ({ numbers: { until = Infinity } }) => until;
+  function goesOn(effect, { effects }) {
+    const on = (one) => one.active && one.kind === effect.kind && one.carts[0] === effect.carts[0] && isHand(one);
+    return effects.some((one) => on(one) && one !== effect && (one.numbers.from ?? 0) >= end(effect));
+  }
+  function place2({ trajectory: { t: times2, x, v } }, name, t) {
+    return valueAt2(times2, x[name] ?? [], v[name] ?? [], t);
+  }
+  function hand(x, y, way) {
+    let across2 = true;
+    let absolute = true;
+    return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
+      if (/[a-zA-Z]/.test(part)) {
+        across2 = part !== "v";
+        absolute = part === part.toUpperCase();
+        return part;
+      }
+      const number = Number(part);
+      const shown2 = across2 ? way * number + (absolute ? x : 0) : number + (absolute ? y : 0);
+      across2 = absolute ? !across2 : across2;
+      return ` ${px(shown2)}`;
+    });
+  }
   function forceText(force) {
     const size = short(Math.abs(force));
     return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
@@ -1753,28 +1841,55 @@ ${table2(facts)}
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at = 0 } }, t) => t < at,
-    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces({ between: between2 }, { key, layout, face }) {
-      const [a, b] = between2 ?? ["", ""];
-      const x = (face(a, "right") + face(b, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key, run, t, layout, face }) {
+      const [a, b] = effect.between ?? ["", ""];
+      const [begun2, ended] = pushes(effect, run);
+      const low = layout.track - ABOVE;
+      const ends = [face(a, "right"), face(b, "left")].map(Number);
+      if (t > ended) {
+        const there = edge2(run, a, ended) - edge2(run, a, t);
+        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
+      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends;
+      const wire = coil(start - HALF, end2 + HALF, low, TURNS2, HIGH);
+      const plates = t < begun2 ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end2 + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
-        { key: `${key} latch`, cls: "carts-latch", d: latch }
+        { key, cls: "carts-coil", d: wire },
+        { key: `${key} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between: between2, numbers: { at = 0 } }, { header, trajectory }) {
+    const pair = between2?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun2 = mine.find(({ kind, t }) => kind === "release" && t === at);
+    if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun2.t);
+    return [begun2.t, ended?.t ?? Infinity];
+  }
+  function edge2({ header, trajectory }, name, t, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
+    return valueAt2(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -1792,14 +1907,14 @@ ${table2(facts)}
     },
     pieces({ numbers, between: between2 }, { key, layout, face }) {
       const [a, b] = between2 ?? ["", ""];
-      const [start, end] = [face(a, "right"), face(b, "left")];
+      const [start, end2] = [face(a, "right"), face(b, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
-      const middle = (start + end) / 2;
-      const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+      const middle = (start + end2) / 2;
+      const low = a === "left" ? start : b === "right" ? end2 - length : middle - length / 2;
       const y = layout.track - PUSH - COIL - 5;
       const measure = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
       return [
-        { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key, cls: "carts-coil", d: coil(start, end2, layout.track - PUSH) },
         { key: `${key} natural`, cls: "carts-natural", d: measure }
       ];
     }
@@ -1834,8 +1949,9 @@ ${table2(facts)}
     const kinds = new Set(effects.filter(({ between: between2 }) => !between2).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between: between2 }) {
-    return between2 !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between: between2 }) => String(between2?.join("-"))));
@@ -1873,21 +1989,6 @@ ${table2(facts)}
   }
   function lower(name) {
     return name.slice(0, 1).toLowerCase() + name.slice(1);
-  }
-
-  // ../view/trajectory.js
-  function fromBaked(numbers, events) {
-    const parts = { t: Float64Array.from(numbers.t), events };
-    for (const quantity of ["x", "v", "a", "F", "dF", "E"]) {
-      parts[quantity] = {};
-      for (const [key, column] of Object.entries(numbers[quantity] ?? {})) {
-        parts[quantity][key] = Float64Array.from(
-          /** @type {number[]} */
-          column
-        );
-      }
-    }
-    return parts;
   }
 
   // ../view/effects-forces.js
@@ -1966,7 +2067,7 @@ ${lines3}</tbody></table></div>
     );
     return html2`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
 <p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×10")}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/>${sides}<path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
 </section>`;
   }
   function bars(baked) {
@@ -2233,14 +2334,14 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
   }
   function curve2({ run: { header } }, { cart: cart2, quantity }) {
     const i = header.bodies.findIndex(({ name }) => name === cart2);
-    const place3 = pad(quantity);
+    const place4 = pad(quantity);
     const knobs = KNOBS.map(
-      (k) => html2`<circle class="carts-knob" data-index=${k} cx=${LEFT3 + STEP * k} cy=${place3.zero} r="7"/>`
+      (k) => html2`<circle class="carts-knob" data-index=${k} cx=${LEFT3 + STEP * k} cy=${place4.zero} r="7"/>`
     );
     const heights = TIMES[quantity === "F" ? "contact" : "run"].map(
-      (name) => html2`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place3.low} max=${HIGHEST} step="0.5" disabled></label>`
+      (name) => html2`<label>${name} <input type="number" class="carts-height" autocomplete="off" min=${place4.low} max=${HIGHEST} step="0.5" disabled></label>`
     );
-    const flat = path(place3, [0, 0, 0, 0, 0]);
+    const flat = path(place4, [0, 0, 0, 0, 0]);
     return html2`<div class="carts-sketch">
 <svg class="carts-pad" viewBox="0 0 360 170" width="360" height="170" aria-hidden="true"><path class="carts-grid" d="M40 10V130M40 130H350M117.5 10V130M195 10V130M272.5 10V130M350 10V130M40 70H350M40 10H350"/>${axes(quantity)}<path data-part="answer" class="carts-curve carts-${styleOf(Math.max(0, i))}" d=""/><path data-part="sketch" class="carts-sketch-line" d=${flat}/>${knobs}</svg>
 <div class="carts-heights"><p>${quantity === "F" ? tr("Move the five points, or type heights from 0 to 10.") : tr("Move the five points, or type heights from −10 to 10: right is positive.")}</p>${heights}</div>
@@ -2397,7 +2498,7 @@ ${ground(baked, layout, hatch)}
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
-${forces && pushes(baked)}
+${forces && pushes2(baked)}
 <g data-part="guess"></g>
 ${legend(baked, layout)}
 </svg>`;
@@ -2415,7 +2516,7 @@ ${legend(baked, layout)}
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
-  function pushes({ run: { header } }) {
+  function pushes2({ run: { header } }) {
     const linked = linkedPairs(header);
     const style = (name) => {
       const i = header.bodies.findIndex((body2) => body2.name === name);
@@ -2436,7 +2537,7 @@ ${legend(baked, layout)}
     const first = left === "wall" ? 0 : low;
     const last = right === "wall" ? Number(length) : high;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
-    const end = right === "wall" ? at(last) : at(high) + BEYOND;
+    const end2 = right === "wall" ? at(last) : at(high) + BEYOND;
     const under2 = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS2) step = niceAbove(step * 1.5);
@@ -2444,16 +2545,16 @@ ${legend(baked, layout)}
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under2)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge2, from) => {
+    const wall = (edge3, from) => {
       const box = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html2`<rect class="carts-wall" ${box}/>
 <rect ${box} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge3)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html2`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
-<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last), at(last))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
+<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
       (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 21)}>${fixed(x, axisDecimals(numbers))}</text>
@@ -2481,7 +2582,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   var LONG = 60;
   var SPEEDS = [1, 10, 100];
   var START = "M3 3v10M13 3L6 8l7 5z";
-  var BACK = "M12.5 3v10M10 3L3 8l7 5z";
+  var BACK2 = "M12.5 3v10M10 3L3 8l7 5z";
   var FORWARD = "M3.5 3v10M6 3l7 5-7 5z";
   function timeline({ run: { header } }) {
     return html2`<div class="carts-timeline">
@@ -2497,7 +2598,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     );
     return html2`<div class="carts-transport">
 ${button("start", START, tr("Back to the start"), tr("Back to the start (Home)"))}
-${button("back", BACK, tr("Step back"), tr("Step back (left arrow key)"))}
+${button("back", BACK2, tr("Step back"), tr("Step back (left arrow key)"))}
 <button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
 ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
 <label class="carts-speed-label">${tr("Speed")} <select class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
@@ -2587,8 +2688,8 @@ ${found && html2`<p class="carts-found" hidden></p>`}
   var FINE = 400;
   function band(value, { low, step, count }) {
     if (Number.isNaN(value)) return count;
-    const place3 = Math.floor((value - low) / step + STEP_SLACK);
-    return Math.min(count - 1, Math.max(0, place3));
+    const place4 = Math.floor((value - low) / step + STEP_SLACK);
+    return Math.min(count - 1, Math.max(0, place4));
   }
   function mixed(a, b, part) {
     if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
@@ -2831,13 +2932,13 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     #rebuild(frame, blocks) {
       const made2 = document.createElement("template");
       made2.innerHTML = frame;
-      for (const place3 of made2.content.querySelectorAll("carts-place")) {
+      for (const place4 of made2.content.querySelectorAll("carts-place")) {
         const index = Number(
           /** @type {HTMLElement} */
-          place3.dataset.block
+          place4.dataset.block
         );
         const element = blocks[index];
-        place3.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
+        place4.replaceWith(element ?? html("p", "carts-teach-missing", "Seen after the build."));
       }
       const kept = [...this.article.children].filter((child) => child.matches(STAYS2));
       const foot = kept.filter((child) => child.matches(".carts-teach-door, .md-source-file"));
@@ -2971,18 +3072,18 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       this.#rows.clear();
       this.root.replaceChildren();
       let group = "";
-      let place3 = this.root;
+      let place4 = this.root;
       for (const field of fields) {
-        if (field.group !== group || !field.group && place3 !== this.root) {
+        if (field.group !== group || !field.group && place4 !== this.root) {
           group = field.group;
-          place3 = this.root;
+          place4 = this.root;
           if (group) {
-            place3 = html("fieldset");
-            place3.append(html("legend", "", group));
-            this.root.append(place3);
+            place4 = html("fieldset");
+            place4.append(html("legend", "", group));
+            this.root.append(place4);
           }
         }
-        place3.append(this.#row(field));
+        place4.append(this.#row(field));
       }
       if (focused) this.#rows.get(focused[0])?.control.focus();
     }
@@ -3152,7 +3253,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     show(piece, findings, changed) {
       this.piece = piece;
       this.findings = findings;
-      say(this.kind, piece.kind === "block" ? KINDS[piece.name ?? ""] ?? "Block" : place2(piece));
+      say(this.kind, piece.kind === "block" ? KINDS[piece.name ?? ""] ?? "Block" : place3(piece));
       say(this.title, piece.kind === "block" ? titleOf(piece) : firstWords(piece.text));
       const count = findings.length;
       const wrong = count ? `${count} ${count === 1 ? "mistake" : "mistakes"}` : "";
@@ -3204,7 +3305,7 @@ ${found && html2`<p class="carts-found" hidden></p>`}
       else this.text.goTo(line, col);
     }
   };
-  var place2 = (piece) => piece.kind === "top" ? "Facts" : "Text";
+  var place3 = (piece) => piece.kind === "top" ? "Facts" : "Text";
   function titleOf(piece) {
     const words = piece.title || piece.id || piece.text.split("\n")[0] || "";
     return words.length > 70 ? `${words.slice(0, 70)}…` : words;

@@ -243,7 +243,7 @@
     const above = Math.max(tallest, FACE) + layout.stagger * (layout.ranks - 1) + ABOVE;
     return layout.track - above - LANE * (layout.lanes - 1 - i % layout.lanes);
   }
-  function spring(start, end) {
+  function spring(start, end2) {
     const low = (
       /** @type {number} */
       SPRING[0]
@@ -252,15 +252,15 @@
       /** @type {number} */
       SPRING[1]
     );
-    const step = (end - start) / 4;
+    const step = (end2 - start) / 4;
     let d = `M${px(start)} ${px(-(low + high) / 2)}`;
     for (let k = 0; k < 4; k += 1) {
       d += `L${px(start + (k + 0.5) * step)} ${px(k % 2 === 0 ? -high : -low)}`;
     }
-    return `${d}L${px(end)} ${px(-(low + high) / 2)}`;
+    return `${d}L${px(end2)} ${px(-(low + high) / 2)}`;
   }
-  function coil(start, end, y, turns = TURNS, high = COIL) {
-    const span = Math.max(0, end - start);
+  function coil(start, end2, y, turns = TURNS, high = COIL) {
+    const span = Math.max(0, end2 - start);
     const lead = Math.min(LEAD, span / 4);
     const step = (span - 2 * lead) / turns;
     let d = `M${px(start)} ${px(y)}L${px(start + lead)} ${px(y)}`;
@@ -353,8 +353,8 @@
       {
         label: tr("momentum of all carts, start → end"),
         of: (run) => {
-          const [start, end] = [momentum(run, 0), momentum(run, -1)];
-          return `${fixed(start, 2)} → ${fixed(end, 2)} N s`;
+          const [start, end2] = [momentum(run, 0), momentum(run, -1)];
+          return `${fixed(start, 2)} → ${fixed(end2, 2)} N s`;
         }
       }
     ];
@@ -439,10 +439,10 @@
       });
     }
     const start = track.left === "wall" ? face("left", "right") : -layout.width;
-    const end = track.right === "wall" ? face("right", "left") : 2 * layout.width;
+    const end2 = track.right === "wall" ? face("right", "left") : 2 * layout.width;
     const tooth = 2 * TOOTH;
     const first = Math.max(start, -tooth + (start % tooth + tooth) % tooth);
-    const d = teeth(first, Math.min(end, layout.width) - first, layout.track);
+    const d = teeth(first, Math.min(end2, layout.width) - first, layout.track);
     return [{ ...piece, key, d }];
   }
   function teeth(x, length, y) {
@@ -509,6 +509,7 @@
   var view_default4 = {
     name: tr("magnets"),
     link: tr("magnets"),
+    apart: true,
     stored: tr("between the magnets"),
     phrase: (_, { both }) => [tr("magnets on {bodies}, like poles facing", { bodies: both })],
     pieces({ between }, { key, layout, face }) {
@@ -533,35 +534,76 @@
   }
 
   // ../effects/push/view.js
+  var LET_GO = 1.5;
+  var BACK = 0.2;
+  var ROOM = 16;
+  var MIDDLE = 29;
+  var HAND = "M-46 -6L-31 -7C-26 -9 -22 -6 -17 -3.5L-3 -3.5C1 -3.5 1 3 -3 3L-15 3C-10 3 -10 7.5 -15 7.5C-11 7.5 -11 12 -16 12C-13 12 -13 16 -18 16C-26 17 -29 14 -32 9L-46 9M-15 3h-7M-15 7.5h-6M-16 12h-5M-29 0C-24 0 -21 -1 -19 3M-38 -9h-8v20h8Z";
   var view_default5 = {
     name: tr("pushes from outside"),
     row: 2,
     side: (force) => force < 0 ? "right" : "left",
     around: (_, agent2) => agent2,
     acts: ({ numbers: { from = 0, until = Infinity } }, t) => t >= from && t < until,
+    seen: (effect, t) => begun(effect, t) && t < end(effect) + (isHand(effect) ? LET_GO : 0),
     phrase: (effect, { agent: agent2, seen }) => [
       tr("a push on {cart} by {agent}", { cart: String(effect.carts[0]), agent: agent2 }),
       seen(forceText(effect.numbers.force ?? 0)),
       times(effect)
     ],
-    pieces({ carts: [name = ""], numbers: { force = 0 } }, { key, header, layout, centre }) {
+    pieces(effect, { key, header, run, t, layout, centre }) {
+      const { carts, numbers } = effect;
+      const name = String(carts[0]);
       const y = layout.track;
-      const way = force >= 0 ? 1 : -1;
+      const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name);
-      const x = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2 + 3);
+      const side = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      if (isHand(effect)) {
+        const past = t - end(effect);
+        if (past >= 0 && goesOn(effect, header)) return [];
+        const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+        const left = past < 0 ? side : side - (place(run, name, t) - place(run, name, end(effect))) * layout.scale;
+        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, way) }];
+      }
+      const x = side - 3 * way;
       const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
-    marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent2, until, told2) {
+    marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told2) {
       const who = { cart: String(carts[0]), agent: agent2 };
       const begins = told2 ? tr("The push on {cart} by {agent} begins: {force}.", { ...who, force: forceText(force) }) : tr("The push on {cart} by {agent} begins.", who);
       const marks = from <= until ? [{ t: from, sentence: begins }] : [];
-      if (end !== void 0 && from < end && end <= until) {
-        marks.push({ t: end, sentence: tr("The push on {cart} by {agent} ends.", who) });
+      if (end2 !== void 0 && from < end2 && end2 <= until) {
+        marks.push({ t: end2, sentence: tr("The push on {cart} by {agent} ends.", who) });
       }
       return marks;
     }
   };
+  var isHand = ({ by }) => !by || by === "hand";
+  var begun = ({ numbers: { from = 0 } }, t) => t >= from;
+  var end = ({ numbers: { until = Infinity } }) => until;
+  function goesOn(effect, { effects }) {
+    const on = (one) => one.active && one.kind === effect.kind && one.carts[0] === effect.carts[0] && isHand(one);
+    return effects.some((one) => on(one) && one !== effect && (one.numbers.from ?? 0) >= end(effect));
+  }
+  function place({ trajectory: { t: times2, x, v } }, name, t) {
+    return valueAt(times2, x[name] ?? [], v[name] ?? [], t);
+  }
+  function hand(x, y, way) {
+    let across = true;
+    let absolute = true;
+    return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
+      if (/[a-zA-Z]/.test(part)) {
+        across = part !== "v";
+        absolute = part === part.toUpperCase();
+        return part;
+      }
+      const number = Number(part);
+      const shown = across ? way * number + (absolute ? x : 0) : number + (absolute ? y : 0);
+      across = absolute ? !across : across;
+      return ` ${px(shown)}`;
+    });
+  }
   function forceText(force) {
     const size = short(Math.abs(force));
     return force >= 0 ? tr("{size} N to the right", { size }) : tr("{size} N to the left", { size });
@@ -577,28 +619,55 @@
   var HALF = 9;
   var TURNS2 = 7;
   var HIGH = 4;
+  var ABOVE2 = 28;
   var view_default6 = {
     name: tr("a release between the carts"),
     leftOut: tr("exploders"),
-    link: null,
-    // it acts at one instant: an impulse, no force to be drawn
-    acts: ({ numbers: { at = 0 } }, t) => t < at,
-    phrase: ({ numbers: { energy = 0, at = 0 } }, { both, seen }) => [
-      tr("an exploder between {bodies}", { bodies: both }),
+    link: tr("spring"),
+    lasts: ({ numbers }) => numbers.stiffness !== void 0,
+    // else an impulse: no force to be drawn
+    stored: tr("in the squeezed spring"),
+    acts: ({ numbers: { at = 0, stiffness } }, t) => t < at || stiffness !== void 0,
+    phrase: ({ numbers: { energy = 0, at = 0, stiffness } }, { both, seen }) => [
+      stiffness === void 0 ? tr("an exploder between {bodies}", { bodies: both }) : tr("a squeezed spring between {bodies} that is let go", { bodies: both }),
       seen(`${short(energy)} J`),
+      stiffness === void 0 ? "" : seen(`${short(stiffness)} N/m`),
       tr("at {time} s", { time: short(at) })
     ],
-    pieces({ between }, { key, layout, face }) {
-      const [a, b] = between ?? ["", ""];
-      const x = (face(a, "right") + face(b, "left")) / 2;
-      const low = layout.track - 28;
-      const latch = `M${px(x - HALF - 1)} ${px(low + 7)}v-15h20v15`;
+    pieces(effect, { key, run, t, layout, face }) {
+      const [a, b] = effect.between ?? ["", ""];
+      const [begun2, ended] = pushes(effect, run);
+      const low = layout.track - ABOVE2;
+      const ends2 = [face(a, "right"), face(b, "left")].map(Number);
+      if (t > ended) {
+        const there = edge(run, a, ended) - edge(run, a, t);
+        const start2 = Number(ends2[0]) + there * layout.scale - HALF;
+        const long = (edge(run, b, ended, -1) - edge(run, a, ended)) * layout.scale;
+        const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
+        return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
+      }
+      const middle = (Number(ends2[0]) + Number(ends2[1])) / 2;
+      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends2;
+      const wire = coil(start - HALF, end2 + HALF, low, TURNS2, HIGH);
+      const plates = t < begun2 ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end2 + HALF + 1)} ${px(low + 7)}v-14`;
       return [
-        { key, cls: "carts-coil", d: coil(x - HALF, x + HALF, low, TURNS2, HIGH) },
-        { key: `${key} latch`, cls: "carts-latch", d: latch }
+        { key, cls: "carts-coil", d: wire },
+        { key: `${key} latch`, cls: "carts-latch", d: plates }
       ];
     }
   };
+  function pushes({ between, numbers: { at = 0 } }, { header, trajectory }) {
+    const pair = between?.join("-");
+    const mine = header.events.filter(({ bodies }) => bodies.join("-") === pair);
+    const begun2 = mine.find(({ kind, t }) => kind === "release" && t === at);
+    if (!begun2 || trajectory.t.length < 2) return [Infinity, Infinity];
+    const ended = mine.find(({ kind, t }) => kind === "separate" && t > begun2.t);
+    return [begun2.t, ended?.t ?? Infinity];
+  }
+  function edge({ header, trajectory }, name, t, way = 1) {
+    const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
+    return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+  }
 
   // ../effects/spring/view.js
   var view_default7 = {
@@ -616,14 +685,14 @@
     },
     pieces({ numbers, between }, { key, layout, face }) {
       const [a, b] = between ?? ["", ""];
-      const [start, end] = [face(a, "right"), face(b, "left")];
+      const [start, end2] = [face(a, "right"), face(b, "left")];
       const length = (numbers.length ?? 0) * layout.scale;
-      const middle = (start + end) / 2;
-      const low = a === "left" ? start : b === "right" ? end - length : middle - length / 2;
+      const middle = (start + end2) / 2;
+      const low = a === "left" ? start : b === "right" ? end2 - length : middle - length / 2;
       const y = layout.track - PUSH - COIL - 5;
       const measure = `M${px(low)} ${px(y - 3)}v6M${px(low)} ${px(y)}h${px(length)}m0 -3v6`;
       return [
-        { key, cls: "carts-coil", d: coil(start, end, layout.track - PUSH) },
+        { key, cls: "carts-coil", d: coil(start, end2, layout.track - PUSH) },
         { key: `${key} natural`, cls: "carts-natural", d: measure }
       ];
     }
@@ -661,8 +730,9 @@
     const kinds = new Set(effects.filter(({ between }) => !between).map(({ kind }) => kind));
     return [...kinds].sort((a, b) => viewOf(a).row - viewOf(b).row || (a < b ? -1 : 1));
   }
-  function isLink({ kind, between }) {
-    return between !== null && viewOf(kind).link !== null;
+  function isLink(effect) {
+    const { link, lasts } = viewOf(effect.kind);
+    return effect.between !== null && link !== null && (lasts?.(effect) ?? true);
   }
   function linkedPairs({ effects }) {
     return new Set(effects.filter(isLink).map(({ between }) => String(between?.join("-"))));
@@ -860,7 +930,7 @@ ${ground(baked, layout, hatch)}
 ${run.header.bodies.map(velocity)}
 ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name] ?? "cart"))}
 <g data-part="effects-front"></g>
-${forces && pushes(baked)}
+${forces && pushes2(baked)}
 <g data-part="guess"></g>
 ${legend(baked, layout)}
 </svg>`;
@@ -878,7 +948,7 @@ ${legend(baked, layout)}
     return html2`<g class="carts-cart carts-${styleOf(i)}" data-body=${name}><path data-part="spring-left" class="carts-spring"/><path data-part="spring-right" class="carts-spring"/>${face("left")}${face("right")}<rect data-part="box" class="carts-box" rx=${corner}/>${skin !== "cart" && html2`<path data-part="skin" class="carts-skin"/>`}${wheels2 && html2`<path data-part="wheels" class="carts-wheels"/>`}<g data-part="break" class="carts-break"><path d=${BREAK}/></g><text data-part="name" class="carts-name"></text><text data-part="mass" class="carts-mass"></text></g>
 `;
   }
-  function pushes({ run: { header } }) {
+  function pushes2({ run: { header } }) {
     const linked = linkedPairs(header);
     const style = (name) => {
       const i = header.bodies.findIndex((body2) => body2.name === name);
@@ -899,7 +969,7 @@ ${legend(baked, layout)}
     const first = left === "wall" ? 0 : low;
     const last2 = right === "wall" ? Number(length) : high;
     const start = left === "wall" ? at(0) : at(low) - BEYOND;
-    const end = right === "wall" ? at(last2) : at(high) + BEYOND;
+    const end2 = right === "wall" ? at(last2) : at(high) + BEYOND;
     const under = layout.track + layout.beam;
     let step = niceAbove((LABEL_ROOM[layout.kind] ?? 0) / layout.scale);
     while ((high - low) / step > MOST_NUMBERS) step = niceAbove(step * 1.5);
@@ -907,16 +977,16 @@ ${legend(baked, layout)}
     const parts = /[1-9]/.exec(short(step))?.[0] === "2" ? 4 : 5;
     const fine = ticks({ ...numbers, step: step / parts }).map((x) => `M${px(at(x))} ${px(under)}v4`);
     const tall = Math.max(view.tallest, LEAST_WALL);
-    const wall = (edge, from) => {
+    const wall = (edge2, from) => {
       const box2 = html2`x=${px(from)} y=${px(layout.track - tall)} width=${WALL} height=${px(tall + layout.beam)}`;
       return html2`<rect class="carts-wall" ${box2}/>
 <rect ${box2} fill="url(#${hatch})"/>
-<path class="carts-wall-face" d="M${px(edge)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
+<path class="carts-wall-face" d="M${px(edge2)} ${px(layout.track - tall)}v${px(tall + layout.beam)}"/>
 `;
     };
     return html2`<g data-part="ground">
-${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last2), at(last2))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end - start)} height=${px(layout.beam)}/>
-<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end)}"/>
+${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(last2), at(last2))}<rect class="carts-beam" x=${px(start)} y=${px(layout.track)} width=${px(end2 - start)} height=${px(layout.beam)}/>
+<path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
       (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
@@ -946,22 +1016,52 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     const peaks = /* @__PURE__ */ new Map();
     const found2 = [];
     for (const event of events) {
-      const pair = event.bodies.join("-");
-      const touch = open2.get(pair);
+      const { bodies, before, t: start } = event;
+      const pair = bodies.join("-");
+      const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
-        open2.set(pair, { pair, bodies: event.bodies, start: event.t, end: event.t });
+        open2.set(pair, { touch, before });
+      } else if (event.kind === "release" && !event.impulse) {
+        open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
-      } else if (touch && (event.kind === "separate" || event.kind === "stick")) {
-        open2.delete(pair);
-        found2.push({ ...touch, end: event.t });
+      } else if (event.kind === "separate" || event.kind === "stick") {
+        const keys = [`loose ${pair}`, pair].filter((key2) => open2.has(key2));
+        const key = keys.length < 2 || begunWith(before, open2.get(String(keys[0]))) ? keys[0] : pair;
+        const over = key && open2.get(key);
+        if (!over) continue;
+        open2.delete(key);
+        found2.push({ ...over.touch, end: event.t });
       }
     }
-    for (const touch of open2.values()) {
-      const peak = peaks.get(touch.pair) ?? until;
+    for (const { touch } of open2.values()) {
+      const peak = touch.loose ? until : peaks.get(touch.pair) ?? until;
       found2.push({ ...touch, end: peak > touch.start ? peak : until });
     }
     return found2.filter((touch) => touch.end > touch.start).sort((a, b) => a.start - b.start);
+  }
+  function begunWith(before, one) {
+    return Object.entries(one?.before ?? {}).every(([name, v]) => before[name] === v);
+  }
+  var FELT = 0.1;
+  function windowsOf({ header, trajectory }) {
+    const found2 = touches(header.events, header.until);
+    const { t, F } = trajectory;
+    for (const event of header.events) {
+      const pair = event.bodies.join("-");
+      const column = F[pair];
+      const within = found2.some(
+        (touch) => touch.pair === pair && touch.start <= event.t && event.t <= touch.end
+      );
+      if (event.kind !== "peak" || within || !column || t.length < 2) continue;
+      const felt = (k) => Number(column[k]) > FELT * (event.force ?? 0);
+      let [first, last2] = [rowAt(t, event.t), rowAt(t, event.t)];
+      while (first > 0 && felt(first)) first -= 1;
+      while (last2 < t.length - 1 && felt(last2)) last2 += 1;
+      const window = { start: Number(t[first]), end: Number(t[last2]) };
+      found2.push({ pair, bodies: event.bodies, ...window, near: true });
+    }
+    return found2.sort((a, b) => a.start - b.start);
   }
 
   // src/predict/pull.js
@@ -991,8 +1091,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         },
         { signal }
       );
-      for (const end of ["pointerup", "pointercancel"]) {
-        addEventListener(end, () => leaving.abort(), { signal });
+      for (const end2 of ["pointerup", "pointercancel"]) {
+        addEventListener(end2, () => leaving.abort(), { signal });
       }
     });
     return group;
@@ -1041,10 +1141,15 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
 
   // ../view/effects-props.js
-  function props(header, layout, t, face, centre) {
-    return header.effects.filter((effect) => actsAt(effect, t)).flatMap((effect) => {
+  function isSeen(effect, t) {
+    const { seen } = viewOf(effect.kind);
+    return seen ? effect.active && seen(effect, t) : actsAt(effect, t);
+  }
+  function props(run, layout, t, face, centre) {
+    const { header } = run;
+    return header.effects.filter((effect) => isSeen(effect, t)).flatMap((effect) => {
       const key = `${effect.kind} ${effect.index}`;
-      return viewOf(effect.kind).pieces?.(effect, { key, header, layout, face, centre }) ?? [];
+      return viewOf(effect.kind).pieces?.(effect, { key, header, run, t, layout, face, centre }) ?? [];
     });
   }
 
@@ -1082,7 +1187,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     at(t, face, centre) {
       const run = this.#run;
       if (!run?.header.effects.length) return;
-      const pieces = props(run.header, this.layout, t, face, centre);
+      const pieces = props(run, this.layout, t, face, centre);
       if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
       const seen = new Set(pieces.map(({ key }) => key));
       for (const [key, element] of this.#drawn) {
@@ -1220,7 +1325,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
           put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends2[side]), y, way * length));
         });
         const touching = this.#windows.some(
-          (w) => w.pair === push.pair && t >= w.start && t <= w.end
+          (w) => w.pair === push.pair && !w.loose && !w.near && t >= w.start && t <= w.end
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
@@ -1276,8 +1381,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       const [low, high] = this.#between();
       if (high - low >= left + right + 2 * GAP2 && !push.bodies.some(isWall)) {
         const begin = Math.min(Math.max(x + GAP2, low + left + 2 * GAP2), high - right);
-        const end = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
-        write(first, labels2[0] ?? "", end, push.row, "end");
+        const end2 = Math.max(low + left, Math.min(x - GAP2, begin - 2 * GAP2));
+        write(first, labels2[0] ?? "", end2, push.row, "end");
         write(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
       }
@@ -1295,10 +1400,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     #between() {
       const { origin, scale, width } = this.layout;
       const track = this.#run?.header.track;
-      const end = origin + (track?.length ?? 0) * scale;
+      const end2 = origin + (track?.length ?? 0) * scale;
       return [
         track?.left === "wall" ? Math.max(EDGE2, origin + GAP2) : EDGE2,
-        track?.right === "wall" ? Math.min(width - EDGE2, end - GAP2) : width - EDGE2
+        track?.right === "wall" ? Math.min(width - EDGE2, end2 - GAP2) : width - EDGE2
       ];
     }
     /** @param {number} size in N */
@@ -1493,9 +1598,9 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       for (let gap = 0; gap <= bodies.length; gap += 1) {
         const [a, b] = [this.#carts[gap - 1], this.#carts[gap]];
         if (!a && track.left !== "wall" || !b && track.right !== "wall") continue;
-        const end = a ? Number(centres[gap - 1]) + a.half : at(0);
+        const end2 = a ? Number(centres[gap - 1]) + a.half : at(0);
         const start = b ? Number(centres[gap]) - b.half : at(track.length ?? 0);
-        const overlap = Math.max(0, end - start);
+        const overlap = Math.max(0, end2 - start);
         const share = Math.min(a?.bumper ?? 0, b ? overlap / 2 : overlap);
         const rest = Math.min(b?.bumper ?? 0, overlap - share);
         if (b) left[gap] = rest;
@@ -1564,11 +1669,11 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
   function slowParts(touches2) {
     const parts = [];
-    for (const { start, end } of touches2) {
-      const duration = end - start;
+    for (const { start, end: end2 } of touches2) {
+      const duration = end2 - start;
       const rate = rateFor(duration);
       if (rate >= 1) continue;
-      const part = { from: start - BEFORE * duration, to: end + AFTER * duration, rate };
+      const part = { from: start - BEFORE * duration, to: end2 + AFTER * duration, rate };
       const last2 = parts.at(-1);
       if (last2 && part.from <= last2.to) {
         last2.to = Math.max(last2.to, part.to);
@@ -1586,8 +1691,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     while (left > 0 && now < until) {
       const inside = slowAt(parts, now);
       const rate = inside ? Math.min(speed, inside.rate) : speed;
-      const edge = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
-      const next = Math.min(edge, until);
+      const edge2 = inside ? inside.to : parts.find((part) => part.from > now)?.from ?? until;
+      const next = Math.min(edge2, until);
       if (now + left * rate < next) return now + left * rate;
       left -= (next - now) / rate;
       now = next;
@@ -1731,7 +1836,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       this.root = html("div", "carts-worlds-pictures");
       this.decimals = baked.view.decimals.t ?? 2;
       this.player = new Player(() => this.#at());
-      const all = shown.map(({ run }) => touches(run.header.events, run.header.until));
+      const all = shown.map(({ run }) => windowsOf(run));
       this.player.until = Math.max(...shown.map(({ run }) => run.header.until));
       this.player.parts = slowParts(all.flat().sort((a, b) => a.start - b.start));
       this.stages = [];
@@ -1761,8 +1866,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         this.stages.push(made);
         if (!impossible) continue;
         const { width, track } = made.layout;
-        const place2 = { x: width / 2, y: track - SIGN, "text-anchor": "middle" };
-        const text = svg("text", { class: "carts-impossible-sign", ...place2 });
+        const place3 = { x: width / 2, y: track - SIGN, "text-anchor": "middle" };
+        const text = svg("text", { class: "carts-impossible-sign", ...place3 });
         text.textContent = tr("impossible");
         root.prepend(text);
       }
@@ -2062,7 +2167,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       return texts ? sheltered(texts) : memory();
     }
   }
-  function place() {
+  function place2() {
     const { cartsSite, cartsPage } = document.documentElement.dataset;
     const meta = (name) => document.querySelector(`meta[name="${name}"]`)?.getAttribute("content");
     const path = location.pathname.split("/").slice(-2).join("/");
@@ -2075,7 +2180,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   // src/worlds/yours.js
   async function isYours({ fence }, world) {
     if (fence.predict?.kind !== "arrows") return false;
-    const { site, page } = place();
+    const { site, page } = place2();
     const store = await openStore(site);
     const entry = await store.get(`${page}#${fence.id}`).catch(() => null);
     const arrows2 = Array.isArray(entry?.value) ? entry.value : [];
@@ -2158,7 +2263,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       this.#turn += 1;
       const turn = this.#turn;
       const note = need(this, ".carts-worlds-note");
-      const place2 = need(this, ".carts-worlds-show");
+      const place3 = need(this, ".carts-worlds-show");
       say(note, tr("Computing …"));
       for (const one of this.querySelectorAll(".carts-worlds-names button")) {
         one.setAttribute("aria-pressed", String(one === button));
@@ -2174,7 +2279,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
           { run: real, caption: tr("Our world") },
           { run: other, caption: world.says, impossible: true }
         ]);
-        place2.replaceChildren(
+        place3.replaceChildren(
           this.#pictures.root,
           ...await isYours(baked, other) ? [yours()] : [],
           ends(

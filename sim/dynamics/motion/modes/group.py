@@ -20,7 +20,7 @@ from sim.dynamics.motion.modes.state import ModalState, modal_state
 from sim.dynamics.motion.rest import QUIET
 from sim.dynamics.motion.series import Row, step_length
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
+from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.effects.forces import FRICTION
@@ -53,6 +53,7 @@ class ModalGroup:
     step: float  # s, of the series that it stands for
     touched: list[bool]
     loads: list[Load]
+    linked: list[tuple[str, ...]]
     ends: list[End]  # who halts, where all has come to rest
     name: ClassVar[str] = "modes"
     tier: ClassVar[int] = 2
@@ -145,8 +146,9 @@ class ModalGroup:
         for k, gap in enumerate(self.members):
             over, force, branch = self.sums.over[k], self.contact[k], self.branches[k]
             o, rate = over.both(t)
+            summed = over.integral(t) if gap.loose else 0.0
             if gap.touching is None:
-                found.append(Part(o, rate))
+                found.append(Part(o, rate, summed=summed))
                 continue
             seen = []
             for when in (0.0, maximum(force, t, least, LOOKS), t) if peaks else ():
@@ -156,7 +158,7 @@ class ModalGroup:
             if gap.law is not None:
                 kept += gap.law.kept(branch, -gap.room, o)
             deepest = max(-gap.room, over.value(maximum(over, t, least, LOOKS)))
-            found.append(Part(o, rate, force.integral(t), kept, deepest, tuple(seen)))
+            found.append(Part(o, rate, force.integral(t), kept, deepest, tuple(seen), summed))
         return found
 
     def book(self, accounts: Accounts, t: float) -> None:
@@ -227,6 +229,7 @@ def modal_group(
     return ModalGroup(
         bodies, gaps, now, duration, state, row.branches, contact, across, row.steady, step,
         [gap.touching is not None for gap in gaps], [body.load for body in bodies],
+        [kinds_of(gap) for gap in gaps],
         halted if duration == rest else [],
     )  # fmt: skip
 

@@ -44,4 +44,4 @@ def _along(gap: Gap, guard: Guard, over: ModalSum, force: ModalSum) -> ModalSum:
     quantity = {"force": force, "overlap": over, "rate": over.slope}[guard.of]
     if guard.rises:
         return plus((1.0, ModalSum(guard.level, ())), (-1.0, quantity))
-    return quantity
+    return plus((1.0, quantity), (-1.0, ModalSum(guard.level, ()))) if guard.level else quantity

@@ -8,7 +8,7 @@ import { actingSentences } from "../../../view/effects-words.js";
 import { told, tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
 import { isTold } from "../../../view/trajectory.js";
-import { touches } from "../../../view/windows.js";
+import { windowsOf } from "../../../view/windows.js";
 import { html, need, put, say } from "../shared/dom.js";
 import { Views } from "./beside/views.js";
 import { GraphView } from "./graphs/graph-view.js";
@@ -52,9 +52,8 @@ export class Drawing {
 
   /** Puts a run on the page. @param {Run} run @param {number} t the instant shown, in s */
   show(run, t) {
-    const { header } = run;
     this.run = run;
-    this.windows = touches(header.events, header.until);
+    this.windows = windowsOf(run);
     this.#words();
     this.stand();
     for (const graph of this.graphs) graph.show(run, t);

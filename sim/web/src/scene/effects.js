@@ -53,7 +53,7 @@ export class Effects {
   at(t, face, centre) {
     const run = this.#run;
     if (!run?.header.effects.length) return;
-    const pieces = props(run.header, this.layout, t, face, centre);
+    const pieces = props(run, this.layout, t, face, centre);
     if (this.forces && isTold(run)) pieces.push(...arrows(run, this.layout, this.full, t, centre));
     const seen = new Set(pieces.map(({ key }) => key));
     for (const [key, element] of this.#drawn) {

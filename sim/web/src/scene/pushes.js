@@ -81,7 +81,7 @@ export class Pushes {
         put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side]), y, way * length));
       });
       const touching = this.#windows.some(
-        (w) => w.pair === push.pair && t >= w.start && t <= w.end,
+        (w) => w.pair === push.pair && !w.loose && !w.near && t >= w.start && t <= w.end,
       );
       const link = touching ? "" : linkOf(run.header, push.pair);
       if (touching || (link && size > 0)) {

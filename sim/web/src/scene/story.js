@@ -44,7 +44,7 @@ export class Story {
   show(run) {
     const { header } = run;
     const decimals = this.view.decimals.v ?? 2;
-    const laws = lawsOf(header.contacts);
+    const laws = lawsOf(header);
     this.told = [
       ...(isTold(run) ? marks(header, this.telling.forces) : []),
       ...header.events.map((event) => ({

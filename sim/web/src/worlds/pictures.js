@@ -6,7 +6,7 @@
 import { tr } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
 import { stage } from "../../../view/skeleton/stage.js";
-import { touches } from "../../../view/windows.js";
+import { windowsOf } from "../../../view/windows.js";
 import { Stage } from "../scene/stage.js";
 import { Player } from "../scene/time/player.js";
 import { slowParts } from "../scene/time/slow.js";
@@ -25,7 +25,7 @@ export class Pictures {
     this.root = html("div", "carts-worlds-pictures");
     this.decimals = baked.view.decimals.t ?? 2;
     this.player = new Player(() => this.#at());
-    const all = shown.map(({ run }) => touches(run.header.events, run.header.until));
+    const all = shown.map(({ run }) => windowsOf(run));
     this.player.until = Math.max(...shown.map(({ run }) => run.header.until));
     this.player.parts = slowParts(all.flat().sort((a, b) => a.start - b.start));
     /** @type {Stage[]} */

@@ -33,7 +33,7 @@ export class Bars {
   /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
   show(run, windows) {
     this.#run = run;
-    this.#windows = windows;
+    this.#windows = windows.filter(({ near }) => !near);
     this.#curves = seriesOf("p", run.header, run.trajectory, this.camera);
     let most = this.#first;
     for (const { values } of this.#curves) {

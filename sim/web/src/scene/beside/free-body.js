@@ -47,7 +47,7 @@ export class FreeBody {
   /** @param {Run} run @param {import("../../../../view/windows.js").Touch[]} windows */
   show(run, windows) {
     this.#run = run;
-    this.#windows = windows;
+    this.#windows = windows.filter(({ near }) => !near);
   }
 
   /** @param {number} t in s */

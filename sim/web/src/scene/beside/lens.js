@@ -9,7 +9,7 @@ import { contactForce } from "../../../../view/forces.js";
 import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, px, short } from "../../../../view/numbers.js";
 import { niceAbove } from "../../../../view/scales.js";
-import { arrowLength, blockArrow, cutArrow, isCut, spring } from "../../../../view/shapes.js";
+import { arrowLength, blockArrow, coil, cutArrow, isCut, spring } from "../../../../view/shapes.js";
 import { valueAt } from "../../../../view/trajectory.js";
 import { need, onResize, put, say } from "../../shared/dom.js";
 
@@ -90,6 +90,10 @@ export class Lens {
     [left, right].forEach((side, k) => {
       this.#draw(k, side, Number(faces[k]), middle, force);
     });
+    const pushed = touch.loose && t >= touch.start && t <= touch.end;
+    const at = (/** @type {number} */ x) => WIDTH / 2 + (x - middle) * this.#perMetre;
+    const wire = coil(at(left.face), at(right.face), TRACK - 14, undefined, 6);
+    put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
     const pair = listed(touch.bodies.map(body));
     const gap = right.face - left.face;
     const apart =

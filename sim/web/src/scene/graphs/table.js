@@ -7,7 +7,7 @@ import { tr } from "../../../../view/language.js";
 import { fixed, NOISE, speedUnit } from "../../../../view/numbers.js";
 import { span, ticks } from "../../../../view/scales.js";
 import { valueAt } from "../../../../view/trajectory.js";
-import { touches } from "../../../../view/windows.js";
+import { windowsOf } from "../../../../view/windows.js";
 import { QUANTITIES } from "../../../../view/words.js";
 import { html, need } from "../../shared/dom.js";
 
@@ -95,9 +95,10 @@ export class Table {
 }
 
 /** Instants within the first contacts that last. @param {Run} run @returns {number[]} */
-function contactTimes({ header, trajectory }) {
+function contactTimes(run) {
+  const { trajectory } = run;
   const last = Number(trajectory.t[trajectory.t.length - 1]);
-  return touches(header.events, header.until)
+  return windowsOf(run)
     .slice(0, MOST_CONTACTS)
     .flatMap(({ start, end }) =>
       Array.from({ length: WITHIN }, (_, k) => start + ((k + 1) / (WITHIN + 1)) * (end - start)),
