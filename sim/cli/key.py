@@ -10,9 +10,9 @@ import yaml
 
 from sim.cli.check import report
 from sim.pages.findings import AuthorError
-from sim.pages.lesson_places import bank_folders, scene_folders
 from sim.pages.question.key_page import lesson_key
 from sim.pages.scene_block import Lesson
+from sim.pages.text.lesson_places import bank_folders, scene_folders
 
 
 @click.command("key")

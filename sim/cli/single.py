@@ -9,9 +9,9 @@ import click
 
 from sim.cli.scene_file import fail
 from sim.pages.findings import AuthorError, SiteError
-from sim.pages.lesson_places import bank_folders, scene_folders
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
 from sim.pages.text.fence_scan import scan
+from sim.pages.text.lesson_places import bank_folders, scene_folders
 
 
 @click.command("single")

@@ -12,11 +12,10 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.hard_cases.block import read_hard_cases_block
 from sim.pages.law.block import LawBlock, read_law_block
 from sim.pages.law_files import with_law_files
-from sim.pages.lesson_places import described
 from sim.pages.map.bake import bake_map
-from sim.pages.map_block import MapBlock, read_map_block
+from sim.pages.map.block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
-from sim.pages.picture import read_picture_block
+from sim.pages.picture.block import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.quiz import FOLDER as BANK_FOLDER
@@ -25,6 +24,7 @@ from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.lesson_places import described
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.translate.check import catalogue_findings
 from sim.pages.translate.translation import Translation

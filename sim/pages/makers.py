@@ -11,7 +11,7 @@ from sim.pages.bake import bake
 from sim.pages.drawing import DrawingError
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.language import ENGLISH, speaking, words
-from sim.pages.map_block import read_map_block
+from sim.pages.map.block import read_map_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.scene_block import Lesson, SceneBlock, SiteIds, read_scene_block
@@ -164,7 +164,8 @@ def _law(block: Block, page: Page) -> str:
 
 def _picture(block: Block, page: Page) -> str:
     """A `picture` block: the carts of a scene at one instant. Nothing is loaded for it."""
-    from sim.pages.picture import read_picture_block, render_picture
+    from sim.pages.picture.block import read_picture_block
+    from sim.pages.picture.render import render_picture
 
     read = read_picture_block(block, page.lesson, first_line=page.first_line)
     page.pictures += 1

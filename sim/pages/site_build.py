@@ -25,25 +25,17 @@ from sim.pages.language import (
     of_page,
     words_script,
 )
-from sim.pages.lesson_places import described
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
 from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download
+from sim.pages.site_id import check_site_id
 from sim.pages.teach.doors import Doors
+from sim.pages.text.lesson_places import described
 from sim.pages.text.lesson_text import language_findings
 from sim.pages.translate.languages import Languages
-
-_SITE_ID = re.compile(r"[a-z0-9][a-z0-9-]{2,39}")
-_SITE_ID_HELP = """\
-mkdocs.yml: error: extra.carts.site_id is missing or not allowed
-  hint: a name for your site, 3 to 40 small letters, digits and hyphens; answers are stored under it
-    extra:
-      carts:
-        site_id: my-school-physics"""
-
 
 _STATISTICS = {"numpy", "scipy"}
 
@@ -70,8 +62,7 @@ class SiteBuild:
 
     def __post_init__(self) -> None:
         self.doors = Doors(self.root)
-        if not _SITE_ID.fullmatch(self.site_id):
-            raise SiteError(_SITE_ID_HELP)
+        check_site_id(self.site_id)
 
     @property
     def packages(self) -> frozenset[str]:

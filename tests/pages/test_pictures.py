@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from sim.pages.check import check_lesson, scene_folders
+from sim.pages.check import check_lesson
 from sim.pages.extension import Page
 from sim.pages.makers import made
 from sim.pages.scene_block import Lesson, SiteIds
 from sim.pages.text.fence_scan import scan
+from sim.pages.text.lesson_places import scene_folders
 from tests.conftest import ROOT
 
 LESSON = Lesson("docs/index.md", scene_folders(ROOT / "docs" / "index.md", ROOT))

@@ -26,7 +26,6 @@ MODULES = (
     "effect_pages",
     "findings",
     "law_files",
-    "map_block",
     "scene_block",
     "templates",
 )
@@ -40,7 +39,7 @@ BUILD_ONLY = (
 BEGINS = (
     *("sim.pages.teach.answer", "sim.pages.widget", "sim.pages.question.render"),
     *("sim.pages.measured.render", "sim.pages.measured.block", "sim.pages.map.render"),
-    *("sim.pages.map_block", "sim.pages.map.bake"),
+    *("sim.pages.map.block", "sim.pages.map.bake"),
     *(
         f"markdown.extensions.{name}"
         for name in (

@@ -171,8 +171,8 @@ class Desk:
 
     def _map(self, block: Block, lesson: Lesson, ids: SiteIds, parts: tuple[Block, ...]) -> Shown:
         from sim.pages.map.bake import bake_map
+        from sim.pages.map.block import read_map_block
         from sim.pages.map.render import render_map
-        from sim.pages.map_block import read_map_block
 
         read = read_map_block(block, lesson, ids, first_line=1, blocks=parts)
 

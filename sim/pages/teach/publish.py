@@ -20,13 +20,13 @@ from typing import Any
 from sim.lesson.opening import word_sum
 from sim.pages.findings import AuthorError
 from sim.pages.gzipped import gzipped
-from sim.pages.lesson_places import scene_folders
 from sim.pages.measured.block import read_measured_block
 from sim.pages.scene_block import Lesson, SiteIds, load_block, with_scene_file
 from sim.pages.teach.pieces import blocks
 from sim.pages.teach.spans import values
 from sim.pages.teach.withheld import withhold
 from sim.pages.text.fence_scan import KINDS
+from sim.pages.text.lesson_places import scene_folders
 from sim.scene.read_written import named_laws
 
 FORMAT = 1

@@ -12,9 +12,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from sim.pages.findings import Finding
-from sim.pages.lesson_places import described
 from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import after_front_matter
+from sim.pages.text.lesson_places import described
 from sim.pages.text.lesson_text import without_code
 from sim.pages.translate.catalogues import BANKS, OTHERS, Source, source_of
 from sim.pages.translate.po_file import Words, read_words
