@@ -10,8 +10,13 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from sim.effects.where import room_between
+
 LEAST_ROOM = 0.01
 """m. Nearer at the start than that, the start does not say how near they come."""
+
+SMALLEST = 1e-3
+"""m. With n = 1 a fast cart comes unbelievably near; no scale is made for that."""
 
 
 def largest(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
@@ -19,11 +24,7 @@ def largest(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
     n, c = effect["numbers"].get("power", 3.0), effect["numbers"]["strength"]
     bodies = {body["name"]: body for body in header["bodies"]}
     left, right = effect["between"]
-    start = bodies[left]["position"] + bodies[left]["length"] / 2 if left in bodies else 0.0
-    end = header["track"]["length"]
-    if right in bodies:
-        end = bodies[right]["position"] - bodies[right]["length"] / 2
-    room = max(end - start, LEAST_ROOM)
+    room = max(room_between(effect["between"], header), LEAST_ROOM)
     mu = 1.0 / sum(1.0 / bodies[name]["mass"] for name in (left, right) if name in bodies)
     speeds = [body["velocity"] for body in bodies.values()]
     walled = left not in bodies or right not in bodies
@@ -35,7 +36,3 @@ def largest(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
         energy = moving + c / (n - 1.0) * room ** (1.0 - n)
         nearest = (c / ((n - 1.0) * energy)) ** (1.0 / (n - 1.0))
     return float(c / max(nearest, SMALLEST) ** n)
-
-
-SMALLEST = 1e-3
-"""m. With n = 1 a fast cart comes unbelievably near; no scale is made for that."""

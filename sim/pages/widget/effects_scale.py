@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
@@ -80,33 +79,10 @@ def _peak(effect: Mapping[str, Any], run: Run) -> float:
 
 
 def _estimate(effect: Mapping[str, Any], header: Mapping[str, Any]) -> float:
-    """Greatest force in N at the start, or at the greatest speed of the start."""
-    kind, n = effect["kind"], effect["numbers"]
-    bodies = {body["name"]: body for body in header["bodies"]}
-    weight = header["gravity"] * max((bodies[name]["mass"] for name in effect["carts"]), default=0)
-    speed = max(abs(body["velocity"]) for body in header["bodies"])
-    if kind == "friction":
-        return float(weight * max(n["coefficient"], n.get("static", 0.0)))
-    if kind == "incline":
-        return float(weight * abs(math.sin(n["angle"])))
-    if kind == "drag":
-        return float(n.get("linear", 0.0) * speed + n.get("quadratic", 0.0) * speed**2)
-    if kind == "push":
-        return float(abs(n["force"]))
-    own = largest_of(kind)
-    if own is not None:
-        return own(effect, header)
-    if kind != "spring":  # told by its run; before one, a part of the weight
-        return 0.0 if effect["between"] else float(UNKNOWN * weight)
-    left, right = effect["between"]
-    start = bodies[left]["position"] + bodies[left]["length"] / 2 if left in bodies else 0.0
-    end = header["track"]["length"]
-    if right in bodies:
-        end = bodies[right]["position"] - bodies[right]["length"] / 2
-    return float(n["stiffness"] * abs(n["length"] - (end - start)))
-
-
-def largest_of(kind: str) -> Callable[..., float] | None:
-    """What `largest.py` in the folder of an effect says of its force; None where there is none."""
-    name = f"sim.effects.{kind}.largest"
-    return import_module(name).largest if find_spec(name) is not None else None
+    """Greatest force in N as the folder of the effect tells it; of one that says nothing, a part of
+    the weight, or nothing between two: its run tells."""
+    name = f"sim.effects.{effect['kind']}.largest"
+    if find_spec(name) is not None:
+        return float(import_module(name).largest(effect, header))
+    masses = [body["mass"] for body in header["bodies"] if body["name"] in effect["carts"]]
+    return 0.0 if effect["between"] else UNKNOWN * header["gravity"] * max(masses, default=0.0)
