@@ -35,6 +35,7 @@ from sim.pages.site_id import check_site_id
 from sim.pages.teach.doors import Doors
 from sim.pages.text.lesson_places import described
 from sim.pages.text.lesson_text import language_findings
+from sim.pages.text.not_found import with_help
 from sim.pages.translate.languages import Languages
 
 _STATISTICS = {"numpy", "scipy"}
@@ -126,6 +127,7 @@ class SiteBuild:
 
     def finished(self, html: str, assets: str, name: str | None = None) -> str:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
+        html = html if name else with_help(html, assets.removesuffix(site_files.ASSETS))
         needs = self.needs.get(name, Needs()) if name else Needs()
         if any(other.scenes for other in self.needs.values()):  # else there is no Python to do it
             html = self.doors.with_door(html, name, assets, self.ids.used)

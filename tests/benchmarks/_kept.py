@@ -49,7 +49,7 @@ def document(
     rows: Iterable[Row], areas: dict[str, str], left_out: dict[str, str], about: dict[str, Any]
 ) -> dict[str, Any]:
     """What is written to `measured.json`. `areas`: what each is about; `left_out`: why each was not
-    measured; `about`: `date` (a day), `machine`, `versions`."""
+    measured; `about`: `date` (a day), `machine`, `versions`, and maybe a `remark`."""
     return {"format": 1, **about, "areas": areas, "left_out": left_out, "rows": list(rows)}
 
 
@@ -77,6 +77,8 @@ def page(made: dict[str, Any]) -> str:
             goals=len(with_goal),
         )
     ]
+    if made.get("remark"):
+        parts.append(f"{made['remark']}\n")
     if failed:
         rows = [f"- {row['name']}: {_value(row)}, goal {goal_text(row)}" for row in failed]
         parts.append("\n".join(["## What was missed", "", *rows, ""]))

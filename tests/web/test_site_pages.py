@@ -113,3 +113,24 @@ def test_bars_of_momentum_stand_in_their_table(site: Path, open_page: OpenPage) 
     assert inner and outer and inner["width"] > 10
     assert outer["x"] <= inner["x"] <= outer["x"] + outer["width"]
     assert outer["y"] <= inner["y"] <= outer["y"] + outer["height"]
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize(
+    ("word", "page"),
+    [
+        ("homework", "teachers/"),
+        ("Excel", "teachers/"),
+        ("print", "teachers/"),
+        ("answers", "teachers/"),
+    ],
+)
+def test_a_teachers_word_finds_a_page_for_teachers(
+    word: str, page: str, site: Path, open_page: OpenPage
+) -> None:
+    """Among the first results."""
+    found = open_page(site / "index.html")
+    search(found, word)
+    links = found.locator(".md-search-result__link")
+    first = [links.nth(k).get_attribute("href") or "" for k in range(min(3, links.count()))]
+    assert any(page in href for href in first), first
