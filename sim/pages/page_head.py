@@ -105,7 +105,6 @@ def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
     return any(pattern.fullmatch(script) for pattern in trusted)
 
 
-_DRAWN = "carts-formulas-drawn"
 _THEME_SCRIPTS = '<script id="__config"'  # where the theme's scripts begin, below the page's text
 
 
@@ -143,7 +142,8 @@ def finish(
     if needs.formulas:
         last += [
             f'<link rel="stylesheet" href="{assets}katex/katex.min.css">',
-            f'<link rel="expect" href="#{_DRAWN}" blocking="render">',
+            f'<script src="{assets}katex/katex.min.js" defer blocking="render"></script>',
+            f'<script src="{assets}formulas.js" defer blocking="render"></script>',
         ]
     page = _EMPTY_HEAD.sub(r"<td\1></td>", _RENAMED.sub(r"\1", page))
     page = _NEIGHBOURS.sub("", page).replace("<head>", first, 1)
@@ -159,12 +159,7 @@ def finish(
 
 def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     """The scripts of ours that a page needs: the words of its language before those that say them,
-    and on every page the one that keeps answers and has the panel “My answers”. Formulas come
-    first: nothing is shown before they are drawn, so that no line moves."""
-    if needs.formulas:
-        for name in ("katex/katex.min.js", "formulas.js"):
-            yield f'<script src="{assets}{name}"></script>'
-        yield f'<span id="{_DRAWN}"></span>'
+    and on every page the one that keeps answers and has the panel “My answers”."""
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
     names += ["carts.js", "tour.js"] if needs.scenes else []
     names += ["challenge.js"] if needs.challenge else []

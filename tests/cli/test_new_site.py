@@ -110,7 +110,7 @@ def test_a_title_is_read_back_as_it_was_typed(text: str) -> None:
 
 @pytest.mark.parametrize("name", ["", "a", "ä", "x" * 99, "-- --", "A b C"])
 def test_an_identifier_always_has_the_form_that_the_build_asks_for(name: str) -> None:
-    from sim.pages.site_build import _SITE_ID
+    from sim.pages.site_id import _SITE_ID
 
     assert _SITE_ID.fullmatch(site_id_of(name))
 
