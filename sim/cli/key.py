@@ -11,8 +11,7 @@ import yaml
 from sim.cli.check import report
 from sim.pages.findings import AuthorError
 from sim.pages.question.key_page import lesson_key
-from sim.pages.scene_block import Lesson
-from sim.pages.text.lesson_places import bank_folders, scene_folders
+from sim.pages.text.lesson_places import described
 
 
 @click.command("key")
@@ -36,8 +35,7 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     root = Path.cwd()
     written = 0
     for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
-        shown = path.relative_to(root) if path.is_relative_to(root) else path
-        lesson = Lesson(shown.as_posix(), scene_folders(path, root), bank_folders(path, root))
+        lesson = described(path, root)
         try:
             key = lesson_key(path.read_text(encoding="utf-8"), lesson, path.stem, _site_id(root))
         except AuthorError as error:

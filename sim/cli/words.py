@@ -9,10 +9,11 @@ import click
 from sim.cli.check import report
 from sim.pages.findings import AuthorError
 from sim.pages.language import LANGUAGES
-from sim.pages.translate.catalogues import BANKS, OTHERS, source_of
+from sim.pages.text.lesson_places import BANK_FOLDER
+from sim.pages.text.lesson_places import shown as shown_from
+from sim.pages.translate.catalogues import OTHERS, is_bank, lessons_folder, source_of
 from sim.pages.translate.po_file import read_words, updated
-from sim.pages.translate.put_in import bank_units, lesson_units
-from sim.pages.translate.translation import shown as shown_from
+from sim.pages.translate.put_in import units_of
 
 
 @click.command("words")
@@ -43,12 +44,14 @@ def command(ctx: click.Context, paths: tuple[Path, ...], languages: tuple[str, .
     """
     root = Path.cwd()
     for path in (path.resolve() for path in paths):
-        bank = path.parent.name == BANKS
+        bank = is_bank(path)
         if path.suffix not in ((".yml", ".yaml") if bank else (".md",)):
-            raise click.UsageError(f"“{path.name}” is neither a lesson (.md) nor in {BANKS}/.")
-        folder = path.parent.parent if bank else path.parent
+            raise click.UsageError(
+                f"“{path.name}” is neither a lesson (.md) nor in {BANK_FOLDER}/."
+            )
+        folder = lessons_folder(path)
         text = path.read_text(encoding="utf-8")
-        units = bank_units(text) if bank else lesson_units(text)
+        units = units_of(path, text)
         for language in languages or OTHERS:
             target = source_of(path, folder, language).catalogue
             shown = shown_from(target, root)

@@ -18,13 +18,12 @@ from sim.pages.measured.block import read_measured_block
 from sim.pages.picture.block import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.challenge import read_challenge_block
-from sim.pages.question.quiz import FOLDER as BANK_FOLDER
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.fence_scan import Block, scan
-from sim.pages.text.lesson_places import described
+from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.translate.check import catalogue_findings
 from sim.pages.translate.translation import Translation
@@ -129,11 +128,11 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
     findings: list[Finding] = []
     for path in paths:
         for file in _files(path):
-            shown = file.relative_to(root) if file.is_relative_to(root) else file
+            name = shown(file, root)
             try:
                 text = file.read_text(encoding="utf-8")
             except UnicodeDecodeError as error:
-                findings.append(_not_text(shown.as_posix(), error))
+                findings.append(_not_text(name, error))
                 continue
             if file.suffix in LESSON_SUFFIXES:
                 lesson = described(file, root)
@@ -141,10 +140,10 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 own += withheld_findings(text, lesson.file)
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)
             elif file.parent.name == BANK_FOLDER:
-                own = check_bank(text, shown.as_posix())
+                own = check_bank(text, name)
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)
             else:
-                findings += check_scene(text, shown.as_posix(), hints=hints, folder=file.parent)
+                findings += check_scene(text, name, hints=hints, folder=file.parent)
     return list(dict.fromkeys(findings))  # several lessons may show one scene file
 
 

@@ -12,7 +12,8 @@ from mkdocs.structure.files import File, Files
 
 from sim.pages import effect_pages, lessons_only
 from sim.pages.site_files import SEARCH_FROM_DISK, search_from_disk
-from sim.pages.translate.translation import Translation, shown
+from sim.pages.text.lesson_places import shown
+from sim.pages.translate.translation import Translation
 
 
 class MadeFile(File):

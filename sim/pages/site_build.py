@@ -33,7 +33,7 @@ from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download
 from sim.pages.site_id import check_site_id
 from sim.pages.teach.doors import Doors
-from sim.pages.text.lesson_places import described
+from sim.pages.text.lesson_places import described, shown
 from sim.pages.text.lesson_text import language_findings
 from sim.pages.text.not_found import with_help
 from sim.pages.translate.languages import Languages
@@ -148,9 +148,8 @@ class SiteBuild:
     def refuse_links(self, *folders: Path) -> None:
         """Raises `SiteError` where a link leads out of a folder of the site."""
         for path in strangers(folders):
-            shown = path.relative_to(self.root) if path.is_relative_to(self.root) else path
             raise SiteError(
-                f"{shown.as_posix()} is a link that leads out of this site or to nothing. "
+                f"{shown(path, self.root)} is a link that leads out of this site or to nothing. "
                 "Put a copy of the file in its place."
             )
 

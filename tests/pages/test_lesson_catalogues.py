@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from sim.pages.language import words
-from sim.pages.translate.catalogues import BANKS, Source, catalogues_in
+from sim.pages.translate.catalogues import Source, catalogues_in
 from sim.pages.translate.po_file import read_words, updated
-from sim.pages.translate.put_in import bank_units, lesson_units
+from sim.pages.translate.put_in import units_of
 from sim.pages.translate.translation import part_of, translations_of
 from sim.pages.translate.unit import changed_marks
 from tests.pages.test_language import SCRIPTS
@@ -34,7 +34,7 @@ def test_every_text_is_translated_and_the_catalogue_is_up_to_date(source: Source
     part = part_of(source, ROOT)
     assert [unit.text for unit in part.made.open] == [], "carts words, then translate"
     text = source.path.read_text(encoding="utf-8")
-    units = bank_units(text) if source.path.parent.name == BANKS else lesson_units(text)
+    units = units_of(source.path, text)
     made = updated(source.catalogue, "", units, source.language, "")
     assert made == source.catalogue.read_text(encoding="utf-8"), "carts words"
 

@@ -75,7 +75,7 @@ def found(site: Path, browser: Browser) -> Found:
     for name in pages(site):
         look(page, *VIEWS[0])
         page.goto((site / name).as_uri())
-        if (shift := shift_of(page, live=name in first_of_kind)) > MOST_SHIFT:
+        if (shift := shift_of(page)) > MOST_SHIFT:
             all_.jumps.append((name, shift))
         all_.said += [(name, said) for said in heard]
         heard.clear()
@@ -105,10 +105,9 @@ def look(page: Page, width: int, scheme: str, media: str) -> None:
     page.emulate_media(media=media, color_scheme=scheme)  # type: ignore[arg-type]
 
 
-def shift_of(page: Page, *, live: bool = True) -> float:
-    """How far things have moved since the page was opened; `live`: Python's start included, which
-    is alike on all pages of a kind."""
-    settle(page) if live else page.wait_for_load_state()
+def shift_of(page: Page) -> float:
+    """How far things have moved since the page was opened, Python's start included."""
+    settle(page)
     page.evaluate("document.fonts.ready")
     page.wait_for_timeout(LATE)
     return float(page.evaluate("window.shifted"))

@@ -20,13 +20,12 @@ from sim.pages.findings import AuthorError, Finding
 from sim.pages.scene_block import (
     Lesson,
     Places,
-    SceneBlock,
     SiteIds,
     load_block,
-    read_scene_block,
     with_scene_file,
 )
 from sim.pages.text.fence_scan import Block
+from sim.pages.text.page_scenes import page_scenes
 from sim.pages.text.yaml_source import Source
 from sim.scene import SceneError
 from sim.scene.map import Map, read_map
@@ -68,7 +67,7 @@ def _with_scene_block(
         return AuthorError([Finding(lesson.file, *place, code, message, hint)])
 
     wanted = source.plain["of"]
-    scenes = _scenes(lesson, first_line, blocks)
+    scenes = page_scenes(blocks, lesson, first_line=first_line)
     scene = scenes.get(str(wanted))
     if scene is None:
         names = ", ".join(scenes) or "none that can be read"
@@ -93,16 +92,3 @@ def _with_scene_block(
             twice[0],
         )
     return {**theirs, **own}, Places(lesson.file, source)
-
-
-def _scenes(lesson: Lesson, first_line: int, blocks: Sequence[Block]) -> dict[str, SceneBlock]:
-    """The good scenes of the page by id; the others are reported where they stand."""
-    found = {}
-    for block in blocks:
-        if block.name == "scene":
-            try:
-                scene = read_scene_block(block, lesson, SiteIds(), first_line=first_line)
-            except AuthorError:
-                continue
-            found[scene.fence.id] = scene
-    return found

@@ -24,6 +24,7 @@ from sim.pages.scene_block import (
     read_scene_block,
 )
 from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.page_scenes import page_scenes
 from sim.pages.text.yaml_source import Source
 from sim.scene.quantity import TIME, QuantityError, read_quantity
 
@@ -58,7 +59,8 @@ def read_picture_block(block: Block, lesson: Lesson, *, first_line: int) -> Pict
         path = found_in(str(source.plain["of"]), _lesson_folders(lesson), (".md",))
         if path is None:
             raise refuse("of", "no-such-file", f"there is no page “{source.plain['of']}”", _EXAMPLE)
-        scenes = _scenes(path)
+        blocks = scan(path.read_text(encoding="utf-8").splitlines())
+        scenes = page_scenes(blocks, Lesson(path.as_posix(), (path.parent,)))
         wanted = str(source.plain.get("scene"))
         if wanted not in scenes:
             names = ", ".join(scenes) or "none that can be read"
@@ -89,17 +91,3 @@ def _of_file(block: Block, lesson: Lesson, first_line: int, source: Source) -> S
     body = "\n".join(("id: picture", f"file: {source.plain['file']}"))
     plain = Block("scene", "", block.start, block.end, block.indent, body, block.body_indent, True)
     return read_scene_block(plain, lesson, SiteIds(), first_line=first_line)
-
-
-def _scenes(page: Path) -> dict[str, SceneBlock]:
-    """The good scenes of a page by id; the others are reported where they stand."""
-    lesson = Lesson(page.as_posix(), (page.parent,))
-    found = {}
-    for block in scan(page.read_text(encoding="utf-8").splitlines()):
-        if block.name == "scene":
-            try:
-                scene = read_scene_block(block, lesson, SiteIds(), first_line=1)
-            except AuthorError:
-                continue
-            found[scene.fence.id] = scene
-    return found

@@ -13,8 +13,12 @@ BANK_FOLDER = "banks"
 
 def described(lesson: Path, root: Path) -> Lesson:
     """The lesson in a file, as its blocks are read; messages name it from `root`."""
-    shown = lesson.relative_to(root) if lesson.is_relative_to(root) else lesson
-    return Lesson(shown.as_posix(), scene_folders(lesson, root), bank_folders(lesson, root))
+    return Lesson(shown(lesson, root), scene_folders(lesson, root), bank_folders(lesson, root))
+
+
+def shown(path: Path, root: Path) -> str:
+    """A path as messages show it."""
+    return (path.relative_to(root) if path.is_relative_to(root) else path).as_posix()
 
 
 def scene_folders(lesson: Path, root: Path) -> tuple[Path, ...]:

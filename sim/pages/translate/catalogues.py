@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sim.pages.language import ENGLISH, LANGUAGES
+from sim.pages.text.lesson_places import BANK_FOLDER
 
 FOLDER = "words"
-BANKS = "banks"
 OTHERS = tuple(language for language in LANGUAGES if language != ENGLISH)
 
 
@@ -32,6 +32,16 @@ class Source:
         return self.page.is_file()
 
 
+def is_bank(path: Path) -> bool:
+    """Whether the file is a bank of questions, and no lesson."""
+    return path.parent.name == BANK_FOLDER
+
+
+def lessons_folder(path: Path) -> Path:
+    """The folder of lessons that a lesson or a bank lies in."""
+    return path.parent.parent if is_bank(path) else path.parent
+
+
 def source_of(path: Path, folder: Path, language: str) -> Source:
     """Of the lesson or bank at `path` in the folder of lessons."""
     inside = path.relative_to(folder)
@@ -45,5 +55,5 @@ def catalogues_in(folder: Path) -> Iterator[Source]:
         place = folder / FOLDER / language
         for catalogue in sorted(place.rglob("*.po")):
             inside = catalogue.relative_to(place)
-            suffix = ".yml" if inside.parts[0] == BANKS else ".md"
+            suffix = ".yml" if inside.parts[0] == BANK_FOLDER else ".md"
             yield source_of(folder / inside.with_suffix(suffix), folder, language)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.translate.catalogues import BANKS, OTHERS, source_of
+from sim.pages.translate.catalogues import OTHERS, is_bank, lessons_folder, source_of
 from sim.pages.translate.markdown_units import markdown_units
 from sim.pages.translate.translation import Part, Translation, part_of, translations_of
 from sim.pages.translate.unit import Unit, changed_marks
@@ -20,8 +20,7 @@ def catalogue_findings(
     """Of the lesson or bank at `path`. `check`: looks for mistakes in what was put together; None
     where the original has some of its own. `hints`: also how many texts are not translated.
     """
-    bank = path.parent.name == BANKS
-    folder = path.parent.parent if bank else path.parent
+    folder = lessons_folder(path)
     findings: list[Finding] = []
     try:
         for language in OTHERS:
@@ -29,7 +28,7 @@ def catalogue_findings(
             if source.catalogue.is_file() and not source.by_hand:
                 part = part_of(source, root)
                 findings += [*_of_part(part), *(_missing(part) if hints else ())]
-        if check and not bank and not findings_are_errors(findings):
+        if check and not is_bank(path) and not findings_are_errors(findings):
             for one in translations_of(path, folder, root):
                 findings += map(one.finding, check(one.lesson.made.text, one))
     except AuthorError as error:

@@ -9,10 +9,12 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 from sim.pages.teach.pieces import Lines
 from sim.pages.text.fence_scan import Block, after_front_matter, meant_kind, scan
 from sim.pages.translate.block_units import block_units
+from sim.pages.translate.catalogues import is_bank
 from sim.pages.translate.markdown_units import markdown_units
 from sim.pages.translate.unit import Unit
 
@@ -54,6 +56,11 @@ def bank_units(text: str) -> tuple[Unit, ...]:
     count = len(text.splitlines())
     block = Block("bank", "", -1, count + 1, "", text, 0, closed=True)
     return tuple(block_units(text, block, "bank"))
+
+
+def units_of(path: Path, text: str) -> tuple[Unit, ...]:
+    """The units of the lesson or the bank at `path`, whose text this is."""
+    return bank_units(text) if is_bank(path) else lesson_units(text)
 
 
 def put_in(text: str, units: Sequence[Unit], words: Mapping[str, str]) -> PutIn:

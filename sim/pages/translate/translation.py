@@ -14,11 +14,11 @@ from pathlib import Path
 from sim.pages.findings import Finding
 from sim.pages.scene_block import Lesson
 from sim.pages.text.fence_scan import after_front_matter
-from sim.pages.text.lesson_places import described
+from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import without_code
-from sim.pages.translate.catalogues import BANKS, OTHERS, Source, source_of
+from sim.pages.translate.catalogues import OTHERS, Source, is_bank, source_of
 from sim.pages.translate.po_file import Words, read_words
-from sim.pages.translate.put_in import PutIn, bank_units, lesson_units, put_in
+from sim.pages.translate.put_in import PutIn, put_in, units_of
 
 _LINK = re.compile(
     r"(?:\]\(|^\[[^\]^\n][^\]\n]*\]:[ \t]+|\b(?:src|href)=\")([^)\s\"]+)", re.MULTILINE
@@ -124,10 +124,10 @@ class Translation:
 def part_of(source: Source, root: Path) -> Part:
     """A lesson or a bank with its catalogue; raises `AuthorError` for one that cannot be read."""
     text = source.path.read_text(encoding="utf-8")
-    bank = source.path.parent.name == BANKS
     words = read_words(source.catalogue, shown(source.catalogue, root))
-    made = put_in(text, bank_units(text) if bank else lesson_units(text), words.words)
-    file = f"{BANKS}/{source.path.name}" if bank else shown(source.page, root)
+    made = put_in(text, units_of(source.path, text), words.words)
+    bank = f"{BANK_FOLDER}/{source.path.name}"
+    file = bank if is_bank(source.path) else shown(source.page, root)
     return Part(source, words, made, file)
 
 
@@ -146,15 +146,10 @@ def translations_of(path: Path, folder: Path, root: Path) -> Iterator[Translatio
 
 def _banks(lesson: Part, folder: Path, root: Path) -> Iterator[tuple[Path, Part]]:
     """The banks that a lesson names."""
-    for path in sorted((folder / BANKS).glob("*.y*ml")):
+    for path in sorted((folder / BANK_FOLDER).glob("*.y*ml")):
         source = source_of(path, folder, lesson.source.language)
         if path.name in lesson.made.text and source.catalogue.is_file():
             yield path, part_of(source, root)
-
-
-def shown(path: Path, root: Path) -> str:
-    """A path as messages show it."""
-    return (path.relative_to(root) if path.is_relative_to(root) else path).as_posix()
 
 
 def _moved_links(text: str, siblings: Collection[str]) -> str:

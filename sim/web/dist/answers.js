@@ -2852,16 +2852,17 @@
   }
 
   // src/shared/tab.js
-  function recall(key) {
+  var TAB = () => sessionStorage;
+  function recall(key, where = TAB) {
     try {
-      return JSON.parse(sessionStorage.getItem(key) ?? "null");
+      return JSON.parse(where().getItem(key) ?? "null");
     } catch {
       return null;
     }
   }
-  function retain(key, value) {
+  function retain(key, value, where = TAB) {
     try {
-      sessionStorage.setItem(key, JSON.stringify(value));
+      where().setItem(key, JSON.stringify(value));
     } catch {
     }
   }

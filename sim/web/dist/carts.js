@@ -6584,8 +6584,12 @@ ${lines4.join("\n")}
     /** A weak computer needs long for a step of the start: that is said, and no reason to give up. */
     #slow() {
       if (this.element.dataset.state !== "starting") return;
-      note(this.element, slow(this.acts.stepwise()));
-      this.#waiting.promise.then(() => note(this.element, "")).catch(() => {
+      const told3 = slow(this.acts.stepwise());
+      note(this.element, told3);
+      const over = () => {
+        if (need(this.element, ".carts-note").textContent === told3) note(this.element, "");
+      };
+      this.#waiting.promise.then(over).catch(() => {
       });
     }
     /** Follows the page's worker. */
@@ -9338,16 +9342,17 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
   }
 
   // src/shared/tab.js
-  function recall(key) {
+  var TAB = () => sessionStorage;
+  function recall(key, where = TAB) {
     try {
-      return JSON.parse(sessionStorage.getItem(key) ?? "null");
+      return JSON.parse(where().getItem(key) ?? "null");
     } catch {
       return null;
     }
   }
-  function retain(key, value) {
+  function retain(key, value, where = TAB) {
     try {
-      sessionStorage.setItem(key, JSON.stringify(value));
+      where().setItem(key, JSON.stringify(value));
     } catch {
     }
   }

@@ -59,16 +59,17 @@
   }
 
   // src/shared/tab.js
-  function recall(key) {
+  var TAB = () => sessionStorage;
+  function recall(key, where = TAB) {
     try {
-      return JSON.parse(sessionStorage.getItem(key) ?? "null");
+      return JSON.parse(where().getItem(key) ?? "null");
     } catch {
       return null;
     }
   }
-  function retain(key, value2) {
+  function retain(key, value2, where = TAB) {
     try {
-      sessionStorage.setItem(key, JSON.stringify(value2));
+      where().setItem(key, JSON.stringify(value2));
     } catch {
     }
   }

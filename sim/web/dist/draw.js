@@ -15199,8 +15199,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
     const narrow = baked.view.layouts.filter(({ kind }) => kind === "narrow");
     const root = filled2("div", narrow.map((layout) => stage(baked, layout).text).join(""));
     const drawing = new Stage(need(root, ".carts-stage"), baked);
-    const { events, until } = baked.run.header;
-    drawing.show(baked.run, touches(events, until));
+    drawing.show(baked.run, windowsOf(baked.run));
     drawing.at(at);
     return root.innerHTML;
   }

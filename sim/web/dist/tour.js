@@ -23,6 +23,23 @@
     if (element.textContent !== text) element.textContent = text;
   }
 
+  // src/shared/tab.js
+  var TAB = () => sessionStorage;
+  var BROWSER = () => localStorage;
+  function recall(key, where = TAB) {
+    try {
+      return JSON.parse(where().getItem(key) ?? "null");
+    } catch {
+      return null;
+    }
+  }
+  function retain(key, value, where = TAB) {
+    try {
+      where().setItem(key, JSON.stringify(value));
+    } catch {
+    }
+  }
+
   // src/tour/hints.js
   var PULLED = ".carts-draggable";
   var HINTS = [
@@ -57,7 +74,8 @@
   var KEY = "carts-tour";
   var HERE = "carts-tour-here";
   function showTour(scene) {
-    const done = new Set(known());
+    const kept = recall(KEY, BROWSER);
+    const done = new Set(Array.isArray(kept) ? kept : []);
     if (HINTS.every(({ name }) => done.has(name))) return;
     const card = html("div", "carts-tour");
     const text = html("span", "carts-tour-text");
@@ -69,7 +87,7 @@
     const finish = (...names) => {
       if (names.every((name) => done.has(name))) return;
       for (const name of names) done.add(name);
-      keep([...done]);
+      retain(KEY, [...done], BROWSER);
     };
     let before = 0;
     const look = () => {
@@ -131,20 +149,6 @@
     say(text, hint.text(scene));
     if (!place.classList.contains(HERE)) place.classList.add(HERE);
     if (card.parentElement !== world) world.append(card);
-  }
-  function known() {
-    try {
-      const kept = JSON.parse(localStorage.getItem(KEY) ?? "[]");
-      return Array.isArray(kept) ? kept : [];
-    } catch {
-      return [];
-    }
-  }
-  function keep(names) {
-    try {
-      localStorage.setItem(KEY, JSON.stringify(names));
-    } catch {
-    }
   }
 
   // src/tour-main.js

@@ -13,7 +13,7 @@ import { inside as mapInside } from "../../view/map/skeleton.js";
 import { inside as measuredInside } from "../../view/measured/skeleton.js";
 import { inside } from "../../view/skeleton/scene.js";
 import { stage } from "../../view/skeleton/stage.js";
-import { touches } from "../../view/windows.js";
+import { windowsOf } from "../../view/windows.js";
 import { CostStage } from "./cost/stage.js";
 import { Figure, unitOf } from "./measured/figure.js";
 import { bakedOf } from "./scene/baked.js";
@@ -54,8 +54,7 @@ function picture({ baked: raw, at }) {
   const narrow = baked.view.layouts.filter(({ kind }) => kind === "narrow");
   const root = filled("div", narrow.map((layout) => stage(baked, layout).text).join(""));
   const drawing = new Stage(need(root, ".carts-stage"), baked);
-  const { events, until } = baked.run.header;
-  drawing.show(baked.run, touches(events, until));
+  drawing.show(baked.run, windowsOf(baked.run));
   drawing.at(at);
   return root.innerHTML;
 }

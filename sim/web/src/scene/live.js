@@ -38,8 +38,12 @@ export class Live {
   /** A weak computer needs long for a step of the start: that is said, and no reason to give up. */
   #slow() {
     if (this.element.dataset.state !== "starting") return;
-    words.note(this.element, words.slow(this.acts.stepwise()));
-    this.#waiting.promise.then(() => words.note(this.element, "")).catch(() => {});
+    const told = words.slow(this.acts.stepwise());
+    words.note(this.element, told);
+    const over = () => {
+      if (need(this.element, ".carts-note").textContent === told) words.note(this.element, "");
+    };
+    this.#waiting.promise.then(over).catch(() => {});
   }
 
   /** Follows the page's worker. */

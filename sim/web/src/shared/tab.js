@@ -1,18 +1,28 @@
-/** What a page remembers for as long as its tab is open. A browser that keeps nothing forgets it: no fault. */
+/**
+ * What a page remembers: for as long as its tab is open, or for as long as this browser keeps it. A browser
+ * that keeps nothing forgets it: no fault.
+ */
 
-/** @param {string} key @returns {any} what was kept; null: nothing */
-export function recall(key) {
+/** @typedef {() => Storage} Where asked for when it is needed: a browser may refuse it */
+
+/** @type {Where} */
+const TAB = () => sessionStorage;
+/** @type {Where} */
+export const BROWSER = () => localStorage;
+
+/** @param {string} key @param {Where} where @returns {any} what was kept; null: nothing */
+export function recall(key, where = TAB) {
   try {
-    return JSON.parse(sessionStorage.getItem(key) ?? "null");
+    return JSON.parse(where().getItem(key) ?? "null");
   } catch {
     return null;
   }
 }
 
-/** @param {string} key @param {unknown} value */
-export function retain(key, value) {
+/** @param {string} key @param {unknown} value @param {Where} where */
+export function retain(key, value, where = TAB) {
   try {
-    sessionStorage.setItem(key, JSON.stringify(value));
+    where().setItem(key, JSON.stringify(value));
   } catch {
     // as above
   }

@@ -6,6 +6,7 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
+import { BROWSER, recall, retain } from "../shared/tab.js";
 import { HINTS, isPulled } from "./hints.js";
 
 /** @typedef {import("./hints.js").Scene} Scene */
@@ -16,7 +17,8 @@ const HERE = "carts-tour-here"; // on the control that the hint is about
 
 /** @param {Scene} scene the first of the page */
 export function showTour(scene) {
-  const done = new Set(known());
+  const kept = recall(KEY, BROWSER);
+  const done = new Set(Array.isArray(kept) ? kept : []);
   if (HINTS.every(({ name }) => done.has(name))) return;
   const card = html("div", "carts-tour");
   const text = html("span", "carts-tour-text");
@@ -30,7 +32,7 @@ export function showTour(scene) {
   const finish = (...names) => {
     if (names.every((name) => done.has(name))) return;
     for (const name of names) done.add(name);
-    keep([...done]);
+    retain(KEY, [...done], BROWSER);
   };
   let before = 0; // the time shown when it was last looked at, in s
   const look = () => {
@@ -97,23 +99,4 @@ function point(scene, card, text, hint) {
   say(text, hint.text(scene));
   if (!place.classList.contains(HERE)) place.classList.add(HERE);
   if (card.parentElement !== world) world.append(card);
-}
-
-/** @returns {string[]} */
-function known() {
-  try {
-    const kept = JSON.parse(localStorage.getItem(KEY) ?? "[]");
-    return Array.isArray(kept) ? kept : [];
-  } catch {
-    return []; // a browser that keeps nothing shows them again
-  }
-}
-
-/** @param {string[]} names */
-function keep(names) {
-  try {
-    localStorage.setItem(KEY, JSON.stringify(names));
-  } catch {
-    // as above
-  }
 }
