@@ -133,6 +133,20 @@ def test_answer_files_of_many_schools_give_the_numbers_of_one_report() -> None:
     assert curves[0] == curves[1]
 
 
+def test_a_file_of_another_wording_is_in_no_number_of_the_whole_test() -> None:
+    files = random_class(BANK, 14, seed=4)
+    for file in files[:6]:
+        file["items"][0]["hash"] = "f" * 12
+    whole, summary, _ = of_files([("class", files)])
+    mine, theirs = (report["lessons"][0]["forms"] for report in (report_of([summary]), whole))
+    assert len(mine) == 2
+    for one, other in zip(mine, theirs, strict=True):
+        assert any(student["foreign"] for student in other["students"])
+        assert other["alpha"] is not None
+        for name in ("n", "of", "alpha", "delta", "groups"):
+            assert one[name] == other[name], name
+
+
 def test_a_summary_holds_no_student_and_no_group_below_five() -> None:
     small = random_class(BANK, 4, seed=1, prefix="SMALL")
     large = random_class(BANK, 9, seed=2, prefix="LARGE")

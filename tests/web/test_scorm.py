@@ -1,4 +1,4 @@
-"""The SCORM 1.2 package in a real run-time, scorm-again: opened, timed, finished; nothing else."""
+"""The SCORM 1.2 package in a real run-time, scorm-again: opened, handed in, timed; nothing else."""
 
 from __future__ import annotations
 
@@ -23,6 +23,13 @@ PLATFORM = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>
 <script>window.API = new Scorm12API({ autocommit: false, logLevel: 5 });</script></head>
 <body><iframe src="package/HREF" title="package" width="900" height="500"></iframe></body></html>
 """
+LESSON = """<!doctype html><h1>One</h1><button id="form">Hand in</button><button id="file">Save
+</button><button id="other">Other</button><script>
+const tell = (id, name) => document.getElementById(id).addEventListener("click", (event) =>
+  event.target.dispatchEvent(new CustomEvent(name, { bubbles: true })));
+tell("form", "carts-handed-in"); tell("file", "carts-file-saved"); tell("other", "carts-update");
+</script>"""
+STATUS = "window.API.cmi.core.lesson_status"
 
 
 @pytest.fixture
@@ -32,7 +39,7 @@ def package(tmp_path: Path) -> Path:
     (site / "worksheets").mkdir(parents=True)
     link = '<a href="worksheets/one.html">One & only</a>'
     (site / "index.html").write_text(f"<!doctype html><title>Home</title>{link}", encoding="utf-8")
-    (site / "worksheets" / "one.html").write_text("<!doctype html><h1>One</h1>", encoding="utf-8")
+    (site / "worksheets" / "one.html").write_text(LESSON, encoding="utf-8")
     pack_site(site, tmp_path / "site.zip", scorm=("Carts & <springs>", "tests"))
     place = tmp_path / "platform"
     with zipfile.ZipFile(tmp_path / "site.zip") as archive:
@@ -81,8 +88,7 @@ def test_a_platform_is_told_that_the_lessons_were_opened_and_for_how_long(
     page: Page = open_page(f"{site_server(package)}/platform.html")
     lessons = page.frame_locator("iframe").frame_locator("iframe")
     expect(lessons.get_by_role("link")).to_have_text("One & only")
-    value = "(name) => window.API.cmi.core[name]"
-    assert page.evaluate(value, "lesson_status") == "completed"
+    assert page.evaluate(STATUS) == "incomplete"
     assert page.evaluate("window.API.isInitialized()") is True
     lessons.get_by_role("link").click()
     expect(lessons.get_by_role("heading")).to_have_text("One")
@@ -94,6 +100,57 @@ def test_a_platform_is_told_that_the_lessons_were_opened_and_for_how_long(
     assert re.fullmatch(r"\d{2,4}:\d\d:\d\d(\.\d+)?", time), time
     assert page.evaluate("window.API.cmi.core.score.raw") == ""
     assert page.evaluate("window.API.cmi.suspend_data") == ""
+
+
+def on_a_platform(
+    package: Path, site_server: Callable[[Path], str], open_page: OpenPage, before: str = ""
+) -> Page:
+    """The platform with the lesson open; `before`: the status that it had."""
+    text = PLATFORM.replace("HREF", start_page(package))
+    begun = f"<script>window.API.cmi.core.lesson_status = '{before}';</script></head>"
+    (package / "platform.html").write_text(
+        text.replace("</head>", begun) if before else text, encoding="utf-8"
+    )
+    page: Page = open_page(f"{site_server(package)}/platform.html")
+    page.frame_locator("iframe").frame_locator("iframe").get_by_role("link").click()
+    return page
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("button", ["#form", "#file"])
+def test_what_was_handed_in_makes_it_complete_and_nothing_else_does(
+    button: str, package: Path, site_server: Callable[[Path], str], open_page: OpenPage
+) -> None:
+    page = on_a_platform(package, site_server, open_page)
+    lesson = page.frame_locator("iframe").frame_locator("iframe")
+    lesson.locator("#other").click()
+    assert page.evaluate(STATUS) == "incomplete"
+    lesson.locator(button).click()
+    page.wait_for_function(f"{STATUS} === 'completed'")
+    assert page.evaluate("window.API.cmi.core.score.raw") == ""
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("before", ["passed", "failed", "completed"])
+def test_what_the_platform_has_settled_is_not_taken_back(
+    before: str, package: Path, site_server: Callable[[Path], str], open_page: OpenPage
+) -> None:
+    page = on_a_platform(package, site_server, open_page, before)
+    page.frame_locator("iframe").frame_locator("iframe").locator("#form").click()
+    page.wait_for_timeout(300)
+    assert page.evaluate(STATUS) == before
+
+
+def test_the_package_listens_to_what_the_lessons_tell() -> None:
+    """The two halves meet only in the names of these events."""
+    script = (ROOT / "sim" / "web" / "site" / "scorm.js").read_text(encoding="utf-8")
+    listed = re.search(r"HANDED_IN = \[(.*?)\]", script)
+    assert listed
+    names = re.findall(r'"([a-z-]+)"', listed[1])
+    assert names == ["carts-handed-in", "carts-file-saved"]
+    for name in names:
+        sources = (ROOT / "sim" / "web" / "src").rglob("*.js")
+        assert any(f'CustomEvent("{name}"' in path.read_text(encoding="utf-8") for path in sources)
 
 
 @pytest.mark.browser

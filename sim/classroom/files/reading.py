@@ -90,23 +90,27 @@ class Reading:
 
     def name(self, students: Mapping[str, str]) -> None:
         """Gives files that have no code word one, by the name of the file or the end of it."""
-        for k, read in enumerate(self.files):
-            code = next(
-                (code for name, code in students.items() if f"/{read.name}".endswith(f"/{name}")),
-                "",
-            )
-            if code and not read.answers.student.strip():
-                self.files[k] = replace(read, answers=replace(read.answers, student=code))
+        self.files = [named(read, students) for read in self.files]
 
 
-def outcomes(sources: Iterable[Source]) -> Iterator[Outcome]:
-    """One outcome for each file, zips entry by entry."""
+def named(read: Read, students: Mapping[str, str]) -> Read:
+    """The file with the code word that its name or the end of it is given, if it has none."""
+    code = next(
+        (code for name, code in students.items() if f"/{read.name}".endswith(f"/{name}")), ""
+    )
+    if not code or read.answers.student.strip():
+        return read
+    return replace(read, answers=replace(read.answers, student=code))
+
+
+def outcomes(sources: Iterable[Source], most: int = MOST_FILES) -> Iterator[Outcome]:
+    """One outcome for each file, zips entry by entry; `most`: files that are read."""
     count = 0
     for source in sources:
         for outcome in _of_source(source):
             count += 1
-            if count > MOST_FILES:
-                reason = f"more than {MOST_FILES:,} files: the rest was not read"
+            if count > most:
+                reason = f"more than {most:,} files: the rest was not read"
                 yield Refused(shown(source.name), reason)
                 return
             yield outcome

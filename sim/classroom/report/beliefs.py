@@ -32,15 +32,19 @@ def belief_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[st
                 surely[tag] += answer.sure == "sure"
         often.update(tag for tag, count in chosen.items() if count >= OFTEN)
         sure.update(tag for tag, count in surely.items() if count >= OFTEN)
-    rows = []
-    for tag, count in often.most_common():
-        students = many(count, "student")
-        text = f"{students} chose answers in two items or more that go with: “{says[tag]}”"
-        if asked:
-            text += f" {sure[tag]} of them were sure of two or more."
-        rows.append({"belief": tag, "says": says[tag], "students": count,
-                     "sure": sure[tag] if asked else None, "sentence": text})  # fmt: skip
-    return rows
+    return [
+        belief_row(tag, says[tag], count, sure[tag] if asked else None)
+        for tag, count in sorted(often.items(), key=lambda one: (-one[1], one[0]))
+    ]
+
+
+def belief_row(tag: str, says: str, students: int, sure: int | None) -> dict[str, Any]:
+    """A belief with how many hold it; `sure` None: nobody was asked."""
+    count = many(students, "student")
+    text = f"{count} chose answers in two items or more that go with: “{says}”"
+    if sure is not None:
+        text += f" {sure} of them were sure of two or more."
+    return {"belief": tag, "says": says, "students": students, "sure": sure, "sentence": text}
 
 
 def word_rows(files: Sequence[Marked], form: KeyedForm | None) -> list[dict[str, Any]]:

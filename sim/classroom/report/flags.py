@@ -58,7 +58,7 @@ def _doubles(files: Sequence[Marked]) -> tuple[list[Marked], list[Marked], list[
         names = tuple(file.name for file in same)
         who = f"{same[0].who}, form {same[0].file.form}"
         typed = any(not file.file.created for file in same)  # a hand-in code has no times
-        distinct = {_answers(file, times=not typed) for file in same}
+        distinct = {digest(file, times=not typed) for file in same}
         if len(distinct) == 1:
             counted.append(same[0])
             aside += same[1:]
@@ -87,7 +87,7 @@ def _times_word(count: int) -> str:
     return "twice" if count == 2 else f"{count} times"
 
 
-def _answers(file: Marked, *, times: bool) -> str:
+def digest(file: Marked, *, times: bool) -> str:
     """The answers of a file as something to compare; empty ones and the student are left out."""
     rows = sorted(
         [i.id, i.type, i.value, *([i.first, i.last] if times else [])]
@@ -105,9 +105,7 @@ def _equal(files: Iterable[Marked]) -> list[Flag]:
         answered = sum(not is_empty(item.value) for item in file.file.latest().values())
         if answered >= FEWEST_EQUAL:
             f = file.file
-            found.setdefault((f.site, f.lesson, f.form, _answers(file, times=False)), []).append(
-                file
-            )
+            found.setdefault((f.site, f.lesson, f.form, digest(file, times=False)), []).append(file)
     flags = []
     for same in found.values():
         if len(same) < 2:
@@ -118,7 +116,7 @@ def _equal(files: Iterable[Marked]) -> list[Flag]:
         right = all(a.marks == a.worth for file in same for a in file.answers.values())
         if right and any(a.worth for a in same[0].answers.values()):
             text += "Here all answers are right. "
-        if len({_answers(file, times=True) for file in same}) == 1:
+        if len({digest(file, times=True) for file in same}) == 1:
             text += "The times are equal as well: is one a copy of the other? "
         flags.append(Flag("equal-files", f"{text}Ask before you judge.", names))
     return flags

@@ -13,7 +13,7 @@ from sim.classroom.report.marked import Answer, Marked
 from sim.classroom.report.sentences import many
 from sim.classroom.statistics.item_numbers import item_marks, levels_of
 from sim.lesson.answer_file import PREDICTIONS
-from sim.lesson.kinds.number import NEAR, Number
+from sim.lesson.kinds.number import NEAR, Number, Wrong
 from sim.lesson.mark import is_empty
 
 
@@ -101,11 +101,7 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
     key = keyed.question.key()
     rows = []
     for option in keyed.question.asked()["options"]:
-        chose = [
-            a
-            for a in answers
-            if a.value == option or (isinstance(a.value, (list, tuple)) and option in a.value)
-        ]
+        chose = [a for a in answers if chose_option(a, option)]
         belief = key["beliefs"].get(option, "")
         rows.append(
             {
@@ -122,6 +118,29 @@ def _choices(answers: Sequence[Answer], keyed: KeyedItem | None) -> list[dict[st
     return rows
 
 
+def chose_option(answer: Answer, option: str) -> bool:
+    """Whether this option was chosen, alone or with others."""
+    value = answer.value
+    return bool(value == option or (isinstance(value, (list, tuple)) and option in value))
+
+
+def typed_wrong(answer: Answer, wrong: Wrong) -> bool:
+    """Whether this known wrong number was typed."""
+    value = answer.value
+    return (
+        isinstance(value, (int, float))
+        and not isinstance(value, bool)
+        and answer.mark is not None
+        and answer.mark.verdict == "wrong"
+        and abs(value - wrong.value) <= wrong.tolerance * NEAR
+    )
+
+
+def shown_wrong(wrong: Wrong, question: Number) -> str:
+    """A known wrong number as people read it."""
+    return f"{wrong.value:g} {question.unit}".strip()
+
+
 def letter(option: str) -> str:
     """An option as students see it: a letter."""
     return option.upper() if len(option) == 1 else option
@@ -131,16 +150,8 @@ def _numbers(answers: Sequence[Answer], keyed: KeyedItem, question: Number) -> l
     """The wrong numbers that the author knows, with how many typed them and what they may think."""
     rows = []
     for wrong in question.wrong:
-        chose = [
-            a
-            for a in answers
-            if isinstance(a.value, (int, float))
-            and not isinstance(a.value, bool)
-            and a.mark
-            and a.mark.verdict == "wrong"
-            and abs(a.value - wrong.value) <= wrong.tolerance * NEAR
-        ]
-        shown = f"{wrong.value:g} {question.unit}".strip()
+        chose = [a for a in answers if typed_wrong(a, wrong)]
+        shown = shown_wrong(wrong, question)
         rows.append(
             {
                 "option": shown,

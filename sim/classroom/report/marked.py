@@ -17,7 +17,10 @@ NO_CODE = "no code word"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answer:
-    """The answer that counts for one item. `foreign`: it answers another wording of it."""
+    """The answer that counts for one item. `foreign`: it answers another wording of it.
+
+    `item`: as it stands in the file, None where nothing does.
+    """
 
     id: str
     type: str
@@ -25,6 +28,7 @@ class Answer:
     sure: str
     mark: Mark | None
     foreign: bool = False
+    item: Item | None = None
 
     @property
     def marks(self) -> int:
@@ -146,8 +150,9 @@ def worth(files: Sequence[Marked], items: Sequence[str]) -> int:
 
 def _unmarked(item: Item) -> Answer:
     return Answer(
-        id=item.id, type=item.type, value=item.value, sure=item.more.get("sure", ""), mark=None
-    )
+        id=item.id, type=item.type, value=item.value, sure=item.more.get("sure", ""), mark=None,
+        item=item,
+    )  # fmt: skip
 
 
 def _marked(keyed: KeyedItem, items: list[Item], given: int | None) -> Answer:
@@ -166,4 +171,5 @@ def _marked(keyed: KeyedItem, items: list[Item], given: int | None) -> Answer:
         sure=item.more.get("sure", "") if item else "",
         mark=mark,
         foreign=not fitting and any(not is_empty(item.value) for item in items),
+        item=item,
     )

@@ -35,7 +35,7 @@ def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
 
 def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
     items = [item for _, item in made]
-    words = Counter(_words(item) for item in items)
+    words = Counter(words_of(item) for item in items)
     curves = [[float(h) for h in item.value] for item in items if _is_curve(item)]
     return {
         "id": name,
@@ -45,13 +45,13 @@ def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
         "locked": sum("locked" in item.more for item in items),
         "answers": [
             {"said": said, "count": count, "sure": _sure(items, said)}
-            for said, count in words.most_common(MOST)
+            for said, count in sorted(words.items(), key=lambda one: (-one[1], one[0]))[:MOST]
             if items[0].type != "curve"
         ],
         "more": max(0, len(words) - MOST) if items[0].type != "curve" else 0,
         "curves": curves,
         "reasons": [
-            {"student": file.who, "said": _words(item), "why": item.more["why"]}
+            {"student": file.who, "said": words_of(item), "why": item.more["why"]}
             for file, item in made
             if item.more.get("why")
         ],
@@ -59,14 +59,14 @@ def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
     }
 
 
-def _words(item: Item) -> str:
+def words_of(item: Item) -> str:
     """The prediction in words; without them its value."""
     said = item.more.get("said", "").split(SEPARATOR)[0].strip()
     return said or str(item.value)
 
 
 def _sure(items: Sequence[Item], said: str) -> int:
-    return sum(item.more.get("sure") == "sure" for item in items if _words(item) == said)
+    return sum(item.more.get("sure") == "sure" for item in items if words_of(item) == said)
 
 
 def _is_curve(item: Item) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from fractions import Fraction
 
 from sim.classroom.refusal import RefusalError
@@ -25,10 +25,14 @@ def hake_gain(before: float, after: float, of: float) -> float:
     return (after - before) / (of - before)
 
 
-def at_the_edges(marks: Sequence[float | Exact], of: float | Exact | None) -> tuple[int, int]:
-    """How many students have 0 marks, and how many have full marks (0 if that is not known)."""
-    full = 0 if of is None else sum(m >= of for m in marks)
-    return sum(m <= 0 for m in marks), full
+def at_the_edges(counts: Iterable[tuple[Exact, int]], of: Exact | None) -> tuple[int, int]:
+    """How many students have 0 marks, and how many have full marks (0 if that is not known).
+
+    `counts`: marks, and how many students have them.
+    """
+    found = list(counts)
+    full = 0 if of is None else sum(n for m, n in found if m >= of)
+    return sum(n for m, n in found if m <= 0), full
 
 
 def gain_of_student(before: Exact, after: Exact, of: Exact) -> Fraction | None:

@@ -76,16 +76,27 @@ def pair_sums(
 ) -> PairSums:
     """The sums of students, place by place; `of`: the most marks, None where nobody knows."""
     x, y = [_exact(value) for value in before], [_exact(value) for value in after]
-    pairs = list(zip(x, y, strict=True))
-    most = None if of is None else _exact(of)
-    gains = [] if most is None else [gain_of_student(a, b, most) for a, b in pairs]
-    known = [gain for gain in gains if gain is not None]
-    (zero_before, full_before), (zero_after, full_after) = at_the_edges(x, of), at_the_edges(y, of)
+    return pair_sums_of(Counter(zip(x, y, strict=True)), None if of is None else _exact(of))
+
+
+def pair_sums_of(counts: Mapping[tuple[Exact, Exact], int], of: Exact | None) -> PairSums:
+    """The same from how many students have each two totals, before and after."""
+    found = [(x, y, n) for (x, y), n in counts.items()]
+    gains = [(None if of is None else gain_of_student(x, y, of), n) for x, y, n in found]
+    differences: Counter[Exact] = Counter()
+    for x, y, n in found:
+        differences[y - x] += n
+    zero_before, full_before = at_the_edges([(x, n) for x, _, n in found], of)
+    zero_after, full_after = at_the_edges([(y, n) for _, y, n in found], of)
     return PairSums(
-        n=len(pairs), x=sum(x), y=sum(y), xx=sum(a * a for a in x), yy=sum(b * b for b in y),
-        xy=sum(a * b for a, b in pairs), shares=sum(known, Fraction(0)), gained=len(known),
+        n=sum(n for _, _, n in found),
+        x=sum(n * x for x, _, n in found), y=sum(n * y for _, y, n in found),
+        xx=sum(n * x * x for x, _, n in found), yy=sum(n * y * y for _, y, n in found),
+        xy=sum(n * x * y for x, y, n in found),
+        shares=sum((n * gain for gain, n in gains if gain is not None), Fraction(0)),
+        gained=sum(n for gain, n in gains if gain is not None),
         zero_before=zero_before, full_before=full_before, zero_after=zero_after,
-        full_after=full_after, differences=Counter(b - a for a, b in pairs),
+        full_after=full_after, differences=differences,
     )  # fmt: skip
 
 

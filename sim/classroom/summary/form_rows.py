@@ -42,10 +42,10 @@ def form_row(
     here = [form.groups[group] for group in groups if group in form.groups]
     items = [_item(meta, here, form) for meta in form.items]
     together: GroupSums | None = reduce(add, here) if here else None
-    sums = [together.items[name].marks for name in form.counted] if together else []
+    sums = [together.part(name) for name in form.counted] if together else []
     if together:
         whole = whole_test(
-            together.n, [(s.m, s.mm) for s in sums], together.totals,
+            together.n, sums, together.totals,
             form.of, by_item=bool(form.items),
         )  # fmt: skip
     else:

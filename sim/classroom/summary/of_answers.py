@@ -65,7 +65,7 @@ def _form(
 ) -> FormSums:
     good = [file for file in files if not file.foreign]
     counted = counted_items(good) if key else ()
-    metas = tuple(map(_meta, item_rows(files, key, counted))) if key else ()
+    metas = tuple(map(meta_of, item_rows(files, key, counted))) if key else ()
     return FormSums(
         form=form,
         has_key=key is not None,
@@ -80,7 +80,7 @@ def _form(
     )  # fmt: skip
 
 
-def _meta(row: Mapping[str, Any]) -> dict[str, Any]:
+def meta_of(row: Mapping[str, Any]) -> dict[str, Any]:
     """What an item asks, without what anybody answered."""
     kept = {name: row[name] for name in ("id", "label", "ask", "type", "worth")}
     choices = [
@@ -93,10 +93,14 @@ def _meta(row: Mapping[str, Any]) -> dict[str, Any]:
 def _group(files: Sequence[Marked], key: KeyedForm | None, counted: Sequence[str]) -> GroupSums:
     good = [file for file in files if not file.foreign]
     rows = item_rows(files, key, counted) if key else []
+    marks = {name: [file.answers[name].marks for file in good] for name in counted}
     return GroupSums(
         listed=len(files),
         totals=Counter[Exact](file.total(counted) for file in good),
         items={row["id"]: _item(row, files, counted) for row in rows},
+        parts={name: (sum(ms), sum(m * m for m in ms)) for name, ms in marks.items()}
+        if len(good) < len(files)
+        else None,
     )
 
 

@@ -141,11 +141,19 @@ def _group(row: Mapping[str, Any]) -> GroupSums:
     found = GroupSums(
         listed=count(row["listed"]), totals=_histogram(row["totals"]),
         items=_map(row["items"], _item),
+        parts=_map(row["parts"], _part) if "parts" in row else None,
     )  # fmt: skip
     _enough(found.n)
+    if found.parts is not None and not found.parts.keys() <= found.items.keys():
+        raise SummaryError(DAMAGED)
     if found.listed < found.n:
         raise SummaryError(DAMAGED)
     return found
+
+
+def _part(row: object) -> tuple[Exact, Exact]:
+    m, mm = map(exact, _list(row))
+    return m, mm
 
 
 def _item(row: Mapping[str, Any]) -> ItemSums:

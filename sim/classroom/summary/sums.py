@@ -91,22 +91,38 @@ def _options(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GroupSums:
-    """One group in one form: `listed` students, of whom those in `totals` are counted."""
+    """One group in one form: `listed` students, of whom those in `totals` are counted.
+
+    `parts`: Σm and Σm² of each item, of counted students alone; None where all are counted.
+    """
 
     listed: int
     totals: Mapping[Exact, int]
     items: Mapping[str, ItemSums]
+    parts: Mapping[str, tuple[Exact, Exact]] | None = None
 
     @property
     def n(self) -> int:
         """Students who are counted."""
         return sum(self.totals.values())
 
+    def part(self, name: str) -> tuple[Exact, Exact]:
+        """Σm and Σm² of an item, of counted students."""
+        if self.parts is not None:
+            return self.parts.get(name, (0, 0))
+        item = self.items.get(name)
+        return (item.marks.m, item.marks.mm) if item else (0, 0)
+
     def __add__(self, other: GroupSums) -> GroupSums:
+        parts = None
+        if self.parts is not None or other.parts is not None:
+            pairs = {name: (self.part(name), other.part(name)) for name in self.items}
+            parts = {name: (a[0] + b[0], a[1] + b[1]) for name, (a, b) in pairs.items()}
         return GroupSums(
             listed=self.listed + other.listed,
             totals=Counter(self.totals) + Counter(other.totals),
             items=added(self.items, other.items),
+            parts=parts,
         )
 
 

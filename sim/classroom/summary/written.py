@@ -71,6 +71,13 @@ def _group(group: GroupSums) -> dict[str, Any]:
     return {
         "listed": group.listed,
         "totals": _histogram(group.totals),
+        **(
+            {}
+            if group.parts is None
+            else {
+                "parts": {name: [written(m), written(mm)] for name, (m, mm) in group.parts.items()}
+            }
+        ),
         "items": {name: _item(item) for name, item in group.items.items()},
     }
 

@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import json
-from collections import Counter
 from collections.abc import Sequence
-from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import click
 
 from sim.classroom.files.codes import read_codes
-from sim.classroom.files.reading import Read, Reading, Refused, outcomes
-from sim.classroom.report.class_csv import items_csv, students_csv
-from sim.classroom.report.report import WHOLE, Asked, class_report
-from sim.classroom.show.standalone import standalone
+from sim.classroom.files.reading import Reading, outcomes
+from sim.classroom.report.report import class_report
 from sim.classroom.tables.report import table_report
-from sim.cli.classroom.files import group_of, sources
-from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_summary, write_whole
+from sim.cli.classroom.calls import asked, group, only_country, only_one_way, placed, student
+from sim.cli.classroom.country import country_report, of_country, to_hand_on, write_answers
+from sim.cli.classroom.files import sources
+from sim.cli.classroom.out import Out
+from sim.cli.classroom.summary import lessons_of_answers, merged_report, write_whole
 from sim.cli.classroom.tables import tables_of
-from sim.cli.classroom.text import report_as_text
 
 FILE = click.Path(dir_okay=False, path_type=Path)
 EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
@@ -55,7 +51,8 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
     "tables",
     multiple=True,
     metavar="[TIME=]FILE",
-    help="Read marks from a table (CSV) in place of answer files; TIME: pre, post or later.",
+    help="Read marks from a table (CSV) in place of answer files; TIME: pre, post or later. Or "
+    "answers from a table of --parquet: its folder, a Parquet file.",
 )
 @click.option("--max", "most", metavar="N", help="The most marks of totals in a table.")
 @click.option("--lesson", metavar="NAME", help="The name of the lesson of a table.")
@@ -72,6 +69,19 @@ EXISTING = click.Path(exists=True, dir_okay=False, path_type=Path)
     "student alone has a total, these are that student's answers.",
 )
 @click.option("--merge", is_flag=True, help="FILES are summaries: add them and report on the sum.")
+@click.option(
+    "--parquet",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Write all answers as a table (Parquet) into this new folder, and report on it. For more "
+    "files than one report can list.",
+)
+@click.option(
+    "--backend",
+    metavar="ADDRESS",
+    help="With --table: who works on a table of answers; duckdb://FILE, spark://local, or another "
+    "that Ibis knows.",
+)
 @click.pass_context
 def command(
     ctx: click.Context,
@@ -91,6 +101,8 @@ def command(
     summary: Path | None,
     by_total: bool,
     merge: bool,
+    parquet: Path | None,
+    backend: str | None,
 ) -> None:
     """Say what a class answered and learned, from its answer files.
 
@@ -106,133 +118,85 @@ def command(
     carts class --table pre=quiz-1.csv --table post=quiz-2.csv
     carts class answers/ --key KEY.json --summary school-a.json
     carts class --merge school-a.json school-b.json
+    carts class answers/ --parquet country/
+    carts class --table country/ --html country.html
     """
-    named = [_group(text) for text in groups]
-    of_answers = (*keys, *students, *filter(None, (marks, codes)))
-    _only_one_way(ctx, files, tables, of_answers, [*filter(None, (most, lesson))], merge=merge)
+    out = Out(ctx, as_json, html, csv_file, items_file, summary, by_total)
+    named = [group(text) for text in groups]
+    given = [*files, *keys, *([marks] if marks else [])]
+    codes_text = codes.read_text(encoding="utf-8-sig") if codes else ""
     if by_total and (not summary or merge):
         raise click.UsageError("--by-total belongs to --summary")
+    if parquet or (tables and of_country(tables, backend)):
+        only_country(ctx, parquet, tables)
+        if parquet:
+            _written(out, parquet, given, named, dict(map(student, students)), codes_text)
+        else:
+            _country(out, tables, backend, keys, [])
+        return
+    only_one_way(ctx, files, tables)
     if merge:
         report, whole, left_out = merged_report(files)
         if summary:
             write_whole(summary, whole)
-        _hand_out(report, as_json, html, csv_file, items_file)
-        _end(ctx, left_out, anything=bool(whole.lessons))
-        return
-    if tables:
+        out.hand(report)
+        out.end(left_out, anything=bool(whole.lessons))
+    elif tables:
         found, unread = tables_of(tables, named, most, lesson)
         report = table_report(found)
-        if summary:
-            write_summary(summary, [found.lesson], found.groups, by_total=by_total)
-        _hand_out(report, as_json, html, csv_file, items_file)
-        _end(ctx, [*unread, *found.refused], anything=bool(found.taken))
-        return
+        out.sums([found.lesson], found.groups)
+        out.hand(report)
+        out.end([*unread, *found.refused], anything=bool(found.taken))
+    else:
+        _answers(out, given, named, dict(map(student, students)), codes_text)
+
+
+def _answers(
+    out: Out,
+    given: Sequence[Path],
+    groups: list[tuple[str, str]],
+    students: dict[str, str],
+    codes: str,
+) -> None:
+    """The report on answer files, with every student."""
     reading = Reading.of([])
-    given = [*files, *keys, *([marks] if marks else [])]
     for outcome in outcomes(sources(given)):
         reading.add(outcome)
-    if codes:
-        typed, bad = read_codes(codes.read_text(encoding="utf-8-sig"), reading.keys)
-        reading.files += typed
-        reading.refused += bad
-    reading.name(dict(_student(text) for text in students))
-    sorted_ = _sorted(reading, named)
-    asked = _asked(reading, named)
-    report = class_report(*sorted_, asked)
-    if summary:
-        lessons = lessons_of_answers(sorted_[0], reading.keys, asked)
-        write_summary(summary, lessons, asked.groups, by_total=by_total)
-    _hand_out(report, as_json, html, csv_file, items_file)
-    _end(ctx, [(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
+    typed, bad = read_codes(codes, reading.keys)
+    reading.files += typed
+    reading.refused += bad
+    reading.name(students)
+    sorted_ = placed(reading, groups)
+    wanted = asked(reading, groups)
+    report = class_report(*sorted_, wanted)
+    if out.summary:
+        out.sums(lessons_of_answers(sorted_[0], reading.keys, wanted), wanted.groups)
+    out.hand(report)
+    out.end([(r.name, r.reason) for r in reading.refused], anything=bool(reading.files))
 
 
-def _only_one_way(
-    ctx: click.Context,
-    files: Sequence[Path],
+def _written(
+    out: Out,
+    folder: Path,
+    given: Sequence[Path],
+    groups: list[tuple[str, str]],
+    students: dict[str, str],
+    codes: str,
+) -> None:
+    """Answer files as a table, and the report on it."""
+    done = write_answers(folder, given, groups, students, codes)
+    _country(out, [str(folder)], None, [], [(row.name, row.reason) for row in done.refused])
+
+
+def _country(
+    out: Out,
     tables: Sequence[str],
-    of_answers: Sequence[object],
-    of_tables: Sequence[object],
-    *,
-    merge: bool,
+    backend: str | None,
+    keys: Sequence[Path],
+    refused: Sequence[tuple[str, str]],
 ) -> None:
-    """Answer files, tables or summaries, and to each the options that are made for it."""
-    if not files and not tables:
-        raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])
-    if tables and (files or of_answers):
-        raise click.UsageError("--table reads tables only: no answer files, keys, codes and marks")
-    if of_tables and not tables:
-        raise click.UsageError("--max and --lesson belong to --table")
-    if merge and (tables or of_answers):
-        raise click.UsageError("--merge adds summaries only: no tables, keys, codes and marks")
-
-
-def _hand_out(
-    report: dict[str, Any],
-    as_json: bool,
-    html: Path | None,
-    csv_file: Path | None,
-    items_file: Path | None,
-) -> None:
-    """Writes the files that were asked for, and prints the report."""
-    if html:
-        html.write_text(standalone(report), encoding="utf-8")
-    if csv_file:
-        csv_file.write_text(students_csv(report), encoding="utf-8", newline="")
-    if items_file:
-        items_file.write_text(items_csv(report), encoding="utf-8", newline="")
-    if as_json:
-        click.echo(json.dumps(report, ensure_ascii=False, allow_nan=False))
-    else:
-        click.echo(report_as_text(report))
-        for path in filter(None, (html, csv_file, items_file)):
-            click.echo(f"Written: {path}")
-
-
-def _end(ctx: click.Context, refused: Sequence[tuple[str, str]], *, anything: bool) -> None:
-    """Names what was refused; exit code 1 where something was, or nothing was found."""
-    for name, reason in refused:
-        click.echo(f"{name}: {reason}", err=True)
-    if refused or not anything:
-        ctx.exit(1)
-
-
-def _student(text: str) -> tuple[str, str]:
-    name, equals, code = text.rpartition("=")
-    if not (name.strip() and equals and code.strip()):
-        raise click.UsageError(f"--student {text}: write FILE=CODE, for example a.json=BLUE-FOX-27")
-    return name.strip(), code.strip()
-
-
-def _group(text: str) -> tuple[str, str]:
-    name, equals, pattern = text.partition("=")
-    if not (name.strip() and equals and pattern):
-        raise click.UsageError(f"--group {text}: write NAME=GLOB, for example new='class-7a/*'")
-    return name.strip(), pattern
-
-
-def _sorted(
-    reading: Reading, groups: list[tuple[str, str]]
-) -> tuple[list[tuple[Read, str]], Any, list[Refused]]:
-    """Files with their groups; what is in no group is refused in words."""
-    if not groups:
-        return [(file, WHOLE) for file in reading.files], reading.keys, reading.refused
-    placed = [(file, group_of(file.name, groups)) for file in reading.files]
-    reading.refused += [
-        Refused(file.name, "this file is in none of the groups")
-        for file, group in placed
-        if not group
-    ]
-    return [(f, group) for f, group in placed if group], reading.keys, reading.refused
-
-
-def _asked(reading: Reading, groups: list[tuple[str, str]]) -> Asked:
-    """Each pattern that has files is a class of its own."""
-    names = tuple(dict.fromkeys(name for name, _ in groups)) or (WHOLE,)
-    patterns = {
-        (name, pattern)
-        for name, pattern in groups
-        if any(group_of(file.name, [(name, pattern)]) for file in reading.files)
-    }
-    classes = Counter(name for name, _ in patterns)
-    now = datetime.now(UTC).isoformat(timespec="seconds")
-    return Asked(groups=names, classes=classes, given=reading.given, now=now)
+    """The report on a table of answers."""
+    report, lessons, groups = country_report(tables, backend, keys)
+    out.sums(to_hand_on(lessons), groups)
+    out.hand(report)
+    out.end(refused, anything=bool(report["files"]["counted"]))

@@ -64,6 +64,7 @@ def _parts(q: Portable) -> list[str]:
             '<answer fraction="100" format="moodle_auto_format">',
             f"<text>{value!r}</text><tolerance>{tolerance!r}</tolerance>",
             "</answer>",
+            *(_wrong_number(*wrong) for wrong in q.wrong_numbers if wrong[2]),
             "<unitgradingtype>0</unitgradingtype><showunits>3</showunits>",
         ]
     if q.shape == "pairs":
@@ -80,6 +81,14 @@ def _answer(text: str, percent: float, feedback: str, *, form: str) -> str:
     return (
         f'<answer fraction="{fraction}" format={quoteattr(form)}>'
         f"<text>{shown}</text>{said}</answer>"
+    )
+
+
+def _wrong_number(value: float, tolerance: float, feedback: str) -> str:
+    return (
+        '<answer fraction="0" format="moodle_auto_format">'
+        f"<text>{value!r}</text><tolerance>{tolerance!r}</tolerance>"
+        f"{_html('feedback', feedback)}</answer>"
     )
 
 

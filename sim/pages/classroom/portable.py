@@ -18,7 +18,11 @@ Shape = Literal["choice", "choices", "number", "short", "essay", "pairs"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Portable:
-    """One question; texts are HTML. `answers`: text, percent of the marks, feedback."""
+    """One question; texts are HTML. `answers`: text, percent of the marks, feedback.
+
+    `order`: the lines of an ordering, which are `pairs` as well, for platforms without one.
+    `sure`: the pages ask how sure a student is; no platform does.
+    """
 
     id: str
     shape: Shape
@@ -26,11 +30,14 @@ class Portable:
     marks: int
     answers: tuple[tuple[str, float, str], ...] = ()
     number: tuple[float, float] = (0.0, 0.0)  # the answer and its tolerance
+    wrong_numbers: tuple[tuple[float, float, str], ...] = ()  # with tolerance and feedback
+    order: tuple[str, ...] = ()
     pairs: tuple[tuple[str, str], ...] = ()
     others: tuple[str, ...] = ()  # on the right, belonging to nothing
     rubric: Mapping[int, str] = field(default_factory=dict)
     explain: str = ""
     topics: tuple[str, ...] = ()
+    sure: bool = False
 
 
 def portable(questions: Iterable[Question]) -> tuple[list[Portable], list[str]]:
@@ -51,7 +58,7 @@ def _made(question: Question) -> Portable | None:
 
     def part(shape: Shape, **more: object) -> Portable:
         facts = {"id": question.id, "shape": shape, "ask": ask, "marks": common.marks,
-                 "explain": explain, "topics": common.topics}  # fmt: skip
+                 "explain": explain, "topics": common.topics, "sure": common.sure}  # fmt: skip
         return Portable(**{**facts, **more})  # type: ignore[arg-type]
 
     if isinstance(question, Single):
@@ -68,22 +75,27 @@ def _made(question: Question) -> Portable | None:
         return part("choices" if several else "choice", answers=answers)
     if isinstance(question, Number):
         unit = f"<p>Answer in {question.unit}.</p>" if question.unit else ""
-        return part("number", number=(question.answer, question.tolerance), ask=f"{ask}{unit}")
+        wrong = tuple((w.value, w.tolerance, to_inline(w.feedback)) for w in question.wrong)
+        return part("number", number=(question.answer, question.tolerance), wrong_numbers=wrong,
+                    ask=f"{ask}{unit}")  # fmt: skip
     if isinstance(question, Short) and question.accept:
-        known = tuple((text, 0.0, said) for texts, _, said in question.wrong for text in texts)
+        known = tuple(
+            (text, 0.0, to_inline(said)) for texts, _, said in question.wrong for text in texts
+        )
         right_ones = tuple((text, 100.0, "") for text in question.accept)
         return part("short", answers=(*right_ones, *known))
     if isinstance(question, Long):
         return part("essay", rubric=question.rubric, marks=question.worth)
     if isinstance(question, Ordering):
-        lines = enumerate(question.order, start=1)
-        return part("pairs", pairs=tuple((f"{k}.", to_inline(line)) for k, line in lines))
+        lines = tuple(map(to_inline, question.order))
+        pairs = tuple((f"{k}.", line) for k, line in enumerate(lines, start=1))
+        return part("pairs", pairs=pairs, order=lines)
     if isinstance(question, Matching):
         count = len(question.left)
-        pairs = zip(question.left, question.right, strict=False)
+        joined = zip(question.left, question.right, strict=False)
         return part(
             "pairs",
-            pairs=tuple((to_inline(left), to_inline(right)) for left, right in pairs),
+            pairs=tuple((to_inline(left), to_inline(right)) for left, right in joined),
             others=tuple(map(to_inline, question.right[count:])),
         )
     return None

@@ -1,7 +1,8 @@
 """A site as a SCORM 1.2 package: one learning object around all lessons.
 
 A page of its own frames the site and speaks to the platform (sim/web/site/scorm.js). The lessons
-know nothing of it; their answers stay in the student's browser.
+know nothing of it; it hears their events when a form is handed in or a file of answers is saved.
+Answers stay in the student's browser.
 """
 
 from __future__ import annotations

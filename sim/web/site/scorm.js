@@ -1,8 +1,10 @@
 // The page around the lessons in a SCORM 1.2 package: it tells the learning platform that the lessons
-// were opened and for how long. Nothing else is told: no answer, no mark.
+// were opened, that something was handed in (a form, or a file of answers saved), and for how long
+// they were open. Nothing else is told: no answer, no mark.
 
 (() => {
   const MOST_PARENTS = 20;
+  const HANDED_IN = ["carts-handed-in", "carts-file-saved"]; // events of the lessons' own pages
 
   /** The platform's half, in a window around this one or in the one that opened it. @param {any} from */
   function find(from) {
@@ -23,13 +25,31 @@
   if (!platform) return;
   const began = Date.now();
   if (String(platform.LMSInitialize("")) !== "true") return;
-  const status = platform.LMSGetValue("cmi.core.lesson_status");
-  if (!status || status === "not attempted" || status === "incomplete") {
-    platform.LMSSetValue("cmi.core.lesson_status", "completed");
-  }
-  platform.LMSCommit("");
+  // What a platform or a teacher has set already ("completed", "passed" …) is never taken back.
+  const open = ["", "not attempted", "incomplete", "browsed"];
+  const begun = () => open.includes(String(platform.LMSGetValue("cmi.core.lesson_status") ?? ""));
+  if (begun()) set("incomplete");
 
   let over = false;
+  const lessons = /** @type {HTMLIFrameElement | null} */ (document.querySelector("iframe"));
+  lessons?.addEventListener("load", listen);
+  listen(); // it may have loaded before this script ran
+
+  /** Every page of the lessons is a document of its own. */
+  function listen() {
+    for (const name of HANDED_IN) lessons?.contentDocument?.addEventListener(name, completed);
+  }
+
+  function completed() {
+    if (!over && begun()) set("completed");
+  }
+
+  /** @param {string} status */
+  function set(status) {
+    platform.LMSSetValue("cmi.core.lesson_status", status);
+    platform.LMSCommit("");
+  }
+
   addEventListener("pagehide", () => {
     if (over) return;
     over = true;

@@ -1,0 +1,99 @@
+"""What a call of `carts class` means: files, tables or summaries, and the options of each."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from typing import Any
+
+import click
+
+from sim.classroom.files.reading import Read, Reading, Refused
+from sim.classroom.report.report import WHOLE, Asked
+from sim.cli.classroom.files import group_of
+
+OF_ANSWERS = ("keys", "students", "marks", "codes")
+"""Options that are made for answer files."""
+
+READ_BEFORE = ("students", "marks", "codes", "groups")
+"""What a table of answers holds since it was written."""
+
+
+def only_one_way(ctx: click.Context, files: Sequence[object], tables: Sequence[str]) -> None:
+    """Answer files, tables or summaries, and to each the options that are made for it."""
+    given = ctx.params
+    merge, of_answers = given["merge"], any(given[name] for name in OF_ANSWERS)
+    if not files and not tables:
+        raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])
+    if tables and (files or of_answers):
+        raise click.UsageError("--table reads tables only: no answer files, keys, codes and marks")
+    if (given["most"] or given["lesson"]) and not tables:
+        raise click.UsageError("--max and --lesson belong to --table")
+    if merge and (tables or of_answers):
+        raise click.UsageError("--merge adds summaries only: no tables, keys, codes and marks")
+    if given["backend"]:
+        raise click.UsageError("--backend belongs to --table with a table of answers")
+
+
+def only_country(ctx: click.Context, parquet: object, tables: Sequence[str]) -> None:
+    """A table of answers is written from files, or read; it lists no students."""
+    given = ctx.params
+    if parquet:
+        if not given["files"]:
+            raise click.MissingParameter(ctx=ctx, param=ctx.command.params[0])
+        others = ("merge", "backend", "most", "lesson")
+        if tables or any(given[name] for name in others):
+            raise click.UsageError(
+                "--parquet writes answer files into a table: no --table, --merge, --backend, "
+                "--max and --lesson"
+            )
+    elif any(given[name] for name in (*READ_BEFORE, "files", "merge", "most", "lesson")):
+        raise click.UsageError(
+            "--table with a table of answers: groups, codes and marks were given when it was "
+            "written; only --key goes with it"
+        )
+    if given["csv_file"]:
+        raise click.UsageError("--csv lists students: a report on a table of answers has none")
+
+
+def student(text: str) -> tuple[str, str]:
+    """A file and the code word it lacks, of FILE=CODE."""
+    name, equals, code = text.rpartition("=")
+    if not (name.strip() and equals and code.strip()):
+        raise click.UsageError(f"--student {text}: write FILE=CODE, for example a.json=BLUE-FOX-27")
+    return name.strip(), code.strip()
+
+
+def group(text: str) -> tuple[str, str]:
+    """A group and its pattern, of NAME=GLOB."""
+    name, equals, pattern = text.partition("=")
+    if not (name.strip() and equals and pattern):
+        raise click.UsageError(f"--group {text}: write NAME=GLOB, for example new='class-7a/*'")
+    return name.strip(), pattern
+
+
+def placed(
+    reading: Reading, groups: list[tuple[str, str]]
+) -> tuple[list[tuple[Read, str]], Any, list[Refused]]:
+    """Files with their groups; what is in no group is refused in words."""
+    if not groups:
+        return [(file, WHOLE) for file in reading.files], reading.keys, reading.refused
+    found = [(file, group_of(file.name, groups)) for file in reading.files]
+    reading.refused += [
+        Refused(file.name, "this file is in none of the groups") for file, name in found if not name
+    ]
+    return [(f, name) for f, name in found if name], reading.keys, reading.refused
+
+
+def asked(reading: Reading, groups: list[tuple[str, str]]) -> Asked:
+    """Each pattern that has files is a class of its own."""
+    names = tuple(dict.fromkeys(name for name, _ in groups)) or (WHOLE,)
+    patterns = {
+        (name, pattern)
+        for name, pattern in groups
+        if any(group_of(file.name, [(name, pattern)]) for file in reading.files)
+    }
+    classes = Counter(name for name, _ in patterns)
+    now = datetime.now(UTC).isoformat(timespec="seconds")
+    return Asked(groups=names, classes=classes, given=reading.given, now=now)

@@ -1,0 +1,104 @@
+"""The report on a table of answers, without a single student in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from sim.classroom.files.keyed import KeyedForm
+from sim.classroom.report.flag import Flag
+from sim.classroom.report.marked import Keys
+from sim.classroom.summary.document import Read, document
+from sim.classroom.summary.sums import LessonSums
+from sim.country.cells import Cell, Counts, counts_of
+from sim.country.refusal import CountryError
+from sim.country.said import belief_rows_of, prediction_rows_of
+from sim.country.sums import cells_of, groups_of, lessons_of
+from sim.country.topics import topic_rows_of, topics_in
+from sim.lesson.csv_text import safe_text
+
+SAYS = {
+    "same": ("same-file", "hold the answers of another file of their code word: these count once"),
+    "again": ("saved-again", "were saved by students who saved again: the last one counts"),
+    "doubled": ("doubled-id", "share a code word and differ: none of them counts"),
+}
+
+
+def read_table(
+    answers: Any, keys: Sequence[KeyedForm]
+) -> tuple[dict[str, Any], list[LessonSums], tuple[str, ...]]:
+    """The report, the sums that it is made of, and the groups; raises `CountryError`."""
+    try:
+        return _read(answers, keys)
+    except (CountryError, ModuleNotFoundError):
+        raise
+    except Exception as error:  # a table of somebody else's, a backend with errors of its own
+        text = next(iter(str(error).splitlines()), "")[:200]
+        name = type(error).__name__
+        raise CountryError(f"this table cannot be read ({name}: {text})") from error
+
+
+def _read(
+    answers: Any, keys: Sequence[KeyedForm]
+) -> tuple[dict[str, Any], list[LessonSums], tuple[str, ...]]:
+    of_forms = {
+        (safe_text(site), safe_text(lesson), form): key
+        for (site, lesson, form), key in Keys(keys).main.items()
+    }
+    counts = counts_of(answers, topics_in(of_forms))
+    for cell in counts.broken:
+        raise CountryError(
+            f"{cell['file']}: {cell['rows']} of its {cell['sheet_rows']} rows are there. Is a "
+            "part of the table missing, or does it stand here twice?"
+        )
+    lessons = lessons_of(counts, of_forms)
+    groups, _ = groups_of(counts)
+    read = Read(
+        unit="files", read=sum(cell["n"] for cell in counts.claims),
+        counted=sum(cell["counted"] for cell in counts.claims),
+        flags=[asdict(flag) for flag in _flags(counts)], notes=_notes(counts),
+    )  # fmt: skip
+    report = document(lessons, groups, read)
+    for row, lesson in zip(report["lessons"], lessons, strict=True):
+        row["topics"] = topic_rows_of(lesson, counts.topics, of_forms, groups)
+        for form in row["forms"]:
+            place = (lesson.site, lesson.lesson, form["form"])
+            key = of_forms.get(place)
+            form["beliefs"] = belief_rows_of(cells_of(counts.beliefs, place), key)
+            form["predictions"] = prediction_rows_of(cells_of(counts.predictions, place))
+    return report, lessons, groups
+
+
+def _flags(counts: Counts) -> list[Flag]:
+    """Questions to whoever reads: with an example, for the files may be millions."""
+    flags = []
+    for claim, (code, words) in SAYS.items():
+        found: list[Cell] = [cell for cell in counts.claims if cell["claim"] == claim]
+        if found:
+            n = sum(cell["n"] for cell in found)
+            text = f"{n:,} files {words}. Is that what happened? One of them:"
+            flags.append(Flag(code, text, tuple(cell["of"] for cell in found)))
+    if counts.nameless:
+        text = f"{counts.nameless:,} files have no code word: each counts as a person of its own."
+        flags.append(Flag("no-code", text, ()))
+    foreign = sum(cell["n"] for cell in counts.totals if cell["foreign"])
+    if foreign:
+        text = (
+            f"{foreign:,} files hold answers to another wording of a question. They are listed "
+            "and not counted."
+        )
+        flags.append(Flag("foreign-version", text, ()))
+    return flags
+
+
+def _notes(counts: Counts) -> list[str]:
+    keyed = {(c["site"], c["lesson"], c["form"]) for c in counts.totals if c["keyed"]}
+    left = sum(
+        cell["n"]
+        for cell in counts.totals
+        if not cell["keyed"] and (cell["site"], cell["lesson"], cell["form"]) in keyed
+    )
+    if not left:
+        return []
+    return [f"{left:,} files were written without the key that others had: they are not counted."]

@@ -1,0 +1,116 @@
+"""The package: a manifest, a test of one section, and the items. Equal banks give equal zips."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from collections.abc import Iterable, Sequence
+
+from sim.pages.classroom.portable import Portable
+from sim.pages.classroom.qti.item import HEAD, INSTANCE, NAMESPACE, SCHEMA, qti_item
+from sim.pages.classroom.qti.xhtml import xml_attribute, xml_text
+
+PACKAGE = "http://www.imsglobal.org/xsd/qti/qtiv3p0/imscp_v1p1"
+PACKAGE_SCHEMA = "https://purl.imsglobal.org/spec/qti/v3p0/schema/xsd/imsqtiv3p0_imscpv1p2_v1p0.xsd"
+LOM = "http://ltsc.ieee.org/xsd/LOM"
+LOM_SCHEMA = "https://purl.imsglobal.org/spec/md/v1p3/schema/xsd/imsmd_loose_v1p3p2.xsd"
+TEST = "test.xml"
+DATE = (1980, 1, 1, 0, 0, 0)
+
+
+def qti_package(title: str, questions: Iterable[Portable]) -> bytes:
+    """The zip; `title` names the test."""
+    items = list(questions)
+    files = {
+        "imsmanifest.xml": _manifest(title, items),
+        TEST: _test(title, items),
+        **{_path(q): qti_item(q) for q in items},
+    }
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in files.items():
+            entry = zipfile.ZipInfo(name, DATE)
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, text.encode("utf-8"), zipfile.ZIP_DEFLATED)
+    return packed.getvalue()
+
+
+def _path(q: Portable) -> str:
+    return f"items/{q.id}.xml"
+
+
+def _identifier(title: str) -> str:
+    """A name for XML out of a title."""
+    return "carts-" + (re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") or "bank")
+
+
+def _test(title: str, items: Sequence[Portable]) -> str:
+    refs = [
+        f'<qti-assessment-item-ref identifier={xml_attribute(q.id)} '
+        f"href={xml_attribute(_path(q))}/>"
+        for q in items
+    ]  # fmt: skip
+    return "\n".join([
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f'<qti-assessment-test {HEAD} identifier="{_identifier(title)}" '
+        f"title={xml_attribute(title)}>",
+        '<qti-outcome-declaration identifier="SCORE" cardinality="single" base-type="float"/>',
+        '<qti-test-part identifier="part-1" navigation-mode="nonlinear" '
+        'submission-mode="simultaneous">',
+        f'<qti-assessment-section identifier="section-1" title={xml_attribute(title)} '
+        'visible="true">',
+        *refs,
+        "</qti-assessment-section>",
+        "</qti-test-part>",
+        "<qti-outcome-processing>",
+        '<qti-set-outcome-value identifier="SCORE"><qti-sum>'
+        '<qti-test-variables variable-identifier="SCORE"/></qti-sum></qti-set-outcome-value>',
+        "</qti-outcome-processing>",
+        "</qti-assessment-test>",
+        "",
+    ])  # fmt: skip
+
+
+def _manifest(title: str, items: Sequence[Portable]) -> str:
+    return "\n".join([
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f'<manifest xmlns="{PACKAGE}" xmlns:imsmd="{LOM}" xmlns:xsi="{INSTANCE}" '
+        f'xsi:schemaLocation="{PACKAGE} {PACKAGE_SCHEMA} {LOM} {LOM_SCHEMA} {NAMESPACE} {SCHEMA}" '
+        f'identifier="manifest-{_identifier(title)}">',
+        "<metadata>",
+        "<schema>QTI Package</schema>",
+        "<schemaversion>3.0.0</schemaversion>",
+        _lom(f"<imsmd:title><imsmd:string>{xml_text(title)}</imsmd:string></imsmd:title>"),
+        "</metadata>",
+        "<organizations/>",
+        "<resources>",
+        f'<resource identifier="test" type="imsqti_test_xmlv3p0" href="{TEST}">',
+        f'<file href="{TEST}"/>',
+        *(f"<dependency identifierref={xml_attribute(f'item-{q.id}')}/>" for q in items),
+        "</resource>",
+        *(line for q in items for line in _resource(q)),
+        "</resources>",
+        "</manifest>",
+        "",
+    ])  # fmt: skip
+
+
+def _resource(q: Portable) -> list[str]:
+    words = "".join(
+        f"<imsmd:keyword><imsmd:string>{xml_text(topic)}</imsmd:string></imsmd:keyword>"
+        for topic in q.topics
+    )
+    about = [f"<metadata>{_lom(words)}</metadata>"] if words else []
+    path = xml_attribute(_path(q))
+    return [
+        f'<resource identifier={xml_attribute(f"item-{q.id}")} type="imsqti_item_xmlv3p0" '
+        f"href={path}>",
+        *about,
+        f"<file href={path}/>",
+        "</resource>",
+    ]
+
+
+def _lom(inside: str) -> str:
+    return f"<imsmd:lom><imsmd:general>{inside}</imsmd:general></imsmd:lom>"

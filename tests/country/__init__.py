@@ -1,0 +1,1 @@
+"""Answers of a country: as a table, and the report from it, held equal to that of the files."""

@@ -1,0 +1,256 @@
+"""The report on a table has the numbers of the report on its files, on every backend."""
+
+from __future__ import annotations
+
+import json
+import random
+import shutil
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from click.testing import CliRunner, Result
+
+from sim.classroom.files.reading import Source
+from sim.cli import main
+from sim.country.backend import DUCKDB, answers_in, connect
+from sim.country.refusal import CountryError
+from sim.country.report import read_table
+from tests.country.school import KEY, school_files
+
+WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after")
+NOT_IN_A_TABLE = ("words", "curves", "reasons", "comparisons", "clustered")
+"""What is one student's, and what only reports on sums hold."""
+
+
+def carts(*words: object) -> Result:
+    return CliRunner().invoke(main, ["class", *map(str, words)])
+
+
+def reported(*words: object) -> dict[str, Any]:
+    result = carts(*words, "--json")
+    assert result.exit_code == 0, result.output
+    report: dict[str, Any] = json.loads(result.stdout)
+    return report
+
+
+def without(value: Any, names: Sequence[str]) -> Any:
+    if isinstance(value, dict):
+        return {k: without(v, names) for k, v in value.items() if k not in names}
+    return [without(one, names) for one in value] if isinstance(value, list) else value
+
+
+def numbers(report: dict[str, Any]) -> Any:
+    """All that can be equal: no names; without a key a report on files counts nobody as sure."""
+    lessons = without(report, (*WHO, *NOT_IN_A_TABLE))["lessons"]
+    for lesson in lessons:
+        for form in lesson["forms"]:
+            for item in form["items"]:
+                item["choices"] = [
+                    {k: v for k, v in choice.items() if k != "sure" or form["has_key"]}
+                    for choice in item["choices"]
+                ]
+    return lessons
+
+
+def lay(folder: Path, sources: Sequence[Source]) -> Path:
+    folder.mkdir(parents=True)
+    for source in sources:
+        (folder / source.name).write_bytes(source.content)
+    return folder
+
+
+GROUPS = ("--group", "usual=b*/*", "--group", "new=a*/*")
+
+
+@pytest.fixture
+def school(tmp_path: Path) -> Path:
+    place = tmp_path / "school"
+    for k, (name, gain) in enumerate((("a1", 0.3), ("a2", 0.3), ("b1", 0.1), ("b2", 0.0))):
+        lay(place / name, school_files(k, 14, prefix=name, gain=gain))
+    (place / "key.json").write_bytes(KEY.content)
+    return place
+
+
+def table(school: Path, *words: object) -> Path:
+    target = school.parent / f"table-{len(list(school.parent.iterdir()))}"
+    assert carts(school, "--parquet", target, *words).exit_code == 0
+    return target
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("words", [(), GROUPS, (*GROUPS[:2], "--group", "new=a1/*")])
+def test_the_numbers_of_a_table_are_those_of_its_files(
+    school: Path, words: tuple[str, ...]
+) -> None:
+    whole = json.loads(carts(school, *words, "--json").stdout)
+    target = school.parent / "table"
+    carts(school, *words, "--parquet", target)
+    mine = reported("--table", target)
+    assert numbers(mine) == numbers(whole)
+    assert mine["groups"] == whole["groups"]
+    assert (mine["files"]["read"], mine["files"]["counted"]) == (
+        whole["files"]["read"], whole["files"]["counted"])  # fmt: skip
+    assert any(lesson["gains"] for lesson in mine["lessons"])
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_whatever_happens_to_files_the_numbers_are_equal(seed: int, tmp_path: Path) -> None:
+    files = school_files(seed, 6 + 3 * seed)
+    place = lay(tmp_path / "files", [*files, *([KEY] if seed % 4 else [])])
+    whole = json.loads(carts(place, "--json").stdout)
+    assert numbers(reported("--table", table(place))) == numbers(whole)
+
+
+@pytest.mark.slow
+def test_tables_of_many_schools_are_one_report(school: Path) -> None:
+    whole = table(school)
+    parts = []
+    for name in ("a1", "a2", "b1", "b2"):
+        lay(school.parent / name / "x", [])
+        shutil.copytree(school / name, school.parent / name / "files")
+        shutil.copy(school / "key.json", school.parent / name / "key.json")
+        parts.append(table(school.parent / name))
+    words = [word for part in parts for word in ("--table", part)]
+    assert numbers(reported(*words)) == numbers(reported("--table", whole))
+
+
+def test_a_single_part_and_a_key_by_hand_are_the_folder(school: Path, tmp_path: Path) -> None:
+    target = table(school)
+    lone = tmp_path / "lone"
+    lone.mkdir()
+    shutil.copy(target / "answers-0001.parquet", lone / "x.parquet")
+    mine = reported("--table", lone / "x.parquet", "--key", school / "key.json")
+    assert mine == reported("--table", target)
+
+
+@pytest.mark.slow
+def test_without_its_key_a_table_still_has_all_marks(school: Path, tmp_path: Path) -> None:
+    target = table(school)
+    whole = reported("--table", target)
+    for path in target.glob("key-*.json"):
+        path.unlink()
+    mine = reported("--table", target)
+    for ours, theirs in zip(mine["lessons"][0]["forms"], whole["lessons"][0]["forms"], strict=True):
+        assert [g.get("mean") for g in ours["groups"]] == [g.get("mean") for g in theirs["groups"]]
+        for one, other in zip(ours["items"], theirs["items"], strict=True):
+            for name in ("id", "label", "n", "right", "wrong", "empty", "difficulty",
+                         "discrimination", "point_biserial"):  # fmt: skip
+                assert one[name] == other[name], name
+
+
+def test_the_sums_of_a_table_can_be_handed_on(school: Path) -> None:
+    sums = [school.parent / "files.json", school.parent / "table.json"]
+    carts(school, "--summary", sums[0])
+    carts("--table", table(school), "--summary", sums[1])
+    one, other = (reported("--merge", path)["lessons"] for path in sums)
+    assert one == other
+
+
+def test_a_table_of_which_a_part_is_missing_is_refused(school: Path, tmp_path: Path) -> None:
+    part = table(school) / "answers-0001.parquet"
+    rows = pq.read_table(part)
+    pq.write_table(rows.slice(0, rows.num_rows - 3), part)
+    result = carts("--table", part)
+    assert result.exit_code == 1
+    assert "rows are there" in result.stderr
+
+
+def test_one_table_given_twice_is_refused(school: Path, tmp_path: Path) -> None:
+    target = table(school)
+    shutil.copytree(target, tmp_path / "again")
+    result = carts("--table", target, "--table", tmp_path / "again")
+    assert result.exit_code == 1
+    assert "does it stand here twice?" in result.stderr
+
+
+def test_another_backend_by_its_address_gives_the_same(school: Path, tmp_path: Path) -> None:
+    import duckdb
+
+    target = table(school)
+    file = tmp_path / "warehouse.duckdb"
+    with duckdb.connect(str(file)) as warehouse:
+        warehouse.execute(f"create table answers as select * from '{target.as_posix()}/*.parquet'")
+    mine = reported("--table", "answers", "--backend", f"duckdb://{file}",
+                    "--key", school / "key.json")  # fmt: skip
+    assert mine == reported("--table", target)
+
+
+SPARK = "" if find_spec("pyspark") and shutil.which("java") else "pyspark or Java is not installed"
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(bool(SPARK), reason=SPARK)
+def test_spark_gives_the_same(school: Path) -> None:
+    target = table(school, *GROUPS)
+    assert numbers(reported("--table", target, "--backend", "spark://local")) == numbers(
+        reported("--table", target)
+    )
+
+
+@pytest.mark.parametrize(
+    "words",
+    [("--table", "T", "KEY"), ("--table", "T", "--csv", "x.csv"), ("--table", "T", "--merge"),
+     ("--table", "T", "--group", "a=b"), ("--parquet", "N"),
+     ("KEY", "--parquet", "N", "--max", "3"),
+     ("--table", "T", "--table", "KEY"), ("KEY", "--backend", "duckdb://"),
+     ("--table", "no.parquet"), ("KEY", "--parquet", "N", "--csv", "x.csv")],
+)  # fmt: skip
+def test_calls_that_cannot_be_meant_end_with_2(school: Path, words: tuple[str, ...]) -> None:
+    places = {"T": table(school), "KEY": school / "key.json", "N": school.parent / "new"}
+    assert carts(*(places.get(word, word) for word in words)).exit_code == 2
+
+
+def test_what_is_no_table_of_answers_is_named(tmp_path: Path) -> None:
+    pq.write_table(pa.table({"a": [1]}), tmp_path / "other.parquet")
+    (tmp_path / "text.parquet").write_text("hello", encoding="utf-8")
+    (tmp_path / "empty").mkdir()
+    for name, reason in (("other.parquet", "no column sheet"), ("text.parquet", "text.parquet: "),
+                         ("empty", "no Parquet file")):  # fmt: skip
+        result = carts("--table", tmp_path / name)
+        assert result.exit_code == 1
+        assert reason in result.stderr
+        assert "Traceback" not in result.output
+
+
+@pytest.mark.slow
+def test_fuzzed_tables_are_read_or_refused_and_never_break(
+    tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    """Tables with cells changed at random; `make fuzz` changes many more."""
+    count = 1_000 if request.config.getoption("--fuzz") else 25
+    dice = random.Random(4)
+    place = lay(tmp_path / "files", [KEY, *school_files(2, 8)])
+    part = table(place) / "answers-0001.parquet"
+    seed = pq.read_table(part)
+    backend = connect(DUCKDB)
+    evil: dict[str, list[Any]] = {
+        "string": [None, "", "=1+1", "<b>x</b>", "x" * 9_000, "pre", "right", "\x00", ";"],
+        "int32": [None, -1, 0, 2**31 - 1], "int64": [None, -5, 2**62], "bool": [None, True, False],
+        "double": [None, float("nan"), float("inf"), -0.0],
+    }  # fmt: skip
+    read = 0
+    for k in range(count):
+        changed = seed
+        for _ in range(dice.randint(1, 3)):
+            field = dice.choice(list(seed.schema))
+            column = changed.column(field.name).to_pylist()
+            values = evil.get(str(field.type), [None])
+            for _ in range(dice.randint(1, 30)):
+                column[dice.randrange(len(column))] = dice.choice(values)
+            at = changed.schema.get_field_index(field.name)
+            changed = changed.set_column(at, field.name, pa.array(column, field.type))
+        path = tmp_path / f"{k}.parquet"
+        pq.write_table(changed, path)
+        try:
+            report, _, _ = read_table(answers_in(backend, [str(path)]), [])
+        except CountryError as error:
+            assert str(error)
+            continue
+        read += 1
+        json.dumps(report, allow_nan=False)
+    assert 0 < read < count
