@@ -191,3 +191,26 @@ def test_a_touch_in_the_middle_of_an_integrated_step_costs_no_figures() -> None:
         "until": 3,
     }
     assert run(read_scene(plain)).ledger.imbalance() < 2e-11
+
+
+def test_a_bumper_that_begins_to_be_pressed_further_is_not_at_its_deepest_then() -> None:
+    """Its load equals its force; what is left of their difference says nothing about the growth.
+
+    A light cart between two bumpers that do not spring back, one of which is always pressed
+    further: none of its 450 steps ends where it begins, because a bumper turns or is climbed again.
+    """
+    plain = {
+        "carts": {
+            "A": {"mass": 0.002, "position": 0.1, "velocity": 0.5},
+            "B": {"mass": 1680.0, "position": 0.4, "velocity": -1.0},
+        },
+        "track": {"left": "wall", "right": "open", "length": 1.1},
+        "contact": {"law": "bumper", "restitution": 0, "stiffness": 1380.0},
+        "until": 0.5,
+    }
+    done = run(read_scene(plain))
+    steps = [part for part in done.record.solved if part.end < done.t]
+    assert len(steps) > 300
+    causes = [[e.cause for e in part.solver.ends] for part in steps if part.begin == part.end]
+    assert not [found for found in causes if "turn" in found or "climb" in found]
+    assert done.ledger.imbalance() < 1e-13

@@ -120,7 +120,11 @@ def _group(row: list[Body], gaps: list[Gap], now: Time, end: Time, forces: Force
     _count(row, gaps, forces, ORDER - 1)
     limit = max(elapsed(now, end), 0.0)
     if any(gap.touching is not None and gap.law is not None and not gap.law.linear for gap in gaps):
-        from sim.dynamics.motion.adaptive import integrated_group  # where a scene calls for it
+        from sim.dynamics.motion.curved.group import curved_group  # where a scene calls for it
+
+        if (curved := curved_group(row, gaps, now, limit)) is not None:
+            return curved
+        from sim.dynamics.motion.adaptive import integrated_group  # where that has none
 
         return integrated_group(row, gaps, now, limit)
     return coupled_group(row, gaps, now, limit)

@@ -92,6 +92,10 @@ class IntegratedStep(Step):
         """As it was integrated."""
         return value(self.rates[k], t)
 
+    def strongest(self, k: int, t: float) -> float:
+        """N. Not known from the dense output: it may always be more."""
+        return math.inf
+
     def dissipated(self, k: int, t: float) -> float:
         """J. What a bumper keeps follows from its law."""
         curved_law = self.laws[k] is not None

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, ClassVar
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.friction_shares import share
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
-from sim.dynamics.motion.polynomial import integral, size, slope, value, value_and_slope
+from sim.dynamics.motion.polynomial import integral, size
 from sim.dynamics.motion.rest import at_rest
 from sim.dynamics.motion.row_now import row_of
 from sim.dynamics.motion.series import REACH, Expansion, Row, converged_step, expand, step_length
@@ -64,8 +64,8 @@ class CoupledGroup:
         return tuple(gap.index for gap in self.members)
 
     def marks(self, end: float) -> list[float]:
-        """One formula holds for the whole step."""
-        return []
+        """One formula holds for the whole step; near a touch it may be steep."""
+        return self.step.marks(end)
 
     def until(self, now: Time) -> CoupledGroup:
         """The same up to now, as exactly as it can be had; made anew where it was integrated."""
@@ -81,40 +81,36 @@ class CoupledGroup:
         return float(self._place(body))
 
     def _place(self, body: Body) -> int:
-        return next(k for k, other in enumerate(self.bodies) if other is body)
+        for k, other in enumerate(self.bodies):
+            if other is body:
+                return k
+        raise ValueError(body)
 
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body at that place in the row."""
-        k = int(side)
-        return (value(self.step.path[k], tau), *value_and_slope(self.step.speed[k], tau))
+        return self.step.motion(int(side), tau)
 
     def shift(self, body: Body, start: Time, end: Time) -> float:
         """m. How far a body goes between two times within the step."""
-        path = self.step.path[self._place(body)]
+        i, step = self._place(body), self.step
         a, b = elapsed(self.begun, start), elapsed(self.begun, end)
-        return value(path, b) - (value(path, a) if a != 0.0 else 0.0)
+        return step.way(i, b) - (step.way(i, a) if a != 0.0 else 0.0)
 
     def velocity(self, body: Body, now: Time) -> float:
         """m/s."""
-        return value(self.step.speed[self._place(body)], elapsed(self.begun, now))
+        return self.step.velocity(self._place(body), elapsed(self.begun, now))
 
     def excess(self, body: Body, start: Time, dt: float) -> float:
         """m. Displacement in dt s beyond that at the velocity of `start`."""
-        path = self.step.path[self._place(body)]
-        a = elapsed(self.begun, start)
-        if a == 0.0:
-            return value([0.0, 0.0, *path[2:]], dt)
-        return value(path, a + dt) - value(path, a) - value(slope(path), a) * dt
+        return self.step.excess(self._place(body), elapsed(self.begun, start), dt)
 
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """Least and greatest velocity in the step, bounded by the coefficients."""
-        speed = self.step.speed[self._place(body)]
-        reach = size([0.0, *speed[1:]], self.duration)
-        return speed[0] - reach, speed[0] + reach
+        """Least and greatest velocity in the step."""
+        return self.step.speeds(self._place(body), self.duration)
 
     def acceleration(self, body: Body, now: Time) -> float:
         """m/s². Bound over the step."""
-        return size(slope(self.step.speed[self._place(body)]), self.duration)
+        return self.step.acceleration(self._place(body), self.duration)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """N and dN/dt of a gap of the chain."""
@@ -132,8 +128,8 @@ class CoupledGroup:
         """Gap by gap."""
         step, found = self.step, []
         for k, gap in enumerate(self.members):
-            over, rate = value_and_slope(step.over[k], t)
-            summed = value(integral(step.over[k]), t) if gap.loose else 0.0
+            over, rate = step.overlap(k, t)
+            summed = step.summed(k, t) if gap.loose else 0.0
             if gap.touching is None:
                 found.append(Part(over, rate, summed=summed))
                 continue
@@ -142,9 +138,9 @@ class CoupledGroup:
                     when,
                     step.contact_force(k, when),
                     step.impulse(k, when),
-                    (value(step.speed[k], when), value(step.speed[k + 1], when)),
+                    (step.velocity(k, when), step.velocity(k + 1, when)),
                 )
-                for when in (step.greatest(k, t) if peaks else ())
+                for when in (step.greatest(k, t) if peaks and step.may_peak(k, t) else ())
             )
             kept, deepest = step.dissipated(k, t), step.deepest(k, t)
             found.append(Part(over, rate, step.impulse(k, t), kept, deepest, seen, summed))
@@ -159,14 +155,15 @@ def coupled_group(
     branches = [branch_of(gap) for gap in gaps]
     stick_slip.decide(bodies, gaps, branches)
     if (rest := _at_rest(bodies, gaps, branches, limit)) is not None:
-        return _group(rest, [], limit, now)
+        return group_of(rest, [], limit, now)
     if (swinging := _in_modes(bodies, gaps, branches, now, limit)) is not None:
         return swinging
     step = _converged(bodies, gaps, branches, limit)
-    return _group(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
+    return group_of(step, *first_ends(step, [size(n, step.length) for n in step.contact]), now)
 
 
-def _group(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
+def group_of(step: Step, ends: list[End], duration: float, now: Time) -> CoupledGroup:
+    """The group that takes this step."""
     bodies, gaps = step.bodies, step.gaps
     touched = [gap.touching is not None for gap in gaps]
     loads, linked = [body.load for body in bodies], [kinds_of(gap) for gap in gaps]

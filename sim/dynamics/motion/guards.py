@@ -85,23 +85,25 @@ def _guards(gap: Gap, branch: Branch) -> tuple[Guard, ...]:
     return (Guard("touch", "overlap", rises=True),)
 
 
-def along(gap: Gap, guard: Guard, over: Poly, force: Poly) -> Poly:
-    """The quantity of a guard as a series: it falls to zero where the guard's event happens."""
+def along(gap: Gap, guard: Guard, over: Poly, force: Poly, rate: Poly | None = None) -> Poly:
+    """The quantity of a guard as a series: it falls to zero where the guard's event happens.
+
+    `rate`: of the overlap, where it is not the slope of that series.
+    """
+    rate = slope(over) if rate is None and guard.of in ("push", "rate") else rate
     if guard.of == "push":
-        return _push_to_come(gap, over)
-    quantity = {"force": force, "overlap": over, "rate": over}[guard.of]
-    if guard.of == "rate":
-        quantity = slope(over)
+        return _push_to_come(gap, over, rate or [0.0])
+    quantity = {"force": force, "overlap": over, "rate": rate or [0.0]}[guard.of]
     if guard.rises:
         return [guard.level - quantity[0], *(-c for c in quantity[1:])]
     return [quantity[0] - guard.level, *quantity[1:]] if guard.level else quantity
 
 
-def _push_to_come(gap: Gap, over: Poly) -> Poly:
+def _push_to_come(gap: Gap, over: Poly, rate: Poly) -> Poly:
     """N, negative. What spring and damper of a separated pair would push with."""
     assert gap.law is not None
     k, c = gap.law.stiffness, gap.law.damper(gap.mu)
-    pull = [-(k * o + c * rate) for o, rate in zip(over, slope(over), strict=False)]
+    pull = [-(k * o + c * r) for o, r in zip(over, rate, strict=False)]
     if abs(pull[0]) <= PUSH_ROUNDING * k * over[0]:
         pull[0] = 0.0
     return pull

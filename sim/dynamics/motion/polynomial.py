@@ -51,6 +51,17 @@ def integral(p: Poly) -> Poly:
     return [0.0, *map(truediv, p, count(1))]
 
 
+def integral_value(p: Poly, t: float) -> float:
+    """value(integral(p), t), without the list."""
+    if t == 0.0:
+        return 0.0
+    total, n = 0.0, len(p)
+    for c in reversed(p):
+        total = total * t + c / n
+        n -= 1
+    return total * t
+
+
 def _scaled(p: Poly, h: float) -> Poly:
     """Coefficients in t/h: of moderate size where p(t) is, however short the step."""
     found, power = [], 1.0
@@ -90,6 +101,10 @@ CLOSE = 2e-16
 """Relative to the step: a zero nearer than this is here."""
 
 
+CLEARLY = 1.0 + 1e-12
+"""A bound that is exceeded by that is exceeded, in whatever order it was summed."""
+
+
 def first_fall(p: Poly, h: float) -> float | None:
     """First t in [0, h] at which p, positive just after 0, falls to zero; None if it does not.
 
@@ -103,6 +118,11 @@ def first_fall(p: Poly, h: float) -> float | None:
     if q[0] < 0.0:
         return 0.0
     if h <= 0.0:
+        return None
+    far = 0.0
+    for c in q[:0:-1]:
+        far = (far + abs(c)) * h
+    if q[0] > CLEARLY * far:
         return None
     bound, power, reach = 0.0, 1.0, 0.0
     for n in range(1, len(q)):

@@ -66,10 +66,9 @@ def step_length(row: Row) -> float:
     count = len(row.branches)
     stiff, damp = [], []
     for k, branch in enumerate(row.branches):
-        linear = [link for link in row.links[k] if link.linear]
-        bounds = [link.bounds(-row.overlaps[k]) for link in linear]
-        stiff.append(branch.kappa + math.fsum(b[0] for b in bounds))
-        damp.append(branch.gamma + math.fsum(b[1] for b in bounds))
+        bounds = [link.bounds(-row.overlaps[k]) for link in row.links[k] if link.linear]
+        stiff.append(branch.kappa + math.fsum([b[0] for b in bounds]))
+        damp.append(branch.gamma + math.fsum([b[1] for b in bounds]))
     fastest = 0.0
     for i, inv in enumerate(row.inverse):
         drag = row.linear[i] + 2.0 * abs(row.quadratic[i] * row.speeds[i])
@@ -100,12 +99,12 @@ def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: floa
         first = next((n for n, c in enumerate(terms) if c != 0.0), len(terms))
         for n in (len(terms) - 2, len(terms) - 1):
             if n > first and terms[n] != 0.0:
-                radius = _root(abs(terms[first]) / abs(terms[n]), n - first)
+                radius = root(abs(terms[first]) / abs(terms[n]), n - first)
                 step = min(step, CONVERGED * radius)
     return step
 
 
-def _root(x: float, n: int) -> float:
+def root(x: float, n: int) -> float:
     """The n-th root of x > 0; of x 2^(kn) it is 2^k times that, to the last bit.
 
     So a step is as long in other units, powers of 2, as it is in these.
@@ -119,7 +118,7 @@ def expand(row: Row) -> Expansion:
     """Series of overlaps, forces, and accelerations of all bodies (0 for what does not move)."""
     branches, inverse = row.branches, row.inverse
     count = len(branches)
-    runs = _locked_runs(branches)
+    runs = locked_runs(branches)
     over = [[o, r] for o, r in zip(row.overlaps, row.rates, strict=True)]
     speed = [[v] for v in row.speeds]
     force: list[Poly] = [[] for _ in branches]
@@ -144,13 +143,13 @@ def expand(row: Row) -> Expansion:
             if linked:
                 pull[k].append(math.fsum([term(n, o) for term in terms[k]]))
         if dragged:
-            _add_drag(row, speed, outside, n)
+            add_drag(row, speed, outside, n)
         if linked:
             for i in range(len(inverse)):
                 from_left = pull[i - 1][n] if i > 0 else 0.0
                 outside[i] += from_left - (pull[i][n] if i < count else 0.0)
         for run in runs:
-            _hold(run, force, inverse, outside, n)
+            hold(run, force, inverse, outside, n)
         for i, inv in enumerate(inverse):
             from_left = force[i - 1][n] if i > 0 else 0.0
             from_right = force[i][n] if i < count else 0.0
@@ -158,7 +157,8 @@ def expand(row: Row) -> Expansion:
             if loaded:
                 sizes[i] = (abs(from_left) + abs(from_right) + abs(outside[i])) * inv
             bodies[i].append(a)
-            speed[i].append(a / (n + 1))
+            if dragged:
+                speed[i].append(a / (n + 1))
         scale = 1.0 / ((n + 1) * (n + 2))
         for k in range(count):
             relative = bodies[k][n] - bodies[k + 1][n]
@@ -179,7 +179,7 @@ def is_rounding(difference: float, value: float) -> bool:
     return abs(difference) <= ALIKE * abs(value)
 
 
-def _add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:
+def add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:
     """The n-th coefficients of −linear v − quadratic v²."""
     for i, v in enumerate(speed):
         drag = row.linear[i] * v[n]
@@ -188,7 +188,7 @@ def _add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None
         outside[i] -= drag
 
 
-def _locked_runs(branches: list[Branch]) -> list[range]:
+def locked_runs(branches: list[Branch]) -> list[range]:
     """Neighbouring locked gaps, grouped."""
     runs: list[range] = []
     for k, branch in enumerate(branches):
@@ -205,14 +205,12 @@ def hold_now(
 ) -> None:
     """Fill in the forces of locked gaps among the others, at one instant."""
     force = [[p] for p in push]
-    for run in _locked_runs(branches):
-        _hold(run, force, inverse, outside, 0)
+    for run in locked_runs(branches):
+        hold(run, force, inverse, outside, 0)
     push[:] = [p[0] for p in force]
 
 
-def _hold(
-    run: range, force: list[Poly], inverse: list[float], outside: list[float], n: int
-) -> None:
+def hold(run: range, force: list[Poly], inverse: list[float], outside: list[float], n: int) -> None:
     """The n-th coefficients that keep all overlaps of a locked run: Thomas's algorithm.
 
     (1/mL + 1/mR) N_k − N_(k−1)/mL − N_(k+1)/mR = F_L/mL − F_R/mR for each k of the run, F all that

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from sim.dynamics.motion.guards import along
 from sim.dynamics.motion.polynomial import (
     Poly,
     cube_integral,
     first_fall,
-    integral,
+    integral_value,
+    size,
     slope,
     square_integral,
     value,
     value_and_slope,
 )
 from sim.dynamics.state.body import Body, Gap
-from sim.laws.branch import Branch
+from sim.laws.branch import Branch, Guard
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +39,60 @@ class Step:
     path: list[Poly]  # m, from where each was
     steady: list[float]  # N on each body
     short: bool
+
+    @property
+    def span(self) -> float:
+        """The argument of the polynomials at the end of the step: its length."""
+        return self.length
+
+    def along(self, k: int, guard: Guard) -> Poly:
+        """What falls to zero where a guard of gap k has its event."""
+        return along(self.gaps[k], guard, self.over[k], self.contact[k])
+
+    def way(self, i: int, t: float) -> float:
+        """m that body i has gone."""
+        return value(self.path[i], t)
+
+    def velocity(self, i: int, t: float) -> float:
+        """m/s of body i."""
+        return value(self.speed[i], t)
+
+    def motion(self, i: int, t: float) -> tuple[float, float, float]:
+        """Displacement [m], v [m/s], a [m/s²] of body i."""
+        return (value(self.path[i], t), *value_and_slope(self.speed[i], t))
+
+    def excess(self, i: int, a: float, dt: float) -> float:
+        """m. Displacement of body i from a s on, beyond that at the velocity there."""
+        path = self.path[i]
+        if a == 0.0:
+            return value([0.0, 0.0, *path[2:]], dt)
+        return value(path, a + dt) - value(path, a) - value(slope(path), a) * dt
+
+    def speeds(self, i: int, t: float) -> tuple[float, float]:
+        """m/s. Least and greatest velocity of body i up to t, bounded by the coefficients."""
+        speed = self.speed[i]
+        reach = size([0.0, *speed[1:]], t)
+        return speed[0] - reach, speed[0] + reach
+
+    def acceleration(self, i: int, t: float) -> float:
+        """m/s². Bound for body i up to t."""
+        return size(slope(self.speed[i]), t)
+
+    def overlap(self, k: int, t: float) -> tuple[float, float]:
+        """m and m/s: overlap of gap k and its rate."""
+        return value_and_slope(self.over[k], t)
+
+    def summed(self, k: int, t: float) -> float:
+        """m s. Integral of the overlap of gap k; asked for by loose springs."""
+        return integral_value(self.over[k], t)
+
+    def across_impulse(self, k: int, t: float) -> float:
+        """N s. Of springs and magnets across gap k."""
+        return integral_value(self.across[k], t)
+
+    def others_impulse(self, i: int, t: float) -> float:
+        """N s. What `others` did to body i."""
+        return integral_value(self.others(i), t)
 
     def push(self, k: int) -> Poly:
         """N of gap k: contact and links."""
@@ -64,7 +120,7 @@ class Step:
         """N s. Of the contact."""
         if t == 0.0:
             return 0.0
-        return value(integral(self.contact[k]), t)
+        return integral_value(self.contact[k], t)
 
     def dissipated(self, k: int, t: float) -> float:
         """J. What the contact does not give back of the work pressed in."""
@@ -73,6 +129,10 @@ class Step:
         if branch.gamma:
             loss += branch.gamma * self.rate_square(k, t)
         return loss + (law.kept(branch, over[0], value(over, t)) if law is not None else 0.0)
+
+    def marks(self, end: float) -> list[float]:
+        """Times up to `end` between which it is drawn."""
+        return []
 
     def cut(self, t: float) -> Step:
         """A power series is as exact within as it is at its end."""
@@ -101,6 +161,16 @@ class Step:
         if rising and rate < 0.0 and (turn := first_fall(slope(series), t)) is not None:
             best = max(best, value(series, turn))
         return best
+
+    def strongest(self, k: int, t: float) -> float:
+        """N. A bound on the contact's force up to t."""
+        return size(self.contact[k], t)
+
+    def may_peak(self, k: int, t: float) -> bool:
+        """May a contact's force become greater up to t than it was in earlier steps?"""
+        touching = self.gaps[k].touching
+        before = touching.peak if touching is not None else None
+        return before is None or self.strongest(k, t) > before.force
 
     def greatest(self, k: int, t: float) -> list[float]:
         """Times at which a contact's force may be greatest: ends, and where it turns."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from sim.dynamics.motion.guards import along, guards_of, offs_of, reserves
+from sim.dynamics.motion.guards import guards_of, offs_of, reserves
 from sim.dynamics.motion.polynomial import Poly, first_fall, size, value_and_slope
 from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Body, End
@@ -25,17 +25,17 @@ FINAL = ("touch", "clear", "off", "nearest")
 
 
 def first_ends(step: Step, sizes: list[float]) -> tuple[list[End], float]:
-    """All that happens at one time, and that time [s]; nothing, and the length of the step.
+    """All that happens at one time, and that time [s]; nothing, and the span of the step.
 
     `sizes` [N] bound the contact forces in the step; inf: every force counts.
     """
     noise = NEGLIGIBLE * max((s for s in sizes if s < math.inf), default=0.0)
     ends: list[End] = []
-    duration = step.length
+    duration = step.span
     for end, guarded in [*_in_gaps(step, sizes, noise), *_of_bodies(step)]:
         found = first_fall(guarded, duration)
         stays = end.cause not in FINAL  # a contact that is taken up again stays on
-        if found is not None and stays and found <= NO_MOTION * step.length:
+        if found is not None and stays and found <= NO_MOTION * step.span:
             found = _when_decided(step, end, guarded, duration, found)
         if found is not None:
             if found < duration:
@@ -73,7 +73,7 @@ def _when_decided(
         return found
     if guarded == PARTED:
         guarded = step.contact[end.k]
-    room = part * (size(guarded, step.length) + least)
+    room = part * (size(guarded, step.span) + least)
     return first_fall([guarded[0] + room, *guarded[1:]], duration)
 
 
@@ -96,7 +96,10 @@ def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End
             yield End("apart", k), PARTED  # nobody pushes them together any more
             continue
         for guard in guards_of(gap, branch) if not touches or sizes[k] >= noise else offs_of(gap):
-            yield End(guard.cause, k), along(gap, guard, step.over[k], step.contact[k])
+            quantity = step.along(k, guard)
+            if guard.cause == "turn" and gap.rate == 0.0:
+                quantity = _without_noise(quantity, step.span)
+            yield End(guard.cause, k), quantity
 
 
 def _of_bodies(step: Step) -> Iterator[tuple[End, Poly]]:
@@ -105,17 +108,22 @@ def _of_bodies(step: Step) -> Iterator[tuple[End, Poly]]:
             for way, reserve in reserves(body, step.others(i)):
                 yield End("slip", i, way), reserve
         elif body.sliding and (body.load.static or body.load.quadratic):
-            yield End("halt", i), _way(body, step.speed[i], step.length)
+            yield End("halt", i), _way(body, step.speed[i], step.span)
 
 
 ONSET = 1e-9
-"""Of the speed in a step. At the onset of sliding all forces balance: what an integration leaves of
-that acceleration has no sign."""
+"""Of the speed in a step. At the onset of sliding, and where a bumper begins to be pressed further,
+all forces balance: what is left of that acceleration, in time and force, has no sign."""
 
 
 def _way(body: Body, speed: Poly, length: float) -> Poly:
     """A body's speed in the direction in which it slides."""
     way = [body.sliding * c for c in speed]
-    if body.v == 0.0 and abs(way[1]) * length <= ONSET * size(way, length):
-        way[1] = 0.0
-    return way
+    return _without_noise(way, length) if body.v == 0.0 else way
+
+
+def _without_noise(rate: Poly, length: float) -> Poly:
+    """A rate that begins at nought, and whose first growth is nothing but noise, without that."""
+    if len(rate) > 1 and abs(rate[1]) * length <= ONSET * size(rate, length):
+        return [rate[0], 0.0, *rate[2:]]
+    return rate

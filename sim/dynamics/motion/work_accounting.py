@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 
-from sim.dynamics.motion.polynomial import integral, value
 from sim.dynamics.motion.step import Step
 from sim.dynamics.state.body import Accounts, Gap
 from sim.dynamics.state.loads import Load
@@ -34,10 +33,10 @@ def book_step(accounts: Accounts, step: Step, t: float) -> None:
         load = body.load
         if not body.carts or not (load.forces or load.grips):
             continue
-        way = value(step.path[i], t)
+        way = step.way(i, t)
         book_body_forces(accounts, load, t, way, step.squares(i, t))
         if body.held:
-            accounts.push_from_outside(-value(integral(step.others(i)), t), FRICTION)
+            accounts.push_from_outside(-step.others_impulse(i, t), FRICTION)
         elif load.kinetic and body.sliding:
             force = step.steady[i] - load.steady
             accounts.push_from_outside(force * t, FRICTION)
@@ -48,7 +47,7 @@ def book_step(accounts: Accounts, step: Step, t: float) -> None:
             if damping:
                 accounts.work(link.kind, -damping * step.rate_square(k, t))
         if gap.links:
-            book_from_wall(accounts, gap, value(integral(step.across[k]), t))
+            book_from_wall(accounts, gap, step.across_impulse(k, t))
 
 
 def book_from_wall(accounts: Accounts, gap: Gap, impulse: float) -> None:

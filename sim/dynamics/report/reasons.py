@@ -166,7 +166,7 @@ def _names(scene: Scene, gaps: list[int]) -> str:
 
 def _body(name: str) -> str:
     """A cart is called by its name; the two ends of the track have words of their own."""
-    return {"left": said("left"), "right": said("right")}.get(name, name)
+    return {"left": said("the left wall"), "right": said("the right wall")}.get(name, name)
 
 
 def packages(solver: Motion) -> tuple[str, ...]:

@@ -8,9 +8,9 @@ e = 1 is Hertz's own law. Energy (2/5) K d^(5/2). With the approach speed u and 
 
     greatest overlap (5 mu u²/(4 K))^(2/5)      duration 3.21806545972 (mu²/(K² u))^(1/5)
 
-A pair by itself has a closed form up to one integral (`course`); where others push too the law is
-integrated (an adaptive method). Sources: Hertz, J. reine angew. Math. 92 (1882) 156; the mapping:
-Antypov & Elliott, EPL 94 (2011) 50004.
+A pair by itself has a closed form up to one integral (`course`); where others push too it has a
+power series in a time of its own (`sim.dynamics.motion.curved.own_time`). Sources: Hertz, J. reine
+angew. Math. 92 (1882) 156; the mapping: Antypov & Elliott, EPL 94 (2011) 50004.
 """
 
 from __future__ import annotations
@@ -56,6 +56,10 @@ class Hertz:
         if self.zeta == 0.0:
             return self.stiffness * d * root
         return self.stiffness * d * root + self.damper(mu) * math.sqrt(root) * v
+
+    def of_root(self, mu: float) -> tuple[float, float]:
+        """K and C of N = K z^6 + C z d', z = d^(1/4)."""
+        return self.stiffness, self.damper(mu) if self.zeta else 0.0
 
     def dissipated(self, mu: float, d: float, v: float) -> float:
         """W. What the damper takes just now."""
