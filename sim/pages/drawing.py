@@ -12,6 +12,7 @@ import json
 import threading
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +29,7 @@ MISSING = (
 
 _lock = threading.Lock()
 _started: list[MiniRacer] = []
+_formulas: list[Path] = []  # the script of KaTeX, once V8 has read it
 _read: dict[int, Mapping[str, str]] = {}  # words that there is a script for, by their identity
 
 
@@ -51,6 +53,18 @@ def draw(kind: str, values: Mapping[str, Any]) -> str:
             if type(error).__module__.partition(".")[0] != "py_mini_racer":
                 raise
             raise DrawingError(f"a figure ({kind}) could not be drawn: {error}") from error
+
+
+@lru_cache(maxsize=4096)  # one formula stands on pages of several languages
+def draw_formula(tex: str, *, display: bool, katex: Path) -> str:
+    """The HTML of a formula, with MathML for those who do not see it; `katex`: its script."""
+    with _lock:
+        v8 = _v8()
+        if not _formulas:
+            v8.eval(katex.read_text(encoding="utf-8"))
+            _formulas.append(katex)
+        options = json.dumps({"displayMode": display, "throwOnError": False})
+        return str(v8.eval(f"katex.renderToString({json.dumps(tex)}, {options})"))
 
 
 def _v8() -> MiniRacer:

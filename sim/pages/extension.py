@@ -19,7 +19,7 @@ from markdown.preprocessors import Preprocessor
 from sim.pages.findings import AuthorError, error_box
 from sim.pages.makers import MAKERS, Page, made
 from sim.pages.scene_block import Lesson
-from sim.pages.text.fence_scan import scan
+from sim.pages.text.fence_scan import HEADING, scan
 
 __all__ = [
     "MAKERS",
@@ -35,7 +35,6 @@ _BEFORE_EVERYTHING = 40
 # After all others: what stands in the place of a block is then only text in a paragraph.
 _AFTER_EVERYTHING = -10
 _WORD = "cartsblock"
-_HEADING = re.compile(r" {0,3}(?P<signs>#{1,6})\s")
 _NOT_TO_SEARCH = re.compile(r"\s*<[a-z-]+ [^>]*\bdata-search-exclude\b")
 
 
@@ -77,7 +76,7 @@ class _TakeOut(Preprocessor):
         # Front matter has been removed by the generator: a line of --- here is only a line.
         page.blocks = tuple(scan(lines, front_matter=False))
         for block in page.blocks:
-            if headings := [h for h in map(_HEADING.match, lines[done : block.start]) if h]:
+            if headings := [h for h in map(HEADING.match, lines[done : block.start]) if h]:
                 page.items.asking = ""  # a new section: its questions are about other scenes
                 page.level = len(headings[-1]["signs"])
             try:

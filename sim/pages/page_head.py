@@ -19,6 +19,7 @@ from html.parser import HTMLParser
 from typing import Any, Literal
 
 from sim.pages.language import ENGLISH, speaking, words
+from sim.pages.text.formulas import SHEET
 from sim.pages.watchdog import watchdog
 
 Audience = Literal["offline", "hosted", "preview"]
@@ -67,6 +68,26 @@ class Needs:
     worlds: bool = False  # impossible ones, beside a scene
     hosted: bool = False  # on a web server: how to take it home
     law: bool = False  # a law that a reader writes
+    tools: bool = False  # that a reader works in a scene
+
+
+def needs_of(
+    html: str, *, scenes: bool, outline: Mapping[str, Any] | None, language: str, hosted: bool
+) -> Needs:
+    """What a rendered page needs, by what stands in it."""
+    return Needs(
+        scenes=scenes,
+        formulas='class="arithmatex"' in html,
+        outline=outline,
+        classroom="<carts-class" in html,
+        measured="<carts-measured" in html,
+        language=language,
+        challenge="<carts-challenge" in html,
+        worlds="<carts-worlds" in html,
+        hosted=hosted,
+        law="<carts-law" in html,
+        tools='class="carts-tools"' in html,
+    )
 
 
 def policy(audience: Audience, inline_scripts: Iterable[str] = ()) -> str:
@@ -105,6 +126,10 @@ def is_trusted(script: str, trusted: Iterable[re.Pattern[str]]) -> bool:
     return any(pattern.fullmatch(script) for pattern in trusted)
 
 
+# Half a formula is narrower than the whole: the first picture of a page with formulas waits for
+# the end of its text; without a scene, for the theme's script too, which moves lines on a phone.
+_READ = '<span id="carts-read" hidden></span>\n'
+_WHEN_READ = '<link rel="expect" href="#carts-read" blocking="render">'
 _THEME_SCRIPTS = '<script id="__config"'  # where the theme's scripts begin, below the page's text
 
 
@@ -141,15 +166,20 @@ def finish(
     last += [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]
     if needs.formulas:
         last += [
+            _WHEN_READ,
             f'<link rel="stylesheet" href="{assets}katex/katex.min.css">',
-            f'<script src="{assets}katex/katex.min.js" defer blocking="render"></script>',
-            f'<script src="{assets}formulas.js" defer blocking="render"></script>',
+            f'<link rel="stylesheet" href="{assets}{SHEET}">',
+            f'<script src="{assets}formula-fonts.js"></script>',
         ]
     page = _EMPTY_HEAD.sub(r"<td\1></td>", _RENAMED.sub(r"\1", page))
     page = _NEIGHBOURS.sub("", page).replace("<head>", first, 1)
     # Before the theme's own script: a scene answers to Play while that is still being read.
     place = _THEME_SCRIPTS if _THEME_SCRIPTS in page else "</body>"
-    page = page.replace(place, "".join(f"{line}\n" for line in _scripts(assets, needs)) + place, 1)
+    scripts = "".join(f"{line}\n" for line in _scripts(assets, needs))
+    page = page.replace(place, f"{scripts}{place}", 1)
+    if needs.formulas:
+        end = scripts if needs.scenes else "</body>"
+        page = page.replace(end, f"{_READ}{end}", 1)
     if needs.language != ENGLISH:
         page = re.sub(r'<html lang="[\w-]*"', f'<html lang="{needs.language}"', page, count=1)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
@@ -162,6 +192,7 @@ def _scripts(assets: str, needs: Needs) -> Iterator[str]:
     and on every page the one that keeps answers and has the panel “My answers”."""
     names = [f"words.{needs.language}.js"] if needs.language != ENGLISH else []
     names += ["carts.js", "tour.js"] if needs.scenes else []
+    names += ["tools.js"] if needs.tools else []
     names += ["challenge.js"] if needs.challenge else []
     names += ["worlds.js"] if needs.worlds else []
     names += ["hosted.js"] if needs.hosted else []

@@ -27,12 +27,13 @@ from sim.pages.language import (
 )
 from sim.pages.offline import Hosting
 from sim.pages.own_files import strangers
-from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted
+from sim.pages.page_head import Audience, Needs, finish, inline_scripts, is_trusted, needs_of
 from sim.pages.prepared import FOLDER as PREPARED
 from sim.pages.scene_block import SiteIds
 from sim.pages.single import to_download
 from sim.pages.site_id import check_site_id
 from sim.pages.teach.doors import Doors
+from sim.pages.text.formulas import Formulas
 from sim.pages.text.lesson_places import described, shown
 from sim.pages.text.lesson_text import language_findings
 from sim.pages.text.not_found import with_help
@@ -60,9 +61,11 @@ class SiteBuild:
     lessons: Path | None = None  # the folder of lessons: scenes in there are watched first
     prepared: dict[str, str] = field(default_factory=dict)  # scripts with runs, by name
     languages: Languages = field(default_factory=Languages)
+    formulas: Formulas = field(init=False)
 
     def __post_init__(self) -> None:
         self.doors = Doors(self.root)
+        self.formulas = Formulas(node_modules(self.root))
         check_site_id(self.site_id)
 
     @property
@@ -98,13 +101,10 @@ class SiteBuild:
         """Note what the page `name` needs, now that it is rendered."""
         lesson = name.rpartition(".")[0].rpartition("/")[2]
         outline = page.items.outline(lesson) if page.items.answers else None
-        classroom = "<carts-class" in html
-        measured = "<carts-measured" in html
-        challenge, worlds = "<carts-challenge" in html, "<carts-worlds" in html
-        self.needs[name] = Needs(
-            page.scenes > 0, 'class="arithmatex"' in html, outline, classroom, measured,
-            page.language, challenge, worlds, self._has_foot(name), "<carts-law" in html,
-        )  # fmt: skip
+        scenes, foot = page.scenes > 0, self._has_foot(name)
+        self.needs[name] = needs_of(
+            html, scenes=scenes, outline=outline, language=page.language, hosted=foot
+        )
         kinds = "scene|map|cost|hard|measured|law|question|quiz|challenge"
         ours = rf'<carts-(?:{kinds})\b[^>]*\sid="([^"]+)"'
         for block in re.findall(ours, html):
@@ -129,6 +129,7 @@ class SiteBuild:
         """The page with its policy and scripts; `assets` leads from it to assets/carts/."""
         html = html if name else with_help(html, assets.removesuffix(site_files.ASSETS))
         needs = self.needs.get(name, Needs()) if name else Needs()
+        html = self.formulas.drawn(html) if needs.formulas else html
         if any(other.scenes for other in self.needs.values()):  # else there is no Python to do it
             html = self.doors.with_door(html, name, assets, self.ids.used)
         if name and self.hosting and needs.hosted:
@@ -173,12 +174,12 @@ class SiteBuild:
         for language in {needs.language for needs in self.needs.values()} - {ENGLISH}:
             script = site / site_files.ASSETS / f"words.{language}.js"
             script.write_text(words_script(language), encoding="utf-8")
+        self.formulas.write(site / site_files.ASSETS)
         for address, text in self.prepared.items():
             script = site / site_files.ASSETS / PREPARED / address
             script.parent.mkdir(parents=True, exist_ok=True)
             script.write_text(text, encoding="ascii", newline="\n")
-        needed = self.needs.values()
-        scenes = any(n.scenes or n.classroom or n.measured or n.law for n in needed)
+        scenes = any(n.scenes or n.classroom or n.measured or n.law for n in self.needs.values())
         before = self.done
         if scenes:
             self._add_runtime(site, report)
@@ -222,7 +223,7 @@ class SiteBuild:
                 (assets / practice_keys.FILE).write_bytes(
                     practice_keys.keys_script(self.keys[name] for name in self._keys_in_order())
                 )
-            for name in ("challenge", "worlds", "law", "hosted"):
+            for name in ("challenge", "worlds", "law", "hosted", "tools"):
                 if any(getattr(needs, name) for needs in self.needs.values()):
                     (assets / f"{name}.js").write_bytes(site_files.own_script(name))
             if any(needs.measured for needs in self.needs.values()):

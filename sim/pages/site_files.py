@@ -27,6 +27,8 @@ _ROBOTO = "@fontsource-variable/roboto/files/roboto-{}.woff2"
 _MONO = "@fontsource/roboto-mono/files/roboto-mono-{}.woff2"
 # Within the style sheet, so that no line moves when they come: browsers have them at once.
 FONTS_INSIDE = (_ROBOTO.format("latin-wght-normal"), _MONO.format("latin-400-normal"))
+_FORMULA_FACES = ("Main-Regular", "Math-Italic", *(f"Size{k}-Regular" for k in range(1, 5)))
+FORMULA_FONTS_INSIDE = tuple(f"KaTeX_{face}.woff2" for face in _FORMULA_FACES)
 FONTS = (_ROBOTO.format("latin-ext-wght-normal"), _MONO.format("latin-ext-400-normal"))
 # Fallbacks for browsers that cannot run our pages anyway; without them no file is missing.
 _OLD_FONT = re.compile(r',\s*url\([^)]*\.(?:woff|ttf)\)\s*format\("[^"]*"\)')
@@ -82,7 +84,8 @@ def search_from_disk(worker: str) -> str:
 
 def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
     yield "site.css", _style_sheet(node_modules)
-    yield "formulas.js", _read(_WEB / "site" / "formulas.js", "git restore sim/web/site")
+    fonts = _WEB / "site" / "formula-fonts.js"
+    yield fonts.name, _read(fonts, "git restore sim/web/site")
     yield "answers.js", _read(_WEB / "dist" / "answers.js", "make bundle")
     own = {name: _WEB / "css" / name for name in OWN_STYLES}
     sheets = [path for path in sorted(_WEB.glob("css/*.css")) if path not in own.values()]
@@ -95,8 +98,10 @@ def _files(node_modules: Path) -> Iterator[tuple[str, bytes]]:
         yield f"fonts/{path.name}", _read(path, "make site")
     katex = node_modules / "katex" / "dist"
     yield "katex/katex.min.js", _read(katex / "katex.min.js", "make site")
-    css = _read(katex / "katex.min.css", "make site").decode()
-    yield "katex/katex.min.css", _OLD_FONT.sub("", css).encode()
+    css = _OLD_FONT.sub("", _read(katex / "katex.min.css", "make site").decode())
+    for name in FORMULA_FONTS_INSIDE:
+        css = css.replace(f"fonts/{name}", _data(katex / "fonts" / name))
+    yield "katex/katex.min.css", css.encode()
     for face in sorted((katex / "fonts").glob("*.woff2")):
         yield f"katex/fonts/{face.name}", face.read_bytes()
 
@@ -105,9 +110,13 @@ def _style_sheet(node_modules: Path) -> bytes:
     sheet = _read(_WEB / "site" / "site.css", "git restore sim/web/site")
     for font in FONTS_INSIDE:
         path = node_modules / font
-        inside = b"data:font/woff2;base64," + b64encode(_read(path, "make site"))
-        sheet = sheet.replace(f"fonts/{path.name}".encode(), inside)
+        sheet = sheet.replace(f"fonts/{path.name}".encode(), _data(path).encode())
     return sheet
+
+
+def _data(font: Path) -> str:
+    """A font as an address that holds it: it is there with the style sheet, no line moves later."""
+    return f"data:font/woff2;base64,{b64encode(_read(font, 'make site')).decode()}"
 
 
 def _read(path: Path, remedy: str) -> bytes:

@@ -78,7 +78,7 @@ def test_scripts_are_loaded_only_where_they_are_needed() -> None:
     assert "carts.js" not in finished()
     assert "katex" not in finished()
     assert '<script src="../assets/carts/carts.js"></script>' in finished(scenes=True)
-    assert "../assets/carts/katex/katex.min.js" in finished(formulas=True)
+    assert "../assets/carts/katex/katex.min.css" in finished(formulas=True)
     assert "carts.css" in finished()
 
 

@@ -1,0 +1,54 @@
+"""Formulas are drawn when the site is built, without a style attribute: the policy forbids it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sim.pages.text.formulas import SHEET, Formulas
+from tests.conftest import ROOT
+
+PAGE = """<p>Force <span class="arithmatex">\\(F = m\\,\\dfrac{\\Delta v}{\\Delta t}\\)</span></p>
+<div class="arithmatex">\\[
+\\sqrt{\\mathbf{k}/\\mu} &lt; \\left(\\tfrac12\\right)^2
+\\]</div>"""
+
+
+@pytest.fixture
+def formulas() -> Formulas:
+    return Formulas(ROOT / "node_modules")
+
+
+def test_every_formula_is_drawn_and_spoken(formulas: Formulas) -> None:
+    drawn = formulas.drawn(PAGE)
+    assert drawn.count('class="katex-html"') == drawn.count("<math ") == 2
+    assert drawn.count('class="katex-display"') == 1
+    assert "\\(" not in drawn and "\\[" not in drawn
+
+
+def test_what_katex_says_in_style_attributes_is_said_in_the_style_sheet(
+    formulas: Formulas, tmp_path: Path
+) -> None:
+    drawn = formulas.drawn(PAGE)
+    assert ' style="' not in drawn
+    (tmp_path / SHEET).parent.mkdir()
+    formulas.write(tmp_path)
+    sheet = (tmp_path / SHEET).read_text(encoding="ascii")
+    used = set(re.findall(r"\bkx-[0-9a-f]{8}\b", drawn))
+    assert used == set(re.findall(r"^\.(kx-[0-9a-f]{8}) \{ .+ !important \}$", sheet, re.MULTILINE))
+    assert "border-bottom-width:0.04em !important" in sheet  # of the fraction
+
+
+def test_a_mistake_in_a_formula_is_shown_in_its_place(formulas: Formulas) -> None:
+    drawn = formulas.drawn(r'<span class="arithmatex">\(\fracc{1}\)</span> and text')
+    assert "katex-error" in drawn or "fracc" in drawn
+    assert drawn.endswith("</span> and text")
+    assert ' style="' not in drawn
+
+
+def test_a_page_without_a_formula_stays_as_it_is(formulas: Formulas, tmp_path: Path) -> None:
+    assert formulas.drawn("<p>5 &lt; 6</p>") == "<p>5 &lt; 6</p>"
+    formulas.write(tmp_path)
+    assert not (tmp_path / SHEET).exists()
