@@ -31,6 +31,7 @@ MAY_IMPORT = {
     "certify": {"certify", "scene"},  # nothing of the run that it proves
     "lesson": {"lesson", "scene"},
     "classroom": {"classroom", "lesson", "scene"},
+    "country": {"country", "classroom", "lesson", "scene"},
     "measured": {"measured", "dynamics", "effects", "laws", "scene"},
     "bridge": {
         *("bridge", "classroom", "measured", "lesson", "mine", "worlds"),
@@ -52,6 +53,7 @@ MAY_IMPORT = {
         "pages",
         "bridge",
         "classroom",
+        "country",
         "certify",
         "measured",
         "mine",
@@ -134,7 +136,11 @@ def test_import_sim_pulls_in_nothing_of_ours() -> None:
 
 
 HEAVY = {
+    "duckdb",
     "flint",
+    "ibis",
+    "pandas",
+    "pyarrow",
     "mpmath",
     "numpy",
     "scipy",
@@ -157,6 +163,7 @@ HEAVY = {
         ("sim.measured.report", set()),
         ("sim.bridge.protocol", set()),
         ("sim.cli", {"click"}),
+        ("sim.cli.classroom.results", {"click"}),
         ("sim.pages.text.yaml_source", {"yaml"}),
         ("sim.pages.check", {"yaml"}),
         ("sim.pages.extension", {"yaml", "markdown"}),

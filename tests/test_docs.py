@@ -19,7 +19,7 @@ from sim.scene.effects import EffectKind, kinds
 from sim.scene.laws import laws
 from sim.scene.map import MAP_KEYS
 from sim.scene.predict import KINDS as PREDICTIONS
-from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS, VIEWS
+from sim.scene.presentation import FENCE_KEYS, PACKAGES, SHOWS, TOOLS, VIEWS
 from sim.scene.read import SCENE_KEYS
 from tests import registry
 
@@ -30,7 +30,17 @@ TEXTS = sorted(
 )
 
 CART_KEYS = [field.key for field in fields.CART]
-OTHER_KEYS = [*SCENE_KEYS, *FENCE_KEYS, "file", *laws(), *PREDICTIONS, *SHOWS, *VIEWS, *PACKAGES]
+OTHER_KEYS = [
+    *SCENE_KEYS,
+    *FENCE_KEYS,
+    "file",
+    *laws(),
+    *PREDICTIONS,
+    *SHOWS,
+    *VIEWS,
+    *TOOLS,
+    *PACKAGES,
+]
 
 
 @pytest.mark.parametrize("key", [*CART_KEYS, *OTHER_KEYS])

@@ -9,6 +9,7 @@ import click
 
 from sim.pages.check import USUAL_PLACES, check_paths
 from sim.pages.findings import Finding
+from sim.pages.question.by_default import CODE
 
 
 @click.command("check")
@@ -21,13 +22,17 @@ from sim.pages.findings import Finding
     default="text",
     help="github: as notes on the lines of a commit, for a fork's automatic build.",
 )
+@click.option("--defaults", is_flag=True, help="List what is so by default, scene by scene.")
 @click.pass_context
-def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: str) -> None:
+def command(
+    ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: str, defaults: bool
+) -> None:
     """Look for mistakes in lessons (.md) and scene files (.yml).
 
     PATH is a file or a folder. Without one, the folders worksheets, docs and tests/scenes
     are checked. Exit code 1 means that something was found, 2 that there is nothing to check.
-    A hint is no finding: an effect that a scene lists in vain, or one that it misses much.
+    A hint is no finding: an effect that a scene lists in vain, or one that it misses much. Nor
+    is what is so by default: it is counted, and listed with --defaults.
 
     \b
     carts check
@@ -46,6 +51,8 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: st
             "or name a file: carts check my-lesson.md"
         )
     found = check_paths(places, root, hints=True)
+    counted = [] if defaults else [finding for finding in found if finding.code == CODE]
+    found = [finding for finding in found if finding not in counted]
     if form == "github":
         for finding in found:
             click.echo(finding.as_annotation())
@@ -54,6 +61,11 @@ def command(ctx: click.Context, paths: tuple[Path, ...], as_json: bool, form: st
             json.dumps([finding.as_row() for finding in found], ensure_ascii=False, indent=2)
         )
     else:
+        if counted:
+            click.echo(
+                f"{len(counted)} scenes and questions of {len({f.file for f in counted})} lessons "
+                "wait by default until a run was watched: carts check --defaults lists them."
+            )
         report(found)
     ctx.exit(1 if any(finding.severity == "error" for finding in found) else 0)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
@@ -10,8 +11,10 @@ import yaml
 
 from sim.cli.check import report
 from sim.pages.findings import AuthorError
-from sim.pages.question.key_page import lesson_key
+from sim.pages.question.key_page import Key, lesson_key
 from sim.pages.text.lesson_places import described
+from sim.pages.translate.catalogues import lessons_folder
+from sim.pages.translate.translation import translations_of
 
 
 @click.command("key")
@@ -26,7 +29,8 @@ from sim.pages.text.lesson_places import described
 def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     """Write the keys of lessons: LESSON.key.json for programs, LESSON.key.html to read and print.
 
-    PATH is a lesson (.md). Without one, all lessons in the folder worksheets are taken.
+    PATH is a lesson (.md). Without one, all lessons in the folder worksheets are taken. A lesson
+    that is translated by a catalogue gets a key in each of its languages, LESSON.ms.key.html.
 
     \b
     carts key
@@ -35,22 +39,31 @@ def command(ctx: click.Context, paths: tuple[Path, ...], out: Path) -> None:
     root = Path.cwd()
     written = 0
     for path in [path.resolve() for path in paths] or sorted((root / "worksheets").glob("*.md")):
-        lesson = described(path, root)
         try:
-            key = lesson_key(path.read_text(encoding="utf-8"), lesson, path.stem, _site_id(root))
+            for name, key in _keys(path, root):
+                out.mkdir(parents=True, exist_ok=True)
+                text = json.dumps(key.content, ensure_ascii=False, indent=1, allow_nan=False)
+                (out / f"{name}.key.json").write_text(f"{text}\n", encoding="utf-8")
+                (out / f"{name}.key.html").write_text(key.page, encoding="utf-8")
+                written += 1
+                click.echo(f"{out / name}.key.html")
         except AuthorError as error:
             report(list(error.findings))
             ctx.exit(1)
-        if key is None:
-            continue
-        out.mkdir(parents=True, exist_ok=True)
-        text = json.dumps(key.content, ensure_ascii=False, indent=1, allow_nan=False)
-        (out / f"{path.stem}.key.json").write_text(f"{text}\n", encoding="utf-8")
-        (out / f"{path.stem}.key.html").write_text(key.page, encoding="utf-8")
-        written += 1
-        click.echo(f"{out / path.stem}.key.html")
     if not written:
         click.echo("There is no question in these lessons.")
+
+
+def _keys(path: Path, root: Path) -> Iterator[tuple[str, Key]]:
+    """The keys of a lesson by the names of their files: its own first, then its translations."""
+    name, site = path.stem, _site_id(root)
+    texts = [(name, path.read_text(encoding="utf-8"), described(path, root))]
+    for one in translations_of(path, lessons_folder(path), root):
+        language = one.source.language
+        texts.append((f"{name}.{language}", one.lesson.made.text, one.described(root)))
+    for file, text, lesson in texts:
+        if key := lesson_key(text, lesson, name, site):
+            yield file, key
 
 
 def _site_id(root: Path) -> str:

@@ -21,13 +21,20 @@ def csv_cell(value: object) -> str:
     """One cell, quoted unless it is a number."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value):
         return repr(value)
+    return '"' + safe_text(as_text(value)).replace('"', '""') + '"'
+
+
+def as_text(value: object) -> str:
+    """What stands for a value in a cell: a text as it is, nothing for None, the rest as JSON."""
     if isinstance(value, str):
-        text = value
-    else:
-        text = "" if value is None else json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+        return value
+    return "" if value is None else json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+
+
+def safe_text(text: str) -> str:
+    """The text as it may stand in a table: an apostrophe before what could be a formula."""
     text = text.replace("\0", "")
-    text = f"'{text}" if _RISKY.match(text) else text
-    return '"' + text.replace('"', '""') + '"'
+    return f"'{text}" if _RISKY.match(text) else text
 
 
 def csv_text(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:

@@ -17,12 +17,13 @@ from sim.pages.map.block import MapBlock, read_map_block
 from sim.pages.measured.block import read_measured_block
 from sim.pages.picture.block import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
+from sim.pages.question.by_default import waits_by_default, watched_by_default
 from sim.pages.question.challenge import read_challenge_block
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.relevance import relevance_hints
 from sim.pages.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
 from sim.pages.teach.withheld import withheld_findings
-from sim.pages.text.fence_scan import Block, scan
+from sim.pages.text.fence_scan import HEADING, Block, scan
 from sim.pages.text.lesson_places import BANK_FOLDER, described, shown
 from sim.pages.text.lesson_text import text_findings
 from sim.pages.translate.check import catalogue_findings
@@ -37,12 +38,18 @@ USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
 def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False) -> list[Finding]:
     """Everything that is wrong with the blocks of one lesson, in the order of its lines.
 
-    `hints`: also effects of a scene that it hardly calls for, and missing ones that it does.
+    `hints`: also effects of a scene that it hardly calls for, missing ones that it does, and what
+    is so by default.
     """
     findings: list[Finding] = []
     items = PageItems()
-    blocks = tuple(scan(text.splitlines()))
+    lines = text.splitlines()
+    blocks = tuple(scan(lines))
+    done = 0
     for block in blocks:
+        if any(map(HEADING.match, lines[done : block.start])):
+            items.asking = ""
+        done = block.end
         try:
             if block.name == "map":
                 _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))
@@ -71,7 +78,8 @@ def _read(
     """Read one block and add it to `items`, and give hints; raises `AuthorError`."""
     if block.name == "question":
         items.questions.append(read_question_block(block, lesson, ids, first_line=1))
-    elif block.name == "challenge":
+        return waits_by_default(items.questions[-1], items) if hints else []
+    if block.name == "challenge":
         read_challenge_block(block, lesson, ids, items.scenes, first_line=1)
     elif block.name == "quiz":
         items.quizzes.append(read_quiz_block(block, lesson, ids, first_line=1))
@@ -81,8 +89,11 @@ def _read(
         if isinstance(run, list):
             raise AuthorError(map(scene.places.finding, run))
         items.scenes.append(scene.fence)
+        if scene.fence.predict:
+            items.asking = scene.fence.id
         if hints:
-            return relevance_hints(scene.fence.scene, scene.places)
+            called_for = relevance_hints(scene.fence.scene, scene.places)
+            return [*watched_by_default(scene), *called_for]
     return []
 
 

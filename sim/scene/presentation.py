@@ -27,6 +27,7 @@ FENCE_KEYS = (
 SHOWS = ("x", "v", "a", "F", "R", "p", "energy")
 FORCE_GRAPHS = ("F", "R", "a")
 VIEWS = ("free-body", "lens", "bars")
+TOOLS = ("ruler", "stopwatch")  # that a reader works
 PACKAGES = ("numpy", "scipy")
 WORLDS = "sim.worlds.describe"
 ID = re.compile(r"[a-z][a-z0-9-]{0,63}", re.ASCII)
@@ -40,7 +41,7 @@ class Fence:
     scene: Scene
     plain: Mapping[str, Any]
     show: tuple[str, ...]
-    opened: tuple[str, ...]  # views beside the graphs, in the fence “with”
+    opened: tuple[str, ...]  # in the fence “with”: views beside the graphs, and tools
     controls: tuple[Control, ...]
     switches: tuple[Switch, ...]  # among the controls: which effects a reader may turn on and off
     presets: Mapping[str, Mapping[str, Any]]  # changes to the scene, by the name on the button
@@ -74,7 +75,7 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     scene = collect_scene(scene_part, problems)
     identity = _identity(table, problems, named=named)
     show = _choices("show", table, ("x", "v", "F"), SHOWS, problems)
-    opened = _choices("with", table, (), VIEWS, problems)
+    opened = _choices("with", table, (), (*VIEWS, *TOOLS), problems)
     packages = _choices("packages", table, (), PACKAGES, problems)
     forces = _choice("forces", table, ("shown", "hidden"), problems)
     if forces == "hidden":

@@ -24,7 +24,7 @@ export function actingSentences(header, numbers) {
 }
 
 /** @param {Effect} effect @param {Header} header @param {boolean} numbers */
-function phrase(effect, header, numbers) {
+export function phrase(effect, header, numbers) {
   const { kind, carts, between } = effect;
   const view = viewOf(kind);
   const told = {

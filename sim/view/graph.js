@@ -8,13 +8,13 @@ import { valueAt } from "./trajectory.js";
 /** @typedef {import("./series.js").Series} Series */
 /** @typedef {{time: Axis, value: Axis}} Plane */
 
-export const LEFT = 46;
+export const LEFT = 52;
 export const RIGHT = 350;
 export const TOP = 8;
-export const BOTTOM = 142;
+export const BOTTOM = 129;
 export const WIDTH = 360;
-export const HEIGHT = 172;
-const BELOW_LINE = 4; // units, from a grid line to the foot of its number
+export const HEIGHT = 160;
+const BELOW_LINE = 5; // units, from a grid line to the foot of its number
 const NEAR = 0.7; // units; rows nearer than this to the last drawn one are left out
 const PIECES = 8; // straight ones, in place of the part of a bend that was seen
 const STRAIGHT = 0.05; // units; a curve that bends less is drawn as a line

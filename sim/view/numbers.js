@@ -32,6 +32,12 @@ export function short(value, figures = 3) {
   return trim(fixed(value, Math.max(0, figures - 1 - power)));
 }
 
+/** @param {number} value @returns {string} with its figures, zeros too: 0.300 beside 0.288 */
+export function figures(value, count = 3) {
+  const power = exponent(value);
+  return power <= -4 || power >= 6 ? short(value, count) : fixed(value, decimalsFor(value, count));
+}
+
 /** @param {number} power a whole number @returns {string} ⁻³ */
 export function superscript(power) {
   const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");

@@ -9,8 +9,8 @@ import { px, short } from "./numbers.js";
 
 const REFERENCE_HEIGHT = 38;
 const TALLEST = 4;
-const LANE = 20;
-const ABOVE = 34;
+const LANE = 21;
+const ABOVE = 33;
 const DOT = 2.5; // radius of a zero force
 const RING = 1; // radius of a zero velocity, drawn as a line
 const SHORTEST = 0.5;
@@ -18,7 +18,7 @@ const LONGEST = 1.15; // full lengths of a force arrow, so that it stays in the 
 export const FASTEST = 2.2; // full lengths of a velocity arrow
 const EDGE = 5; // units that a velocity arrow keeps from the edges of the picture
 const TORN = 6; // units of the gap in an arrow that is cut
-const LINE = 12;
+const LINE = 14;
 const NAMED = 34;
 const SPRING = [2, 10];
 export const PUSH = 15.5;
@@ -42,7 +42,7 @@ export function box(body, view, layout, lift) {
     width: width * layout.scale,
     height,
     cut,
-    nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+    nameY: named ? -(height + FACE) / 2 + 5 : null,
     label: named ? mass : `${body.name}: ${mass}`,
     labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift,
   };
@@ -137,7 +137,7 @@ export function isCut(value, full, longest = LONGEST) {
 
 /** @param {number} x @param {number} length @param {number} width @returns {[number, "start" | "end"]} where a velocity is written */
 export function velocityText(x, length, width) {
-  const room = 62;
+  const room = 72;
   if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
   return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
 }

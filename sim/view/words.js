@@ -2,8 +2,8 @@
 
 import { body, isWall, listed } from "./bodies.js";
 import { viewOf } from "./effects.js";
-import { told, tr } from "./language.js";
-import { fixed, NOISE, short, speedUnit } from "./numbers.js";
+import { tr } from "./language.js";
+import { figures, fixed, NOISE, speedUnit } from "./numbers.js";
 
 /** @typedef {import("./types.js").RunEvent} RunEvent */
 /** @typedef {import("./types.js").Header} Header */
@@ -20,10 +20,7 @@ export const QUANTITIES = {
   p: [tr("Momentum"), "p", "kg m/s"],
   energy: [tr("Kinetic energy"), "E", "J"],
 };
-const BOTH_FORCES = tr(
-  "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it.",
-);
-const APART = "apart"; // instead of a law: what acts between the two never lets them touch
+export const APART = "apart"; // instead of a law: what acts between the two never lets them touch
 const IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
 const JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
 
@@ -61,7 +58,7 @@ export function eventSentence(event, telling, laws) {
     .filter((name) => !isWall(name) && name in (event.after ?? {}))
     .map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
   const after = speeds.length ? `${speeds.join(". ")}.` : "";
-  const size = `${short(impulse)}\u00a0N\u00a0s`;
+  const size = `${figures(impulse)}\u00a0N\u00a0s`;
   const shown = forces && impulse ? tr("Impulse on each: {size}.", { size }) : "";
   const told = (/** @type {string[]} */ ...sentences) => sentences.filter(Boolean).join(" ");
   switch (event.kind) {
@@ -177,30 +174,12 @@ export function graphNote(quantity, events, curves) {
   return quantity === "F" && !curves ? tr("no contact force in this run") : "";
 }
 
-/** @param {Header} header @returns {string[]} what is in this model, and what is left out */
-export function modelSentences(header) {
-  const sentences = [...new Set(header.plan.map((phase) => sentence(told(phase.why))))];
-  const open = header.plan.length > 0; // not so before a prediction
-  if (open && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-  const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
-  if (leftOut.length) {
-    sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
-  }
-  return sentences;
-}
-
 /** @param {string} name of a graph or a quantity @returns {string} it within a sentence */
 export function lower(name) {
   return name.slice(0, 1).toLowerCase() + name.slice(1);
 }
 
 /** @param {string} text */
-function capital(text) {
+export function capital(text) {
   return text.slice(0, 1).toUpperCase() + text.slice(1);
-}
-
-/** @param {string} text */
-function sentence(text) {
-  const capitalised = capital(text);
-  return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
 }

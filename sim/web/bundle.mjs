@@ -13,6 +13,7 @@ const ENTRIES = {
   "dist/challenge.js": "src/challenge-main.js",
   "dist/class.js": "src/class-main.js",
   "dist/hosted.js": "src/hosted-main.js",
+  "dist/tools.js": "src/tools-main.js",
   "dist/tour.js": "src/tour-main.js",
   "dist/teacher.js": "src/teacher-main.js",
   "dist/measured.js": "src/measured-main.js",

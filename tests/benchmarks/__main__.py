@@ -4,7 +4,7 @@
 
 Every module of this folder with a function `rows()` is an area. A missed goal is marked, and is not
 an error; nor is an area that cannot be measured here. A run of all areas is kept, and the page
-*Measured* and the badges are made from it.
+*Measured* and the badges are made from it. An area with `ONLY_ASKED` is measured by its name alone.
 """
 
 from __future__ import annotations
@@ -40,6 +40,11 @@ def areas() -> dict[str, ModuleType]:
         if not name.startswith("_")
     }
     return {name: module for name, module in found.items() if hasattr(module, "rows")}
+
+
+def usual(known: dict[str, ModuleType]) -> dict[str, ModuleType]:
+    """Those that are measured without being named."""
+    return {n: module for n, module in known.items() if not getattr(module, "ONLY_ASKED", False)}
 
 
 def table(rows: Iterable[Row]) -> str:
@@ -90,7 +95,7 @@ def main(asked: list[str]) -> int:
     if unknown := sorted(set(asked) - set(known)):
         print(f"no area {', '.join(unknown)}; there are: {', '.join(known)}", file=sys.stderr)
         return 2
-    chosen = {name: known[name] for name in asked or known}
+    chosen = {name: known[name] for name in asked} if asked else usual(known)
     rows, left_out = measure(chosen)
     print(table(rows))
     told = {name: title(module) for name, module in chosen.items() if name not in left_out}

@@ -52,3 +52,26 @@ def test_the_workflow_calls_commands_and_targets_that_exist() -> None:
         assert command is not None
         options = {option for parameter in command.params for option in parameter.opts}
         assert {word for word in arguments if word.startswith("--")} <= options, line
+
+
+def test_what_is_so_by_default_is_counted_and_listed_when_asked(tmp_path: Path) -> None:
+    """An older lesson builds unchanged; its author learns what a new default does in it."""
+    lesson = tmp_path / "worksheets" / "old.md"
+    lesson.parent.mkdir()
+    asks = "predict: {choice: [left, right]}"
+    scene = "```scene\nid: {}\ncarts: {{A: {{mass: 1 kg, position: 1 m}}}}\n{}\n```\n\n"
+    number = "type: number\nask: How much?\nanswer: 1 m\ntolerance: 0.1 m"
+    question = "```question\nid: {}\n" + number + "\n{}\n```\n\n"
+    text = "# Old\n\n" + scene.format("first", asks) + question.format("waits", "")
+    text += question.format("open", "after: none") + scene.format("free", "watch: free")
+    text += "## Next\n\n" + question.format("later", "") + scene.format("last", "")
+    lesson.write_text(text, encoding="utf-8")
+    counted = CliRunner().invoke(main, ["check", str(lesson)])
+    assert counted.exit_code == 0, counted.output
+    assert "3 scenes and questions of 1 lessons wait by default" in counted.output
+    listed = CliRunner().invoke(main, ["check", "--defaults", str(lesson)]).output
+    assert re.findall(r"hint: (?:id: )?(“\w+” is watched|opens when “\w+”)", listed) == [
+        "“first” is watched",
+        "opens when “first”",
+        "“last” is watched",
+    ]

@@ -27,7 +27,7 @@ MOST_BYTES = 2_000_000
 SIZE = (1076, 560)  # px of the page; the film is WIDTH wide
 WIDTH = 760
 GUESS = {"A": 0.25, "B": 0.8}  # of the longest arrow: what most people expect
-TOUCH, APART, END = 1.5, 1.679, 2.3  # s, of this scene
+TOUCH, APART, END = 1.25, 1.429, 2.05  # s, of this scene
 
 
 def main() -> int:

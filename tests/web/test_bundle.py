@@ -15,6 +15,7 @@ ENTRIES |= {
     "challenge.js": "challenge-main.js",
     "film.js": "film-main.js",
     "hosted.js": "hosted-main.js",
+    "tools.js": "tools-main.js",
     "tour.js": "tour-main.js",
 }
 ENTRIES |= {"draw.js": "draw-main.js", "worlds.js": "worlds-main.js"}

@@ -95,7 +95,7 @@ def test_what_happens_tells_of_spring_and_magnets_and_no_bumpers() -> None:
     give(run.header.events.map((e) => w.eventSentence(e, telling, w.lawsOf(run.header))));"""
     spring = seen(SPRING, script, forces=True)
     assert spring[0] == "The spring between A and B is let go: 2.19\u00a0N on each."
-    assert spring[1].startswith("A and B separate. Impulse on each: 0.2\u00a0N\u00a0s.")
+    assert spring[1].startswith("A and B separate. Impulse on each: 0.200\u00a0N\u00a0s.")
     assert seen(MEET, script, forces=True)[0] == "A and B are nearest: 1.68\u00a0N on each."
     assert seen(MEET, script, forces=False)[0] == "A and B are nearest."
 

@@ -33,6 +33,23 @@ WIDTHS = """() => [...document.querySelectorAll(".carts-stage")].filter((one) =>
     one.checkVisibility()).map((one) => Math.round(one.getBoundingClientRect().width))"""
 
 
+LENGTHS = """() => [...document.querySelectorAll("carts-scene .carts-cart")].filter((one) =>
+    one.checkVisibility()).map((cart) => {
+        const side = (name) =>
+            cart.querySelector(`[data-part=face-${name}]`).getBoundingClientRect();
+        return { name: `${cart.closest("carts-scene").id} ${cart.dataset.body}`,
+            length: side("right").right - side("left").left };
+    })"""
+LETTERS = """() => [...document.querySelectorAll(".carts-stage text, .carts-plot text")]
+    .filter((one) => one.checkVisibility() && one.textContent.trim()).map((one) => {
+        const drawing = one.ownerSVGElement;
+        const scale = drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width;
+        return { name: `${one.closest("carts-scene").id} ${one.textContent}`,
+            size: parseFloat(getComputedStyle(one).fontSize) * scale };
+    })"""
+LEAST_LETTER = 12.95  # px: 13, drawn in a picture that is a whole number of pixels wide
+
+
 def too_low(page: Page, height: int, parts: dict[str, int]) -> list[str]:
     """What of the first few of each part cannot be seen with the top of its scene."""
     room = height - HEAD - BAR
@@ -76,6 +93,20 @@ def test_on_a_phone_picture_and_play_are_seen_together(
 ) -> None:
     page, (_, height) = opened(site, open_page, lesson, PHONE), PHONE
     assert too_low(page, height, {".carts-stage": 1, ".carts-play": 1}) == []
+
+
+@pytest.mark.one_browser
+@pytest.mark.parametrize(("screen", "least"), [(LAPTOP, 64), (PHONE, 36)])
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_carts_are_large_enough_to_take_hold_of_and_letters_to_read(
+    site: Path, open_page: OpenPage, lesson: str, screen: tuple[int, int], least: float
+) -> None:
+    page = opened(site, open_page, lesson, screen)
+    all_shown(page)
+    carts, letters = page.evaluate(LENGTHS), page.evaluate(LETTERS)
+    assert carts and letters
+    assert [one for one in carts if one["length"] < least] == []
+    assert [one for one in letters if one["size"] < LEAST_LETTER] == []
 
 
 @pytest.mark.one_browser

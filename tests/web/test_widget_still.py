@@ -137,7 +137,7 @@ def test_a_moving_camera_shows_velocities_as_it_sees_them() -> None:
 def test_forces_without_duration_say_so() -> None:
     text = render(*baked(STRUCK))
     assert "too large and too short to draw" in text
-    assert "2.5\u00a0N\u00a0s" in text
+    assert "2.50\u00a0N\u00a0s" in text
     assert "where v jumps, the acceleration is too large and too short to draw" in text
     assert "A and B hit each other and part at once." in text
     assert "B leaves the picture on the right, still 1.50\u00a0m/s." in text
@@ -147,6 +147,24 @@ def story(fence: dict[str, Any]) -> list[str]:
     return re.findall(
         r"<button[^>]*carts-jump.*?</button> <span>(.*?)</span>", render(*baked(fence))
     )
+
+
+def model(fence: dict[str, Any]) -> list[str]:
+    """What is in this model, sentence by sentence."""
+    (box,) = re.findall(r'carts-model".*?<ul>(.*?)</ul>', render(*baked(fence)), re.DOTALL)
+    return re.findall(r"<li>(.*?)</li>", box)
+
+
+def test_what_is_in_the_model_is_said_in_the_words_of_a_lesson() -> None:
+    """No solver, no law by its key, and no number that a lesson may ask for."""
+    told = model(MEETING)
+    assert told[1] == "Bumpers push like springs, the harder the more they are squeezed."
+    assert model(STRUCK)[1] == "A hit takes no time."
+    assert model({**STICKY, "contact": {"law": "velcro"}})[1] == "Whoever touches stays together."
+    for fence in (MEETING, STRUCK, STICKY):
+        text = " ".join(model(fence))
+        assert "keeps its velocity" in text
+        assert not re.search(r"law:|exact|series|formula|\d", text)
 
 
 STICKY: dict[str, Any] = {
@@ -160,7 +178,8 @@ STICKY: dict[str, Any] = {
 
 def test_carts_with_velcro_stay_together_in_words() -> None:
     told = story({**STICKY, "contact": {"law": "velcro"}})
-    assert told[0].startswith("A and B hit and stay together. Impulse on each: 0.4\u00a0N\u00a0s.")
+    hit = "A and B hit and stay together. Impulse on each: 0.400\u00a0N\u00a0s."
+    assert told[0].startswith(hit)
     wall = {**STICKY, "track": {"length": 2, "right": "wall"}, "until": 8}
     told = story({**wall, "contact": {"law": "velcro"}})
     assert told[1].startswith("B and the right wall hit and stay together.")

@@ -46,7 +46,8 @@ def command(
 
     Students unpack it and double-click OPEN ME, which checks the browser and leads to the lessons.
     With --hosted: for whoever has a web server. With --scorm a learning platform shows it; the
-    platform is told that the lessons were opened and for how long, and no answer.
+    platform is told that the lessons were opened, that something was handed in and for how long
+    they were open, and no answer.
 
     Students get no “Change this lesson”, which shows right answers, unless you ask for it with
     --teacher or --teacher-word.

@@ -5,7 +5,7 @@ import { px } from "../../view/numbers.js";
 
 /** @typedef {import("../../view/types.js").EffectView} EffectView */
 
-const POLE = 12; // units, width of a pole
+const POLE = 14; // units, width of a pole
 const POLES = [
   ["N", "carts-north"],
   ["S", "carts-south"], // only where there is room
@@ -33,7 +33,7 @@ function poles(key, x, way, { kind, track }) {
   return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
     const start = x + way * k * POLE;
     const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-    const letter = { text: pole, x: px(start + (way * POLE) / 2), y: px(top + 12) };
+    const letter = { text: pole, x: px(start + (way * POLE) / 2), y: px(top + 13) };
     return [
       { key: `${key} ${pole}`, cls, d },
       { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter },

@@ -92,7 +92,7 @@ def answer_words(item: Question, key: dict[str, Any]) -> str:
         return " → ".join(texts[f"line-{line}"] for line in key["order"])
     if item.KIND == "table":
         cells = key["cells"].items()
-        asked = data["cells"]
+        asked = item.data(key=False)["cells"]
         return "; ".join(
             f"{name}: {cell['answer']:g} {asked[name]['unit']} ± {cell['tolerance']:g}".strip()
             for name, cell in cells

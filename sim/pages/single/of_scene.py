@@ -18,6 +18,7 @@ from sim.pages.scene_block import SceneBlock
 from sim.pages.single.all_inside import INSIDE, policy, runtime_scripts
 from sim.pages.widget import render
 from sim.pages.widget.worlds import WORLDS
+from sim.scene.presentation import TOOLS
 
 LOOK = """\
 body { margin: 1rem auto; padding: 0 0.6rem; max-width: 62rem; line-height: 1.5;
@@ -55,6 +56,8 @@ def single_file(
         css = site_files.site_files(modules)[site_files.ASSETS + "carts.css"].decode()
         carts = site_files.scene_script().decode()
         scripts = [INSIDE, *runtime_scripts(packages, root, report), carts]
+        if set(fence.opened) & set(TOOLS):
+            scripts.append(site_files.own_script("tools").decode())
         if fence.worlds:
             scripts.append(site_files.own_script("worlds").decode())
     except site_files.MissingFilesError as error:

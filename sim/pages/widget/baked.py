@@ -54,7 +54,14 @@ def _rounded(run: Run, digits: int) -> Run:
 def _view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict[str, Any]:
     forces = fence.forces == "shown"
     layouts = [
-        lay_out(header, scales, kind=kind, camera=fence.view_speed, forces=forces)
+        lay_out(
+            header,
+            scales,
+            kind=kind,
+            camera=fence.view_speed,
+            forces=forces,
+            tape="ruler" in fence.opened,
+        )
         for kind in ("wide", "narrow")
     ]
     return {

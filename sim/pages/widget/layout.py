@@ -4,6 +4,7 @@
     mass, box, springs    on the track
     beam                  with the names of the contact forces while bodies touch
     ruler                 metres
+    tape                  of the reader's own ruler, where the scene has one
     legend                what a force arrow and a velocity arrow of one unit look like
 Lengths are SVG units, which are about pixels. The layout never changes while a page lives.
 """
@@ -18,16 +19,21 @@ from typing import Any
 from sim.pages.widget.reach import picture_window
 from sim.pages.widget.scale_of import Scales
 
-LANE = 20.0
-ABOVE = 34.0  # from the top of the tallest box to the lowest velocity arrow
-BEAM_ROW = 19.0
-ROW = 19.0  # of the force of an effect, under the track
+LANE = 21.0
+ABOVE = 33.0  # from the top of the tallest box to the lowest velocity arrow
+BEAM_ROW = 21.0
+ROW = 21.0  # of the force of an effect, under the track
+BASELINE = 15.0  # of the letters in a row, from its top
+RULER = 34.0
+LEGEND = 21.0
+TAPE = 26.0
+HEAD = 14.0  # above the highest velocity arrow
 FEW = 3  # carts; with more, all forces of one kind share a row
 FROM_ABOVE = ("incline", "push", "friction", "drag")  # rows of other kinds stand below these
 TILT = 24.0  # for a wedge that shows the slope, between ruler and legend
-SIGN = 56.0  # a mass takes at most so much width in any font, such as “A: 0.25 kg”
+SIGN = 65.0  # a mass takes at most so much width in any font, such as “A: 0.25 kg”
 MOST_RANKS = 3
-STAGGER = 15.0  # from one line of masses to the next, clear in any font
+STAGGER = 17.0  # from one line of masses to the next, clear in any font
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +56,7 @@ class Layout:
     force: float  # length of an arrow of the full force scale
     velocity: float  # length of an arrow of the full velocity scale
     slots: Mapping[str, float]  # y of the forces of effects, by “kind cart”
+    tape: float  # y of the tape of a reader's ruler; 0: none
     tilt: float  # y of the foot of the wedge that shows a slope
 
     def as_dict(self) -> dict[str, Any]:
@@ -62,7 +69,13 @@ class Layout:
 
 
 def lay_out(
-    header: Mapping[str, Any], scales: Scales, *, kind: str, camera: float, forces: bool
+    header: Mapping[str, Any],
+    scales: Scales,
+    *,
+    kind: str,
+    camera: float,
+    forces: bool,
+    tape: bool = False,
 ) -> Layout:
     """The layout for `kind` wide or narrow."""
     wide = kind == "wide"
@@ -79,18 +92,19 @@ def lay_out(
     lanes = min(count, 4)
     closest = min(b["length"] for b in header["bodies"]) * scale
     ranks = min(count, MOST_RANKS, math.ceil(SIGN / closest))
-    top = 14.0 + (lanes - 1) * LANE + ABOVE + STAGGER * (ranks - 1) + scales.tallest
+    top = HEAD + (lanes - 1) * LANE + ABOVE + STAGGER * (ranks - 1) + scales.tallest
     contacts = header["contacts"]
     walled = wall_contacts(header)
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
     row_count = (2 if crowded else 1) if forces and scales.force else 0
     acting = slots(header, top + BEAM_ROW * row_count) if forces and scales.force else {}
     beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
+    foot = top + beam + RULER + (TAPE if tape else 0.0)
     tilted = any(effect["kind"] == "incline" for effect in header["effects"])
     return Layout(
         kind=kind,
         width=width,
-        height=top + beam + 34.0 + 22.0 + (TILT if tilted else 0.0),
+        height=foot + LEGEND + (TILT if tilted else 0.0),
         origin=left - low * scale,
         scale=scale,
         low=low,
@@ -100,14 +114,15 @@ def lay_out(
         stagger=STAGGER,
         track=top,
         rows=tuple(
-            top + BEAM_ROW * (0 if wall else k % max(row_count, 1)) + 13.5
+            top + BEAM_ROW * (0 if wall else k % max(row_count, 1)) + BASELINE
             for k, wall in enumerate(walled)
         ),
         beam=beam,
         force=force,
         velocity=velocity,
         slots=acting,
-        tilt=top + beam + 34.0 + TILT - 10.0,
+        tape=foot - TAPE / 2 if tape else 0.0,
+        tilt=foot + TILT - 10.0,
     )
 
 

@@ -13,6 +13,7 @@ import { panel } from "./panel.js";
 import { predict } from "./predict.js";
 import { stage } from "./stage.js";
 import { timeline, transport } from "./time.js";
+import { tools } from "./tools.js";
 
 /** @typedef {import("../types.js").Baked} Baked */
 /** @typedef {import("../markup.js").Markup} Markup */
@@ -46,6 +47,7 @@ ${fence.camera !== 0 && html`<p class="carts-camera">${cameraText(fence.camera)}
 <p class="carts-hidden" id="${id}-keys">${tr("The space bar plays and pauses, the arrow keys step.")}</p>
 ${timeline(baked)}
 ${transport(baked)}
+${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
 ${panel(baked)}

@@ -8,13 +8,14 @@ import { fixed, px, short, speedUnit } from "../numbers.js";
 import { axisDecimals, niceAbove, ticks } from "../scales.js";
 import { blockArrow, lineArrow } from "../shapes.js";
 import { SKINS } from "../skins.js";
+import { tape } from "./tools.js";
 
 /** @typedef {import("../types.js").Baked} Baked */
 /** @typedef {import("../types.js").Layout} Layout */
 /** @typedef {import("../markup.js").Markup} Markup */
 
 /** @type {Record<string, number>} units between two numbers on the ruler */
-const LABEL_ROOM = { wide: 46, narrow: 40 };
+const LABEL_ROOM = { wide: 54, narrow: 46 };
 const BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6"; // across a box too tall to draw
 const MOST_NUMBERS = 150; // on the ruler of a long moving-camera run
 const LEAST_WALL = 64; // units above the track
@@ -39,6 +40,7 @@ ${run.header.bodies.map((body, i) => cart(body.name, i, fence.skins[body.name] ?
 <g data-part="effects-front"></g>
 ${forces && pushes(baked)}
 <g data-part="guess"></g>
+${layout.tape > 0 && tape(layout)}
 ${legend(baked, layout)}
 </svg>`;
 }
@@ -107,7 +109,7 @@ ${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(las
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
   (x) =>
-    html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+    html`<path class="carts-fine" d="M${px(at(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under + 22)}>${fixed(x, axisDecimals(numbers))}</text>
 `,
 )}</g>`;
 }
@@ -118,15 +120,16 @@ function legend({ fence, view }, layout) {
   const wide = layout.kind === "wide";
   const [per, unit] = speedUnit(view.velocity);
   const text = (/** @type {number} */ x, /** @type {string} */ said) =>
-    html`<text x=${px(x)} y=${px(y + 4)}>${said}</text>`;
+    html`<text x=${px(x)} y=${px(y + 5)}>${said}</text>`;
   const force = fence.forces === "shown" && view.force > 0;
-  const x = force ? 12 + layout.force + 50 : 12;
+  const x = force ? 12 + layout.force + 58 : 12;
   const next = x + layout.velocity + 6;
-  const axis = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+  const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
+  const moving = wide ? tr("position on the track in m") : tr("track in m");
   return html`<g class="carts-legend">
 ${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
-<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis}</text>
+${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis}</text>
 </g>`;
 }

@@ -960,6 +960,7 @@
         const { name: name2, content } = fresh ?? file;
         download(name2, `${JSON.stringify(content, null, 1)}
 `, "application/json");
+        document.dispatchEvent(new CustomEvent("carts-file-saved", { detail: name2 }));
         say(
           told,
           tr(
@@ -1429,6 +1430,24 @@
     return found2;
   }
 
+  // src/answers/print.js
+  var OPTIONAL = "carts-optional";
+  function print(empty) {
+    const { classList } = document.documentElement;
+    classList.toggle("carts-print-empty", empty);
+    addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
+    for (const dialog of document.querySelectorAll("dialog")) dialog.close();
+    markOptional();
+    window.print();
+  }
+  function markOptional() {
+    let optional = false;
+    for (const one of document.querySelector(".md-content__inner")?.children ?? []) {
+      if (/^H[12]$/.test(one.tagName)) optional = one.classList.contains("more");
+      one.classList.toggle(OPTIONAL, optional);
+    }
+  }
+
   // src/answers/panel-list.js
   function listPart(book2) {
     const root = part("list", tr("On this page"));
@@ -1480,13 +1499,6 @@
   }
   function plainValue(value) {
     return typeof value === "string" ? value : JSON.stringify(value);
-  }
-  function print(empty) {
-    const { classList } = document.documentElement;
-    classList.toggle("carts-print-empty", empty);
-    addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
-    for (const dialog of document.querySelectorAll("dialog")) dialog.close();
-    window.print();
   }
 
   // src/answers/panel-who.js

@@ -48,23 +48,27 @@
     const text = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
   }
-  function decimalsFor(scale, figures = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  function decimalsFor(scale, figures2 = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
   }
-  function short(value, figures = 3) {
+  function short(value, figures2 = 3) {
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
       return `${mantissa} × 10${superscript(power)}`;
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
+  }
+  function figures(value, count2 = 3) {
+    const power = exponent(value);
+    return power <= -4 || power >= 6 ? short(value, count2) : fixed(value, decimalsFor(value, count2));
   }
   function superscript(power) {
     const digits = String(Math.abs(power)).replace(/\d/g, (d2) => SUPERSCRIPT[Number(d2)] ?? "");
     return power < 0 ? `⁻${digits}` : digits;
   }
-  function decimalsOf(value, figures = 6) {
-    const text = Math.abs(value).toFixed(decimalsFor(value, figures));
+  function decimalsOf(value, figures2 = 6) {
+    const text = Math.abs(value).toFixed(decimalsFor(value, figures2));
     return trim(text).split(".")[1]?.length ?? 0;
   }
   function speedUnit(scale) {
@@ -390,13 +394,13 @@
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
-  function tr(sentence2, values = {}) {
-    return filled(catalogue[sentence2] ?? sentence2, values);
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
   }
-  function told2(sentence2) {
-    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
-    const values = Object.entries(sentence2.values).map(([name2, value]) => [name2, told2(value)]);
-    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
+  function told2(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name2, value]) => [name2, told2(value)]);
+    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name2) => String(values[name2] ?? whole));
@@ -968,12 +972,12 @@
     const [kind = "", ...rest] = what.split(".");
     return { kind, name: rest.join(".") };
   }
-  function amount(what, value, figures) {
+  function amount(what, value, figures2) {
     const { kind } = parts(what);
     if (kind === "count") return String(Math.round(value));
-    return short(value, figures) + (UNITS[kind] ?? " J");
+    return short(value, figures2) + (UNITS[kind] ?? " J");
   }
-  function cameOut(wanted, got, figures) {
+  function cameOut(wanted, got, figures2) {
     let worst = "";
     let [error, came] = [0, 0];
     for (const [k, [what, right]] of wanted.entries()) {
@@ -983,7 +987,7 @@
       if (!worst || distance > error) [worst, error, came] = [what, distance, value];
     }
     const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
-    return `${measure(worst)}: ${amount(worst, came, figures)}, ${off}`;
+    return `${measure(worst)}: ${amount(worst, came, figures2)}, ${off}`;
   }
   function exactCell(wanted, { got }) {
     return cameOut(wanted, got, 6);
@@ -1329,7 +1333,7 @@
   }
 
   // ../effects/magnets/view.js
-  var POLE = 12;
+  var POLE = 14;
   var POLES = [
     ["N", "carts-north"],
     ["S", "carts-south"]
@@ -1354,7 +1358,7 @@
     return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x2 + way * k * POLE;
       const d2 = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
       return [
         { key: `${key} ${pole}`, cls, d: d2 },
         { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
@@ -1365,8 +1369,8 @@
   // ../view/shapes.js
   var REFERENCE_HEIGHT = 38;
   var TALLEST2 = 4;
-  var LANE = 20;
-  var ABOVE = 34;
+  var LANE = 21;
+  var ABOVE = 33;
   var DOT = 2.5;
   var RING = 1;
   var SHORTEST = 0.5;
@@ -1374,7 +1378,7 @@
   var FASTEST = 2.2;
   var EDGE = 5;
   var TORN = 6;
-  var LINE = 12;
+  var LINE = 14;
   var NAMED = 34;
   var SPRING = [2, 10];
   var PUSH = 15.5;
@@ -1396,7 +1400,7 @@
       width: width * layout.scale,
       height,
       cut,
-      nameY: named2 ? -(height + FACE) / 2 + 4.5 : null,
+      nameY: named2 ? -(height + FACE) / 2 + 5 : null,
       label: named2 ? mass : `${body2.name}: ${mass}`,
       labelY: named2 ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
@@ -1467,7 +1471,7 @@
     return full > 0 && Math.abs(value) > longest * full;
   }
   function velocityText(x2, length, width) {
-    const room = 62;
+    const room = 72;
     if (length >= 0) return x2 > room ? [x2 - 8, "end"] : [x2 + length + 8, "start"];
     return x2 < width - room ? [x2 + 8, "start"] : [x2 + length - 8, "end"];
   }
@@ -5156,8 +5160,8 @@
       until: fixed(until, decimals)
     });
     const because = told2(why);
-    const sentence2 = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
-    return [times2, SOLVERS[solver] ?? solver, sentence2];
+    const sentence = `${(because[0] ?? "").toUpperCase()}${because.slice(1)}.`;
+    return [times2, SOLVERS[solver] ?? solver, sentence];
   }
   function duration(seconds) {
     if (seconds >= 1) return `${short(seconds, 2)} s`;
@@ -5577,8 +5581,8 @@
     );
     return [...shown3, between2, ...hidden];
   }
-  function line({ sentence: sentence2, source, listed: listed2 }) {
-    const text = told2(sentence2);
+  function line({ sentence, source, listed: listed2 }) {
+    const text = told2(sentence);
     const item = html("li", listed2 ? "carts-ladder-listed" : "");
     item.append(text.slice(0, 1).toUpperCase() + text.slice(1));
     if (source) item.append(" ", html("span", "carts-quiet", `(${told2(source)})`));
@@ -5860,9 +5864,6 @@
     p: [tr("Momentum"), "p", "kg m/s"],
     energy: [tr("Kinetic energy"), "E", "J"]
   };
-  var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
-  );
   var APART = "apart";
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
@@ -5889,7 +5890,7 @@
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name2) => !isWall(name2) && name2 in (event.after ?? {})).map((name2) => `${name2}: ${motion((event.after[name2] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after = speeds.length ? `${speeds.join(". ")}.` : "";
-    const size = `${short(impulse)} N s`;
+    const size = `${figures(impulse)} N s`;
     const shown3 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
     const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
@@ -5975,25 +5976,11 @@
     if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
     return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
-  function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
-    const open2 = header.plan.length > 0;
-    if (open2 && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
-    if (leftOut.length) {
-      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
-    }
-    return sentences;
-  }
   function lower(name2) {
     return name2.slice(0, 1).toLowerCase() + name2.slice(1);
   }
   function capital(text) {
     return text.slice(0, 1).toUpperCase() + text.slice(1);
-  }
-  function sentence(text) {
-    const capitalised = capital(text);
-    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
   // src/scene/take-along/csv.js
@@ -6912,10 +6899,10 @@ ${lines4.join("\n")}
       this.region = need(root, ".carts-announcer");
     }
     /** After a lock its button is gone: the next thing to do is there. @param {HTMLElement} next @param {string} sentence */
-    leadTo(next, sentence2) {
+    leadTo(next, sentence) {
       const focused = document.activeElement;
       if (!focused || focused === document.body || focused.matches(".carts-lock")) next.focus();
-      this.tell([sentence2]);
+      this.tell([sentence]);
     }
     /** @param {string[]} sentences */
     tell(sentences) {
@@ -7472,13 +7459,13 @@ ${lines4.join("\n")}
   };
 
   // ../view/graph.js
-  var LEFT4 = 46;
+  var LEFT4 = 52;
   var RIGHT3 = 350;
   var TOP4 = 8;
-  var BOTTOM4 = 142;
+  var BOTTOM4 = 129;
   var WIDTH6 = 360;
-  var HEIGHT3 = 172;
-  var BELOW_LINE = 4;
+  var HEIGHT3 = 160;
+  var BELOW_LINE = 5;
   var NEAR2 = 0.7;
   var PIECES = 8;
   var STRAIGHT = 0.05;
@@ -7636,7 +7623,7 @@ ${lines4.join("\n")}
       put(line2, "d", `M${at3} ${TOP4}V${BOTTOM4}`);
       put(text, "class", "carts-tick-x");
       put(text, "x", at3);
-      put(text, "y", String(BOTTOM4 + 14));
+      put(text, "y", String(BOTTOM4 + 15));
       say(text, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line2, text, i2) => {
@@ -8385,6 +8372,22 @@ ${lines4.join("\n")}
     return strokes.map((points) => `M${points.map(at3).join("L")}`).join("");
   }
 
+  // src/shared/follow.js
+  function followPointer(down, moved) {
+    const leaving2 = new AbortController();
+    const { signal } = leaving2;
+    addEventListener(
+      "pointermove",
+      (move) => {
+        if (move.pointerId === down.pointerId) moved(move.clientX - down.clientX);
+      },
+      { signal }
+    );
+    for (const end2 of ["pointerup", "pointercancel"]) {
+      addEventListener(end2, () => leaving2.abort(), { signal });
+    }
+  }
+
   // src/predict/pull.js
   function pullable(stage, slider, full, width) {
     const group2 = svg("g", {});
@@ -8397,24 +8400,14 @@ ${lines4.join("\n")}
       event.preventDefault();
       const start = slider.valueAsNumber || 0;
       const perPixel = width / stage.getBoundingClientRect().width * Number(slider.max) / full;
-      const leaving2 = new AbortController();
-      const { signal } = leaving2;
-      addEventListener(
-        "pointermove",
-        (move) => {
-          if (move.pointerId !== down.pointerId) return;
-          const before = slider.value;
-          slider.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
-          if (slider.value !== before || slider.dataset.pulled === void 0) {
-            slider.dataset.pulled = "";
-            slider.dispatchEvent(new Event("input", { bubbles: true }));
-          }
-        },
-        { signal }
-      );
-      for (const end2 of ["pointerup", "pointercancel"]) {
-        addEventListener(end2, () => leaving2.abort(), { signal });
-      }
+      followPointer(down, (pixels2) => {
+        const before = slider.value;
+        slider.valueAsNumber = start + pixels2 * perPixel;
+        if (slider.value !== before || slider.dataset.pulled === void 0) {
+          slider.dataset.pulled = "";
+          slider.dispatchEvent(new Event("input", { bubbles: true }));
+        }
+      });
     });
     return group2;
   }
@@ -8433,7 +8426,7 @@ ${lines4.join("\n")}
   }
 
   // src/scene/effects.js
-  var PER_CHARACTER = 7.2;
+  var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
   var GAP2 = 8;
   var Effects = class {
@@ -8516,10 +8509,10 @@ ${lines4.join("\n")}
         const text = told3.find((one) => fits(x2, length, one, layout.width)) ?? String(told3.at(-1));
         const [at3, anchor] = beside(x2, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key}`, cls, text, x: px(at3), y: px(y2 + 4), anchor });
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at3), y: px(y2 + 5), anchor });
       } else if (!pieces.some((piece) => piece.key === row)) {
         const text = tr("by {by}", { by: force2.by });
-        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 4), anchor: "start" });
+        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y2 + 5), anchor: "start" });
       }
     }
     const leaders = [...lowest].map(([name2, y2]) => ({
@@ -8544,8 +8537,8 @@ ${lines4.join("\n")}
   }
 
   // src/scene/pushes.js
-  var PER_CHARACTER2 = 7.8;
-  var ROW = 19;
+  var PER_CHARACTER2 = 9.1;
+  var ROW = 21;
   var GAP3 = 8;
   var EDGE3 = 6;
   var Pushes = class {
@@ -8909,7 +8902,7 @@ ${lines4.join("\n")}
       const text = need(cart.velocity, '[data-part="text"]');
       const outside2 = x2 < 0 || x2 > layout.width;
       put(text, "x", px(outside2 ? x2 < 0 ? 8 : layout.width - 8 : at3));
-      put(text, "y", px(cart.lane + 4));
+      put(text, "y", px(cart.lane + 5));
       put(text, "text-anchor", outside2 ? x2 < 0 ? "start" : "end" : anchor);
       say(text, outside2 ? tr("{name} is outside: {speed}", { name: name2, speed }) : speed);
     }
@@ -8955,6 +8948,42 @@ ${lines4.join("\n")}
       found2.push({ t: after, name: name2, side: place4(after) > high ? "right" : "left", velocity: velocity3 });
     }
     return found2;
+  }
+
+  // ../view/model-words.js
+  var BOTH_FORCES = tr(
+    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+  );
+  function modelSentences(header, numbers) {
+    const acting = header.effects.filter(({ active }) => active);
+    const sentences = acting.map((effect) => `${capital(phrase(effect, header, numbers))}.`);
+    if (!acting.length) {
+      sentences.push(
+        tr("Where nothing touches, nothing pushes along the track: every cart keeps its velocity.")
+      );
+    }
+    sentences.push(...contactSentences(header));
+    if (header.contacts.some(({ stiffness }) => stiffness)) sentences.push(BOTH_FORCES);
+    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
+    if (leftOut.length) {
+      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
+    }
+    return sentences;
+  }
+  function contactSentences(header) {
+    const laws = lawsOf(header);
+    const alike = /* @__PURE__ */ new Map();
+    for (const contact of header.contacts) {
+      if (laws[contact.pair] === APART) continue;
+      const key = `${contact.restitution === null} ${contact.stiffness === null}`;
+      alike.set(key, [...alike.get(key) ?? [], contact]);
+    }
+    return [...alike.values()].map((contacts) => {
+      const [one] = contacts;
+      const names = contacts.map(({ bodies }) => listed(bodies.map(body))).join("; ");
+      const how = one?.stiffness ? tr("bumpers push like springs, the harder the more they are squeezed") : one?.restitution === null ? tr("whoever touches stays together") : tr("a hit takes no time");
+      return alike.size > 1 ? `${names}: ${how}.` : `${capital(how)}.`;
+    });
   }
 
   // src/scene/story.js
@@ -9031,23 +9060,24 @@ ${lines4.join("\n")}
       put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
-      const model = whole ? modelSentences(this.header) : [];
+      const open2 = whole && this.header.plan.length > 0;
+      const model = open2 ? modelSentences(this.header, this.telling.forces) : [];
       this.model.replaceChildren(...model.map((text) => html("li", "", text)));
       need(this.root, ".carts-model").hidden = !whole;
     }
     /** @param {{t: number, sentence: string}} told */
-    #item({ t: t3, sentence: sentence2 }) {
+    #item({ t: t3, sentence }) {
       const item = html("li");
       const button = html("button", "", `${fixed(t3, this.view.decimals.t ?? 3)} s`);
       button.setAttribute("type", "button");
       button.className = "carts-jump";
       button.dataset.time = String(t3);
-      item.append(button, " ", html("span", "", sentence2));
+      item.append(button, " ", html("span", "", sentence));
       return item;
     }
     /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before, now) {
-      return this.told.filter(({ t: t3 }) => t3 > before && t3 <= now).map(({ sentence: sentence2 }) => sentence2);
+      return this.told.filter(({ t: t3 }) => t3 > before && t3 <= now).map(({ sentence }) => sentence);
     }
   };
 

@@ -10298,23 +10298,27 @@
     const text3 = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text3) ? `−${text3}` : text3;
   }
-  function decimalsFor(scale, figures = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  function decimalsFor(scale, figures2 = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
   }
-  function short(value, figures = 3) {
+  function short(value, figures2 = 3) {
     const power2 = exponent(value);
     if (value && (power2 <= -4 || power2 >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power2}`), figures - 1));
+      const mantissa = trim(fixed(value / Number(`1e${power2}`), figures2 - 1));
       return `${mantissa} × 10${superscript(power2)}`;
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power2)));
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power2)));
+  }
+  function figures(value, count = 3) {
+    const power2 = exponent(value);
+    return power2 <= -4 || power2 >= 6 ? short(value, count) : fixed(value, decimalsFor(value, count));
   }
   function superscript(power2) {
     const digits = String(Math.abs(power2)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
     return power2 < 0 ? `⁻${digits}` : digits;
   }
-  function decimalsOf(value, figures = 6) {
-    const text3 = Math.abs(value).toFixed(decimalsFor(value, figures));
+  function decimalsOf(value, figures2 = 6) {
+    const text3 = Math.abs(value).toFixed(decimalsFor(value, figures2));
     return trim(text3).split(".")[1]?.length ?? 0;
   }
   function speedUnit(scale) {
@@ -10567,12 +10571,12 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
     const [kind = "", ...rest] = what.split(".");
     return { kind, name: rest.join(".") };
   }
-  function amount(what, value, figures) {
+  function amount(what, value, figures2) {
     const { kind } = parts(what);
     if (kind === "count") return String(Math.round(value));
-    return short(value, figures) + (UNITS[kind] ?? " J");
+    return short(value, figures2) + (UNITS[kind] ?? " J");
   }
-  function cameOut(wanted, got, figures) {
+  function cameOut(wanted, got, figures2) {
     let worst = "";
     let [error, came] = [0, 0];
     for (const [k, [what, right]] of wanted.entries()) {
@@ -10582,7 +10586,7 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
       if (!worst || distance > error) [worst, error, came] = [what, distance, value];
     }
     const off = error ? `off by ${amount(worst, error, 2)}` : "no error";
-    return `${measure(worst)}: ${amount(worst, came, figures)}, ${off}`;
+    return `${measure(worst)}: ${amount(worst, came, figures2)}, ${off}`;
   }
   function exactCell(wanted, { got }) {
     return cameOut(wanted, got, 6);
@@ -10618,7 +10622,7 @@ ${rows.map(row)}</tbody>
 <noscript><p class="carts-noscript">The table shows what came out when this page was made. Running the cases here needs JavaScript.</p></noscript>
 </div>`;
   }
-  function row({ name, sentence: sentence2, why, wanted, known: known2, yaml, commands }) {
+  function row({ name, sentence, why, wanted, known: known2, yaml, commands }) {
     const lines3 = expectedLines(wanted).map((line, k) => html`${k > 0 && html`<br>`}${line}`);
     const heads = Object.values(METHODS2);
     const cells2 = known2.stepped.map((one, k) => {
@@ -10626,7 +10630,7 @@ ${rows.map(row)}</tbody>
       return html`<td data-head=${heads[k]} data-part="stepped" data-verdict=${one.verdict}><b>${verdict}</b> <span>${off}</span></td>`;
     });
     const step = short(known2.stepped[0]?.step ?? 0, 3);
-    return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence2}</th>
+    return html`<tr data-case=${name}><th scope="row"><b>${name}</b> ${sentence}</th>
 <td data-head="must come out">${lines3}</td><td data-head="exact" data-part="exact">${exactCell(wanted, known2.exact)}</td>${cells2}</tr>
 <tr class="carts-hard-more"><td colspan=${COLUMNS}><details class="carts-more"><summary>Why, and the scene</summary><p>${why} The methods took steps of ${step} s.</p><pre tabindex="0">${yaml}</pre><p>Save this as ${name}.yml, then:</p>${commands.map((command) => html`<pre tabindex="0">${command}</pre>`)}</details></td></tr>
 `;
@@ -11006,13 +11010,13 @@ ${second && across3}
     /** @type {any} */
     globalThis.cartsWords ?? {}
   );
-  function tr(sentence2, values = {}) {
-    return filled(catalogue[sentence2] ?? sentence2, values);
+  function tr(sentence, values = {}) {
+    return filled(catalogue[sentence] ?? sentence, values);
   }
-  function told2(sentence2) {
-    if (typeof sentence2 === "string") return catalogue[sentence2] ?? sentence2;
-    const values = Object.entries(sentence2.values).map(([name, value]) => [name, told2(value)]);
-    return filled(catalogue[sentence2.code] ?? sentence2.code, Object.fromEntries(values));
+  function told2(sentence) {
+    if (typeof sentence === "string") return catalogue[sentence] ?? sentence;
+    const values = Object.entries(sentence.values).map(([name, value]) => [name, told2(value)]);
+    return filled(catalogue[sentence.code] ?? sentence.code, Object.fromEntries(values));
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
@@ -11258,7 +11262,7 @@ ${table3(facts)}
   }
 
   // ../effects/magnets/view.js
-  var POLE = 12;
+  var POLE = 14;
   var POLES = [
     ["N", "carts-north"],
     ["S", "carts-south"]
@@ -11283,7 +11287,7 @@ ${table3(facts)}
     return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
       return [
         { key: `${key2} ${pole}`, cls, d },
         { key: `${key2} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
@@ -11294,8 +11298,8 @@ ${table3(facts)}
   // ../view/shapes.js
   var REFERENCE_HEIGHT = 38;
   var TALLEST = 4;
-  var LANE = 20;
-  var ABOVE = 34;
+  var LANE = 21;
+  var ABOVE = 33;
   var DOT = 2.5;
   var RING = 1;
   var SHORTEST = 0.5;
@@ -11303,7 +11307,7 @@ ${table3(facts)}
   var FASTEST = 2.2;
   var EDGE2 = 5;
   var TORN = 6;
-  var LINE = 12;
+  var LINE = 14;
   var NAMED = 34;
   var SPRING = [2, 10];
   var PUSH = 15.5;
@@ -11325,7 +11329,7 @@ ${table3(facts)}
       width: width * layout.scale,
       height,
       cut,
-      nameY: named2 ? -(height + FACE) / 2 + 4.5 : null,
+      nameY: named2 ? -(height + FACE) / 2 + 5 : null,
       label: named2 ? mass : `${body2.name}: ${mass}`,
       labelY: named2 ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
@@ -11396,7 +11400,7 @@ ${table3(facts)}
     return full > 0 && Math.abs(value) > longest * full;
   }
   function velocityText(x, length, width) {
-    const room = 62;
+    const room = 72;
     if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
     return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
   }
@@ -11565,16 +11569,16 @@ ${table3(facts)}
       const [a, b] = effect.between ?? ["", ""];
       const [begun2, ended] = pushes(effect, run);
       const low = layout.track - ABOVE2;
-      const ends = [face(a, "right"), face(b, "left")].map(Number);
+      const ends2 = [face(a, "right"), face(b, "left")].map(Number);
       if (t > ended) {
         const there = edge2(run, a, ended) - edge2(run, a, t);
-        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const start2 = Number(ends2[0]) + there * layout.scale - HALF;
         const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
         const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
         return [{ key: `${key2} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
       }
-      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
-      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends;
+      const middle = (Number(ends2[0]) + Number(ends2[1])) / 2;
+      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends2;
       const wire = coil(start - HALF, end2 + HALF, low, TURNS2, HIGH);
       const plates = t < begun2 ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end2 + HALF + 1)} ${px(low + 7)}v-14`;
       return [
@@ -11687,9 +11691,6 @@ ${table3(facts)}
     p: [tr("Momentum"), "p", "kg m/s"],
     energy: [tr("Kinetic energy"), "E", "J"]
   };
-  var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
-  );
   var APART = "apart";
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
@@ -11716,7 +11717,7 @@ ${table3(facts)}
     const impulse = event.impulse ?? 0;
     const speeds = names.filter((name) => !isWall(name) && name in (event.after ?? {})).map((name) => `${name}: ${motion((event.after[name] ?? 0) - camera, decimals.v ?? 2, scale)}`);
     const after2 = speeds.length ? `${speeds.join(". ")}.` : "";
-    const size = `${short(impulse)} N s`;
+    const size = `${figures(impulse)} N s`;
     const shown2 = forces2 && impulse ? tr("Impulse on each: {size}.", { size }) : "";
     const told3 = (...sentences) => sentences.filter(Boolean).join(" ");
     switch (event.kind) {
@@ -11802,25 +11803,11 @@ ${table3(facts)}
     if (struck && (quantity === "a" || quantity === "R")) return JUMP_ONLY;
     return quantity === "F" && !curves ? tr("no contact force in this run") : "";
   }
-  function modelSentences(header) {
-    const sentences = [...new Set(header.plan.map((phase) => sentence(told2(phase.why))))];
-    const open = header.plan.length > 0;
-    if (open && header.contacts.some((contact) => contact.stiffness)) sentences.push(BOTH_FORCES);
-    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
-    if (leftOut.length) {
-      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
-    }
-    return sentences;
-  }
   function lower(name) {
     return name.slice(0, 1).toLowerCase() + name.slice(1);
   }
   function capital(text3) {
     return text3.slice(0, 1).toUpperCase() + text3.slice(1);
-  }
-  function sentence(text3) {
-    const capitalised = capital(text3);
-    return /[.!?]$/.test(capitalised) ? capitalised : `${capitalised}.`;
   }
 
   // ../view/effects-forces.js
@@ -12006,13 +11993,13 @@ ${rows}</tbody></table></div>
   }
 
   // ../view/graph.js
-  var LEFT3 = 46;
+  var LEFT3 = 52;
   var RIGHT3 = 350;
   var TOP3 = 8;
-  var BOTTOM3 = 142;
+  var BOTTOM3 = 129;
   var WIDTH3 = 360;
-  var HEIGHT3 = 172;
-  var BELOW_LINE = 4;
+  var HEIGHT3 = 160;
+  var BELOW_LINE = 5;
   var NEAR = 0.7;
   var PIECES = 8;
   var STRAIGHT = 0.05;
@@ -12471,8 +12458,51 @@ ${rows}</div>${!numbers && html`<p class="carts-relation" role="status"></p>`}`;
     return strokes.map((points) => `M${points.map(at).join("L")}`).join("");
   }
 
+  // ../view/skeleton/tools.js
+  var STEPS = 500;
+  var AT_FIRST = [0.25, 0.5];
+  var HANDLE = 8;
+  function tools({ fence, view }) {
+    const layout = view.layouts[0];
+    const watch = fence.opened.includes("stopwatch");
+    if (!layout?.tape && !watch) return null;
+    return html`<div class="carts-tools">
+${watch && stopwatch()}
+${layout && layout.tape > 0 && ruler(layout)}
+</div>`;
+  }
+  function stopwatch() {
+    const name = tr("Stopwatch");
+    return html`<div class="carts-tool" role="group" aria-label=${name} data-tool="stopwatch"><span class="carts-heading">${name}</span> <span class="carts-tool-read"><output aria-live="off">0.00</output> s</span> <button type="button" class="carts-button" data-act="stop" data-stop=${tr("Stop")} data-start=${tr("Start")}>${tr("Start")}</button> <button type="button" class="carts-button" data-act="zero">${tr("Zero")}</button></div>`;
+  }
+  function ruler(layout) {
+    const name = tr("Ruler");
+    const step = stepOf(layout);
+    const decimals = decimalsOf(step);
+    const [from, to] = ends(layout);
+    const end2 = (key2, label, x) => html`<input type="range" data-end=${key2} min=${px(layout.low, decimals)} max=${px(layout.high, decimals)} step=${step} value=${px(x, decimals)} autocomplete="off" aria-label=${label} aria-valuetext="${fixed(x, decimals)} m">`;
+    return html`<div class="carts-tool" role="group" aria-label=${name} data-tool="ruler" data-decimals=${decimals}><span class="carts-heading">${name}</span> ${end2("from", tr("left end of the ruler"), from)}${end2("to", tr("right end of the ruler"), to)} <span class="carts-tool-read"><output>${fixed(to - from, decimals)}</output> m</span></div>`;
+  }
+  function tape(layout) {
+    const at = (x) => px(layout.origin + x * layout.scale);
+    const [from, to] = ends(layout);
+    const y = px(layout.tape);
+    const end2 = (key2, x) => html`<g class="carts-tape-end" data-end=${key2} transform="translate(${at(x)} 0)"><path d="M0 ${px(layout.track - 60)}V${y}"/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
+    const middle = at((from + to) / 2);
+    return html`<g class="carts-tape" data-origin=${px(layout.origin, 4)} data-scale=${px(layout.scale, 4)} data-y=${y}><path data-part="tape" d="M${at(from)} ${y}H${at(to)}"/>${end2("from", from)}${end2("to", to)}<text data-part="length" x=${middle} y=${px(layout.tape + 5)} text-anchor="middle">${fixed(to - from, decimalsOf(stepOf(layout)))} m</text></g>`;
+  }
+  function stepOf({ low, high }) {
+    return niceAbove((high - low) / STEPS);
+  }
+  function ends(layout) {
+    const { low, high } = layout;
+    const step = stepOf(layout);
+    const [from, to] = AT_FIRST.map((part) => Math.round((low + part * (high - low)) / step) * step);
+    return [from ?? low, to ?? high];
+  }
+
   // ../view/skeleton/stage.js
-  var LABEL_ROOM = { wide: 46, narrow: 40 };
+  var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS2 = 150;
   var LEAST_WALL = 64;
@@ -12495,6 +12525,7 @@ ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name
 <g data-part="effects-front"></g>
 ${forces2 && pushes2(baked)}
 <g data-part="guess"></g>
+${layout.tape > 0 && tape(layout)}
 ${legend(baked, layout)}
 </svg>`;
   }
@@ -12552,7 +12583,7 @@ ${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(las
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
-      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+      (x) => html`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 22)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
   }
@@ -12560,16 +12591,17 @@ ${ticks(numbers).map(
     const y = layout.height - 10;
     const wide = layout.kind === "wide";
     const [per, unit] = speedUnit(view.velocity);
-    const text3 = (x2, said) => html`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
+    const text3 = (x2, said) => html`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
-    const x = force ? 12 + layout.force + 50 : 12;
+    const x = force ? 12 + layout.force + 58 : 12;
     const next = x + layout.velocity + 6;
-    const axis2 = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+    const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
+    const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html`<g class="carts-legend">
 ${force && html`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text3(12 + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text3(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
-<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis2}</text>
+${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis2}</text>
 </g>`;
   }
 
@@ -12632,6 +12664,7 @@ ${fence.camera !== 0 && html`<p class="carts-camera">${cameraText(fence.camera)}
 <p class="carts-hidden" id="${id}-keys">${tr("The space bar plays and pauses, the arrow keys step.")}</p>
 ${timeline(baked)}
 ${transport(baked)}
+${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
 ${panel(baked)}
@@ -12805,12 +12838,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
         this.header
       );
       const paths = this.exact ?? [];
-      const ends = bodies.flatMap(({ length }, k) => {
+      const ends2 = bodies.flatMap(({ length }, k) => {
         const all = paths[k] ?? [0];
         return [Math.min(...all) - length, Math.max(...all) + length];
       });
-      const left = track.left === "wall" ? 0 : Math.min(...ends);
-      const right = track.right === "wall" ? Number(track.length) : Math.max(...ends);
+      const left = track.left === "wall" ? 0 : Math.min(...ends2);
+      const right = track.right === "wall" ? Number(track.length) : Math.max(...ends2);
       this.scale = (WIDTH4 - 2 * SIDE) / (right - left);
       this.left = left;
       const heaviest = Math.max(...bodies.map(({ mass }) => mass));
@@ -13623,7 +13656,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       put(line, "d", `M${at} ${TOP3}V${BOTTOM3}`);
       put(text3, "class", "carts-tick-x");
       put(text3, "x", at);
-      put(text3, "y", String(BOTTOM3 + 14));
+      put(text3, "y", String(BOTTOM3 + 15));
       say(text3, label);
     });
     marks2(need(root, '[data-part="values"]'), rows.length, (line, text3, i) => {
@@ -14314,6 +14347,22 @@ ${found && html`<p class="carts-found" hidden></p>`}
     }
   };
 
+  // src/shared/follow.js
+  function followPointer(down, moved) {
+    const leaving = new AbortController();
+    const { signal } = leaving;
+    addEventListener(
+      "pointermove",
+      (move) => {
+        if (move.pointerId === down.pointerId) moved(move.clientX - down.clientX);
+      },
+      { signal }
+    );
+    for (const end2 of ["pointerup", "pointercancel"]) {
+      addEventListener(end2, () => leaving.abort(), { signal });
+    }
+  }
+
   // src/predict/pull.js
   function pullable(stage2, slider2, full, width) {
     const group = svg("g", {});
@@ -14326,24 +14375,14 @@ ${found && html`<p class="carts-found" hidden></p>`}
       event.preventDefault();
       const start = slider2.valueAsNumber || 0;
       const perPixel = width / stage2.getBoundingClientRect().width * Number(slider2.max) / full;
-      const leaving = new AbortController();
-      const { signal } = leaving;
-      addEventListener(
-        "pointermove",
-        (move) => {
-          if (move.pointerId !== down.pointerId) return;
-          const before2 = slider2.value;
-          slider2.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
-          if (slider2.value !== before2 || slider2.dataset.pulled === void 0) {
-            slider2.dataset.pulled = "";
-            slider2.dispatchEvent(new Event("input", { bubbles: true }));
-          }
-        },
-        { signal }
-      );
-      for (const end2 of ["pointerup", "pointercancel"]) {
-        addEventListener(end2, () => leaving.abort(), { signal });
-      }
+      followPointer(down, (pixels2) => {
+        const before2 = slider2.value;
+        slider2.valueAsNumber = start + pixels2 * perPixel;
+        if (slider2.value !== before2 || slider2.dataset.pulled === void 0) {
+          slider2.dataset.pulled = "";
+          slider2.dispatchEvent(new Event("input", { bubbles: true }));
+        }
+      });
     });
     return group;
   }
@@ -14362,7 +14401,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/effects.js
-  var PER_CHARACTER = 7.2;
+  var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
   var GAP = 8;
   var Effects = class {
@@ -14445,10 +14484,10 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const text3 = told3.find((one) => fits(x, length, one, layout.width)) ?? String(told3.at(-1));
         const [at, anchor] = beside(x, length, text3.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key2}`, cls, text: text3, x: px(at), y: px(y + 4), anchor });
+        pieces.push({ key: `name ${key2}`, cls, text: text3, x: px(at), y: px(y + 5), anchor });
       } else if (!pieces.some((piece) => piece.key === row2)) {
         const text3 = tr("by {by}", { by: force.by });
-        pieces.push({ key: row2, cls: "carts-acts-row", text: text3, x: "6", y: px(y + 4), anchor: "start" });
+        pieces.push({ key: row2, cls: "carts-acts-row", text: text3, x: "6", y: px(y + 5), anchor: "start" });
       }
     }
     const leaders = [...lowest].map(([name, y]) => ({
@@ -14473,8 +14512,8 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/pushes.js
-  var PER_CHARACTER2 = 7.8;
-  var ROW = 19;
+  var PER_CHARACTER2 = 9.1;
+  var ROW = 21;
   var GAP2 = 8;
   var EDGE3 = 6;
   var Pushes = class {
@@ -14525,19 +14564,19 @@ ${found && html`<p class="carts-found" hidden></p>`}
         const size = Math.max(...sizes);
         const y = layout.track - PUSH;
         const [left, right] = push2.bodies;
-        const ends = [face(left, "right"), face(right, "left")];
+        const ends2 = [face(left, "right"), face(right, "left")];
         push2.groups.forEach((group, side2) => {
           const way = side2 === 0 ? -1 : 1;
           const draw = isCut(Number(sizes[side2]), view.force) ? cutArrow : blockArrow;
           const length = arrowLength(Number(forces2[side2]), view.force, layout.force);
-          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends[side2]), y, way * length));
+          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends2[side2]), y, way * length));
         });
         const touching = this.#windows.some(
           (w) => w.pair === push2.pair && !w.loose && !w.near && t >= w.start && t <= w.end
         );
         const link = touching ? "" : linkOf(run.header, push2.pair);
         if (touching || link && size > 0) {
-          told3.push({ push: push2, sizes, x: (Number(ends[0]) + Number(ends[1])) / 2, link });
+          told3.push({ push: push2, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
         }
       }
       this.#names(told3);
@@ -14636,7 +14675,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
   }
 
   // src/scene/stage.js
-  var HANDLE = 9;
+  var HANDLE2 = 9;
   var Stage = class {
     /** @type {Run} */
     #run;
@@ -14776,7 +14815,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
           "data-pair": pair,
           "data-on": on
         });
-        const tip = from + length + way * HANDLE;
+        const tip = from + length + way * HANDLE2;
         const handle = pullable(this.root, slider2, way * this.layout.force, this.layout.width);
         handle.setAttribute("class", `carts-pull ${style}`);
         handle.append(
@@ -14838,7 +14877,7 @@ ${found && html`<p class="carts-found" hidden></p>`}
       const text3 = need(cart2.velocity, '[data-part="text"]');
       const outside2 = x < 0 || x > layout.width;
       put(text3, "x", px(outside2 ? x < 0 ? 8 : layout.width - 8 : at));
-      put(text3, "y", px(cart2.lane + 4));
+      put(text3, "y", px(cart2.lane + 5));
       put(text3, "text-anchor", outside2 ? x < 0 ? "start" : "end" : anchor);
       say(text3, outside2 ? tr("{name} is outside: {speed}", { name, speed }) : speed);
     }
@@ -14884,6 +14923,42 @@ ${found && html`<p class="carts-found" hidden></p>`}
       found.push({ t: after2, name, side: place2(after2) > high ? "right" : "left", velocity: velocity2 });
     }
     return found;
+  }
+
+  // ../view/model-words.js
+  var BOTH_FORCES = tr(
+    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
+  );
+  function modelSentences(header, numbers) {
+    const acting = header.effects.filter(({ active }) => active);
+    const sentences = acting.map((effect) => `${capital(phrase(effect, header, numbers))}.`);
+    if (!acting.length) {
+      sentences.push(
+        tr("Where nothing touches, nothing pushes along the track: every cart keeps its velocity.")
+      );
+    }
+    sentences.push(...contactSentences(header));
+    if (header.contacts.some(({ stiffness }) => stiffness)) sentences.push(BOTH_FORCES);
+    const leftOut = header.notSimulated.map((kind) => viewOf(kind).name);
+    if (leftOut.length) {
+      sentences.push(tr("Left out of this model: {effects}.", { effects: listed(leftOut) }));
+    }
+    return sentences;
+  }
+  function contactSentences(header) {
+    const laws = lawsOf(header);
+    const alike = /* @__PURE__ */ new Map();
+    for (const contact of header.contacts) {
+      if (laws[contact.pair] === APART) continue;
+      const key2 = `${contact.restitution === null} ${contact.stiffness === null}`;
+      alike.set(key2, [...alike.get(key2) ?? [], contact]);
+    }
+    return [...alike.values()].map((contacts) => {
+      const [one] = contacts;
+      const names = contacts.map(({ bodies }) => listed(bodies.map(body))).join("; ");
+      const how = one?.stiffness ? tr("bumpers push like springs, the harder the more they are squeezed") : one?.restitution === null ? tr("whoever touches stays together") : tr("a hit takes no time");
+      return alike.size > 1 ? `${names}: ${how}.` : `${capital(how)}.`;
+    });
   }
 
   // src/scene/story.js
@@ -14960,23 +15035,24 @@ ${found && html`<p class="carts-found" hidden></p>`}
       put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
       if (scrolled) put(this.list, "tabindex", "0");
       else this.list.removeAttribute("tabindex");
-      const model2 = whole ? modelSentences(this.header) : [];
+      const open = whole && this.header.plan.length > 0;
+      const model2 = open ? modelSentences(this.header, this.telling.forces) : [];
       this.model.replaceChildren(...model2.map((text3) => html2("li", "", text3)));
       need(this.root, ".carts-model").hidden = !whole;
     }
     /** @param {{t: number, sentence: string}} told */
-    #item({ t, sentence: sentence2 }) {
+    #item({ t, sentence }) {
       const item = html2("li");
       const button2 = html2("button", "", `${fixed(t, this.view.decimals.t ?? 3)} s`);
       button2.setAttribute("type", "button");
       button2.className = "carts-jump";
       button2.dataset.time = String(t);
-      item.append(button2, " ", html2("span", "", sentence2));
+      item.append(button2, " ", html2("span", "", sentence));
       return item;
     }
     /** What has happened after `before`, up to and including `now`. @param {number} before @param {number} now */
     between(before2, now) {
-      return this.told.filter(({ t }) => t > before2 && t <= now).map(({ sentence: sentence2 }) => sentence2);
+      return this.told.filter(({ t }) => t > before2 && t <= now).map(({ sentence }) => sentence);
     }
   };
 

@@ -196,6 +196,10 @@
     const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
     return power < 0 ? `⁻${digits}` : digits;
   }
+  function decimalsOf(value, figures = 6) {
+    const text = Math.abs(value).toFixed(decimalsFor(value, figures));
+    return trim(text).split(".")[1]?.length ?? 0;
+  }
   function speedUnit(scale) {
     return scale <= SLOW ? [1e-3, "mm/s"] : [1, "m/s"];
   }
@@ -226,8 +230,8 @@
   // ../view/shapes.js
   var REFERENCE_HEIGHT = 38;
   var TALLEST = 4;
-  var LANE = 20;
-  var ABOVE = 34;
+  var LANE = 21;
+  var ABOVE = 33;
   var DOT = 2.5;
   var RING = 1;
   var SHORTEST = 0.5;
@@ -235,7 +239,7 @@
   var FASTEST = 2.2;
   var EDGE = 5;
   var TORN = 6;
-  var LINE = 12;
+  var LINE = 14;
   var NAMED = 34;
   var SPRING = [2, 10];
   var PUSH = 15.5;
@@ -257,7 +261,7 @@
       width: width * layout.scale,
       height,
       cut,
-      nameY: named ? -(height + FACE) / 2 + 4.5 : null,
+      nameY: named ? -(height + FACE) / 2 + 5 : null,
       label: named ? mass : `${body2.name}: ${mass}`,
       labelY: named ? -height - 5 - lift : -Math.max(height, FACE) - 5 - lift
     };
@@ -328,7 +332,7 @@
     return full > 0 && Math.abs(value) > longest * full;
   }
   function velocityText(x, length, width) {
-    const room = 62;
+    const room = 72;
     if (length >= 0) return x > room ? [x - 8, "end"] : [x + length + 8, "start"];
     return x < width - room ? [x + 8, "start"] : [x + length - 8, "end"];
   }
@@ -529,7 +533,7 @@
   }
 
   // ../effects/magnets/view.js
-  var POLE = 12;
+  var POLE = 14;
   var POLES = [
     ["N", "carts-north"],
     ["S", "carts-south"]
@@ -554,7 +558,7 @@
     return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
       return [
         { key: `${key} ${pole}`, cls, d },
         { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
@@ -667,16 +671,16 @@
       const [a, b] = effect.between ?? ["", ""];
       const [begun2, ended] = pushes(effect, run);
       const low = layout.track - ABOVE2;
-      const ends2 = [face(a, "right"), face(b, "left")].map(Number);
+      const ends3 = [face(a, "right"), face(b, "left")].map(Number);
       if (t > ended) {
         const there = edge(run, a, ended) - edge(run, a, t);
-        const start2 = Number(ends2[0]) + there * layout.scale - HALF;
+        const start2 = Number(ends3[0]) + there * layout.scale - HALF;
         const long = (edge(run, b, ended, -1) - edge(run, a, ended)) * layout.scale;
         const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
         return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
       }
-      const middle = (Number(ends2[0]) + Number(ends2[1])) / 2;
-      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends2;
+      const middle = (Number(ends3[0]) + Number(ends3[1])) / 2;
+      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends3;
       const wire = coil(start - HALF, end2 + HALF, low, TURNS2, HIGH);
       const plates = t < begun2 ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end2 + HALF + 1)} ${px(low + 7)}v-14`;
       return [
@@ -937,8 +941,30 @@
     return strokes.map((points) => `M${points.map(at2).join("L")}`).join("");
   }
 
+  // ../view/skeleton/tools.js
+  var STEPS = 500;
+  var AT_FIRST = [0.25, 0.5];
+  var HANDLE = 8;
+  function tape(layout) {
+    const at2 = (x) => px(layout.origin + x * layout.scale);
+    const [from, to] = ends2(layout);
+    const y = px(layout.tape);
+    const end2 = (key, x) => html2`<g class="carts-tape-end" data-end=${key} transform="translate(${at2(x)} 0)"><path d="M0 ${px(layout.track - 60)}V${y}"/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
+    const middle = at2((from + to) / 2);
+    return html2`<g class="carts-tape" data-origin=${px(layout.origin, 4)} data-scale=${px(layout.scale, 4)} data-y=${y}><path data-part="tape" d="M${at2(from)} ${y}H${at2(to)}"/>${end2("from", from)}${end2("to", to)}<text data-part="length" x=${middle} y=${px(layout.tape + 5)} text-anchor="middle">${fixed(to - from, decimalsOf(stepOf(layout)))} m</text></g>`;
+  }
+  function stepOf({ low, high }) {
+    return niceAbove((high - low) / STEPS);
+  }
+  function ends2(layout) {
+    const { low, high } = layout;
+    const step = stepOf(layout);
+    const [from, to] = AT_FIRST.map((part) => Math.round((low + part * (high - low)) / step) * step);
+    return [from ?? low, to ?? high];
+  }
+
   // ../view/skeleton/stage.js
-  var LABEL_ROOM = { wide: 46, narrow: 40 };
+  var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS = 150;
   var LEAST_WALL = 64;
@@ -961,6 +987,7 @@ ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name
 <g data-part="effects-front"></g>
 ${forces && pushes2(baked)}
 <g data-part="guess"></g>
+${layout.tape > 0 && tape(layout)}
 ${legend(baked, layout)}
 </svg>`;
   }
@@ -1018,7 +1045,7 @@ ${left === "wall" && wall(at2(0), at2(0) - WALL)}${right === "wall" && wall(at2(
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
-      (x) => html2`<path class="carts-fine" d="M${px(at2(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at2(x))} y=${px(under + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+      (x) => html2`<path class="carts-fine" d="M${px(at2(x))} ${px(under)}v8"/><text class="carts-number" x=${px(at2(x))} y=${px(under + 22)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
   }
@@ -1026,16 +1053,17 @@ ${ticks(numbers).map(
     const y = layout.height - 10;
     const wide = layout.kind === "wide";
     const [per, unit] = speedUnit(view.velocity);
-    const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
+    const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
-    const x = force ? 12 + layout.force + 50 : 12;
+    const x = force ? 12 + layout.force + 58 : 12;
     const next = x + layout.velocity + 6;
-    const axis = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+    const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
+    const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
 ${force && html2`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text(12 + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
-<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis}</text>
+${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis}</text>
 </g>`;
   }
 
@@ -1093,6 +1121,22 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
     return found2.sort((a, b) => a.start - b.start);
   }
 
+  // src/shared/follow.js
+  function followPointer(down, moved) {
+    const leaving2 = new AbortController();
+    const { signal } = leaving2;
+    addEventListener(
+      "pointermove",
+      (move) => {
+        if (move.pointerId === down.pointerId) moved(move.clientX - down.clientX);
+      },
+      { signal }
+    );
+    for (const end2 of ["pointerup", "pointercancel"]) {
+      addEventListener(end2, () => leaving2.abort(), { signal });
+    }
+  }
+
   // src/predict/pull.js
   function pullable(stage2, slider, full, width) {
     const group = svg("g", {});
@@ -1105,24 +1149,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       event.preventDefault();
       const start = slider.valueAsNumber || 0;
       const perPixel = width / stage2.getBoundingClientRect().width * Number(slider.max) / full;
-      const leaving2 = new AbortController();
-      const { signal } = leaving2;
-      addEventListener(
-        "pointermove",
-        (move) => {
-          if (move.pointerId !== down.pointerId) return;
-          const before = slider.value;
-          slider.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
-          if (slider.value !== before || slider.dataset.pulled === void 0) {
-            slider.dataset.pulled = "";
-            slider.dispatchEvent(new Event("input", { bubbles: true }));
-          }
-        },
-        { signal }
-      );
-      for (const end2 of ["pointerup", "pointercancel"]) {
-        addEventListener(end2, () => leaving2.abort(), { signal });
-      }
+      followPointer(down, (pixels) => {
+        const before = slider.value;
+        slider.valueAsNumber = start + pixels * perPixel;
+        if (slider.value !== before || slider.dataset.pulled === void 0) {
+          slider.dataset.pulled = "";
+          slider.dispatchEvent(new Event("input", { bubbles: true }));
+        }
+      });
     });
     return group;
   }
@@ -1183,7 +1217,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
 
   // src/scene/effects.js
-  var PER_CHARACTER = 7.2;
+  var PER_CHARACTER = 8.4;
   var SLIVER = 1.5;
   var GAP = 8;
   var Effects = class {
@@ -1266,10 +1300,10 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         const text = told2.find((one) => fits(x, length, one, layout.width)) ?? String(told2.at(-1));
         const [at2, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
         const cls = `carts-acts-name ${style}`;
-        pieces.push({ key: `name ${key}`, cls, text, x: px(at2), y: px(y + 4), anchor });
+        pieces.push({ key: `name ${key}`, cls, text, x: px(at2), y: px(y + 5), anchor });
       } else if (!pieces.some((piece) => piece.key === row)) {
         const text = tr("by {by}", { by: force.by });
-        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
+        pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 5), anchor: "start" });
       }
     }
     const leaders = [...lowest].map(([name, y]) => ({
@@ -1294,8 +1328,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
 
   // src/scene/pushes.js
-  var PER_CHARACTER2 = 7.8;
-  var ROW = 19;
+  var PER_CHARACTER2 = 9.1;
+  var ROW = 21;
   var GAP2 = 8;
   var EDGE2 = 6;
   var Pushes = class {
@@ -1346,19 +1380,19 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
         const size = Math.max(...sizes);
         const y = layout.track - PUSH;
         const [left, right] = push.bodies;
-        const ends2 = [face(left, "right"), face(right, "left")];
+        const ends3 = [face(left, "right"), face(right, "left")];
         push.groups.forEach((group, side) => {
           const way = side === 0 ? -1 : 1;
           const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
           const length = arrowLength(Number(forces[side]), view.force, layout.force);
-          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends2[side]), y, way * length));
+          put(need(group, '[data-part="arrow"]'), "d", draw(Number(ends3[side]), y, way * length));
         });
         const touching = this.#windows.some(
           (w) => w.pair === push.pair && !w.loose && !w.near && t >= w.start && t <= w.end
         );
         const link = touching ? "" : linkOf(run.header, push.pair);
         if (touching || link && size > 0) {
-          told2.push({ push, sizes, x: (Number(ends2[0]) + Number(ends2[1])) / 2, link });
+          told2.push({ push, sizes, x: (Number(ends3[0]) + Number(ends3[1])) / 2, link });
         }
       }
       this.#names(told2);
@@ -1457,7 +1491,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
   }
 
   // src/scene/stage.js
-  var HANDLE = 9;
+  var HANDLE2 = 9;
   var Stage = class {
     /** @type {Run} */
     #run;
@@ -1597,7 +1631,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
           "data-pair": pair,
           "data-on": on
         });
-        const tip = from + length + way * HANDLE;
+        const tip = from + length + way * HANDLE2;
         const handle = pullable(this.root, slider, way * this.layout.force, this.layout.width);
         handle.setAttribute("class", `carts-pull ${style}`);
         handle.append(
@@ -1659,7 +1693,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px
       const text = need(cart2.velocity, '[data-part="text"]');
       const outside = x < 0 || x > layout.width;
       put(text, "x", px(outside ? x < 0 ? 8 : layout.width - 8 : at2));
-      put(text, "y", px(cart2.lane + 4));
+      put(text, "y", px(cart2.lane + 5));
       put(text, "text-anchor", outside ? x < 0 ? "start" : "end" : anchor);
       say(text, outside ? tr("{name} is outside: {speed}", { name, speed }) : speed);
     }

@@ -1040,23 +1040,23 @@
     const text2 = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text2) ? `−${text2}` : text2;
   }
-  function decimalsFor(scale, figures = 3) {
-    return Math.min(MAX_DECIMALS, Math.max(0, figures - 1 - exponent(scale)));
+  function decimalsFor(scale, figures2 = 3) {
+    return Math.min(MAX_DECIMALS, Math.max(0, figures2 - 1 - exponent(scale)));
   }
-  function short(value, figures = 3) {
+  function short(value, figures2 = 3) {
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
+      const mantissa = trim(fixed(value / Number(`1e${power}`), figures2 - 1));
       return `${mantissa} × 10${superscript(power)}`;
     }
-    return trim(fixed(value, Math.max(0, figures - 1 - power)));
+    return trim(fixed(value, Math.max(0, figures2 - 1 - power)));
   }
   function superscript(power) {
     const digits = String(Math.abs(power)).replace(/\d/g, (d) => SUPERSCRIPT[Number(d)] ?? "");
     return power < 0 ? `⁻${digits}` : digits;
   }
-  function decimalsOf(value, figures = 6) {
-    const text2 = Math.abs(value).toFixed(decimalsFor(value, figures));
+  function decimalsOf(value, figures2 = 6) {
+    const text2 = Math.abs(value).toFixed(decimalsFor(value, figures2));
     return trim(text2).split(".")[1]?.length ?? 0;
   }
   function speedUnit(scale) {
@@ -1638,7 +1638,7 @@ ${table2(facts)}
   }
 
   // ../effects/magnets/view.js
-  var POLE = 12;
+  var POLE = 14;
   var POLES = [
     ["N", "carts-north"],
     ["S", "carts-south"]
@@ -1663,7 +1663,7 @@ ${table2(facts)}
     return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
       const start = x + way * k * POLE;
       const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 12) };
+      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
       return [
         { key: `${key} ${pole}`, cls, d },
         { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
@@ -1860,16 +1860,16 @@ ${table2(facts)}
       const [a, b] = effect.between ?? ["", ""];
       const [begun2, ended] = pushes(effect, run);
       const low = layout.track - ABOVE;
-      const ends = [face(a, "right"), face(b, "left")].map(Number);
+      const ends2 = [face(a, "right"), face(b, "left")].map(Number);
       if (t > ended) {
         const there = edge2(run, a, ended) - edge2(run, a, t);
-        const start2 = Number(ends[0]) + there * layout.scale - HALF;
+        const start2 = Number(ends2[0]) + there * layout.scale - HALF;
         const long = (edge2(run, b, ended, -1) - edge2(run, a, ended)) * layout.scale;
         const lying = coil(start2, start2 + long + 2 * HALF, layout.track - HIGH, TURNS2, HIGH);
         return [{ key: `${key} lying`, cls: "carts-coil carts-spent", behind: true, d: lying }];
       }
-      const middle = (Number(ends[0]) + Number(ends[1])) / 2;
-      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends;
+      const middle = (Number(ends2[0]) + Number(ends2[1])) / 2;
+      const [start = 0, end2 = 0] = t < begun2 ? [middle, middle] : ends2;
       const wire = coil(start - HALF, end2 + HALF, low, TURNS2, HIGH);
       const plates = t < begun2 ? `M${px(start - HALF - 1)} ${px(low + 7)}v-15h20v15` : `M${px(start - HALF - 1)} ${px(low + 7)}v-14M${px(end2 + HALF + 1)} ${px(low + 7)}v-14`;
       return [
@@ -1973,9 +1973,6 @@ ${table2(facts)}
     p: [tr("Momentum"), "p", "kg m/s"],
     energy: [tr("Kinetic energy"), "E", "J"]
   };
-  var BOTH_FORCES = tr(
-    "Each contact has one force in the program: it pushes both bodies, equally hard, away from each other. So the program assumes Newton’s third law; it cannot prove it."
-  );
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
   function motion(velocity2, decimals, scale) {
@@ -2096,12 +2093,12 @@ ${rows}</tbody></table></div>
   }
 
   // ../view/graph.js
-  var LEFT2 = 46;
+  var LEFT2 = 52;
   var RIGHT2 = 350;
   var TOP2 = 8;
-  var BOTTOM2 = 142;
+  var BOTTOM2 = 129;
   var WIDTH2 = 360;
-  var HEIGHT2 = 172;
+  var HEIGHT2 = 160;
 
   // ../view/skeleton/graph.js
   var WITH_SIGN = html2` <button type="button" class="carts-sign" aria-pressed="false" disabled title=${tr("Show the direction: + means to the right")}>${tr("with sign")}</button>`;
@@ -2476,8 +2473,51 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     return strokes.map((points) => `M${points.map(at).join("L")}`).join("");
   }
 
+  // ../view/skeleton/tools.js
+  var STEPS = 500;
+  var AT_FIRST = [0.25, 0.5];
+  var HANDLE = 8;
+  function tools({ fence, view }) {
+    const layout = view.layouts[0];
+    const watch2 = fence.opened.includes("stopwatch");
+    if (!layout?.tape && !watch2) return null;
+    return html2`<div class="carts-tools">
+${watch2 && stopwatch()}
+${layout && layout.tape > 0 && ruler(layout)}
+</div>`;
+  }
+  function stopwatch() {
+    const name = tr("Stopwatch");
+    return html2`<div class="carts-tool" role="group" aria-label=${name} data-tool="stopwatch"><span class="carts-heading">${name}</span> <span class="carts-tool-read"><output aria-live="off">0.00</output> s</span> <button type="button" class="carts-button" data-act="stop" data-stop=${tr("Stop")} data-start=${tr("Start")}>${tr("Start")}</button> <button type="button" class="carts-button" data-act="zero">${tr("Zero")}</button></div>`;
+  }
+  function ruler(layout) {
+    const name = tr("Ruler");
+    const step = stepOf(layout);
+    const decimals = decimalsOf(step);
+    const [from, to] = ends(layout);
+    const end2 = (key, label, x) => html2`<input type="range" data-end=${key} min=${px(layout.low, decimals)} max=${px(layout.high, decimals)} step=${step} value=${px(x, decimals)} autocomplete="off" aria-label=${label} aria-valuetext="${fixed(x, decimals)} m">`;
+    return html2`<div class="carts-tool" role="group" aria-label=${name} data-tool="ruler" data-decimals=${decimals}><span class="carts-heading">${name}</span> ${end2("from", tr("left end of the ruler"), from)}${end2("to", tr("right end of the ruler"), to)} <span class="carts-tool-read"><output>${fixed(to - from, decimals)}</output> m</span></div>`;
+  }
+  function tape(layout) {
+    const at = (x) => px(layout.origin + x * layout.scale);
+    const [from, to] = ends(layout);
+    const y = px(layout.tape);
+    const end2 = (key, x) => html2`<g class="carts-tape-end" data-end=${key} transform="translate(${at(x)} 0)"><path d="M0 ${px(layout.track - 60)}V${y}"/><circle class="carts-pull-room" cx="0" cy=${y} r="16"/><circle cx="0" cy=${y} r=${HANDLE}/></g>`;
+    const middle = at((from + to) / 2);
+    return html2`<g class="carts-tape" data-origin=${px(layout.origin, 4)} data-scale=${px(layout.scale, 4)} data-y=${y}><path data-part="tape" d="M${at(from)} ${y}H${at(to)}"/>${end2("from", from)}${end2("to", to)}<text data-part="length" x=${middle} y=${px(layout.tape + 5)} text-anchor="middle">${fixed(to - from, decimalsOf(stepOf(layout)))} m</text></g>`;
+  }
+  function stepOf({ low, high }) {
+    return niceAbove((high - low) / STEPS);
+  }
+  function ends(layout) {
+    const { low, high } = layout;
+    const step = stepOf(layout);
+    const [from, to] = AT_FIRST.map((part) => Math.round((low + part * (high - low)) / step) * step);
+    return [from ?? low, to ?? high];
+  }
+
   // ../view/skeleton/stage.js
-  var LABEL_ROOM = { wide: 46, narrow: 40 };
+  var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS2 = 150;
   var LEAST_WALL = 64;
@@ -2500,6 +2540,7 @@ ${run.header.bodies.map((body2, i) => cart(body2.name, i, fence.skins[body2.name
 <g data-part="effects-front"></g>
 ${forces && pushes2(baked)}
 <g data-part="guess"></g>
+${layout.tape > 0 && tape(layout)}
 ${legend(baked, layout)}
 </svg>`;
   }
@@ -2557,7 +2598,7 @@ ${left === "wall" && wall(at(0), at(0) - WALL)}${right === "wall" && wall(at(las
 <path class="carts-rule" d="M${px(start)} ${px(layout.track)}H${px(end2)}"/>
 <path class="carts-fine" d=${fine.join("")}/>
 ${ticks(numbers).map(
-      (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 21)}>${fixed(x, axisDecimals(numbers))}</text>
+      (x) => html2`<path class="carts-fine" d="M${px(at(x))} ${px(under2)}v8"/><text class="carts-number" x=${px(at(x))} y=${px(under2 + 22)}>${fixed(x, axisDecimals(numbers))}</text>
 `
     )}</g>`;
   }
@@ -2565,16 +2606,17 @@ ${ticks(numbers).map(
     const y = layout.height - 10;
     const wide = layout.kind === "wide";
     const [per, unit] = speedUnit(view.velocity);
-    const text2 = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 4)}>${said}</text>`;
+    const text2 = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
-    const x = force ? 12 + layout.force + 50 : 12;
+    const x = force ? 12 + layout.force + 58 : 12;
     const next = x + layout.velocity + 6;
-    const axis2 = wide ? tr("position x in m, + is to the right") : tr("x in m, + right");
+    const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
+    const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
 ${force && html2`<path class="carts-block-arrow" d=${blockArrow(12, y, layout.force)}/>${text2(12 + layout.force + 6, `${short(view.force)} N`)}`}
 <path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 60)} y=${px(y + 4)}>${tr("torn: not to scale")}</text>`}
-<text x=${px(layout.width - 12)} y=${px(y + 4)} text-anchor="end">${fence.camera ? tr("position on the track in m") : axis2}</text>
+${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis2}</text>
 </g>`;
   }
 
@@ -2637,6 +2679,7 @@ ${fence.camera !== 0 && html2`<p class="carts-camera">${cameraText(fence.camera)
 <p class="carts-hidden" id="${id}-keys">${tr("The space bar plays and pauses, the arrow keys step.")}</p>
 ${timeline(baked)}
 ${transport(baked)}
+${tools(baked)}
 <noscript><p class="carts-noscript">${paper}</p></noscript>
 ${asked && predict(baked, asked)}
 ${panel(baked)}
@@ -3512,9 +3555,9 @@ ${found && html2`<p class="carts-found" hidden></p>`}
     #typed(k, typed) {
       const piece = this.#pieces[k];
       if (!piece) return;
-      const ends = piece.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
-      const texts = this.#pieces.map(({ text: text2 }, other) => other === k ? ends : text2);
-      this.#pieces = this.#pieces.map((one, other) => other === k ? { ...one, text: ends } : one);
+      const ends2 = piece.text.includes("\r\n") ? typed.replaceAll("\n", "\r\n") : typed;
+      const texts = this.#pieces.map(({ text: text2 }, other) => other === k ? ends2 : text2);
+      this.#pieces = this.#pieces.map((one, other) => other === k ? { ...one, text: ends2 } : one);
       this.session.change(texts.join(""), `piece ${k}`);
     }
     /** The number of a piece's block among the blocks. @param {number} k */

@@ -51,6 +51,7 @@ function rows(book, told) {
       );
       const { name, content } = fresh ?? file;
       download(name, `${JSON.stringify(content, null, 1)}\n`, "application/json");
+      document.dispatchEvent(new CustomEvent("carts-file-saved", { detail: name }));
       say(
         told,
         tr(

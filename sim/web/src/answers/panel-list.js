@@ -6,6 +6,7 @@ import { html } from "../shared/dom.js";
 import { isEmpty } from "./entry.js";
 import { inPageOrder, isHere, outline } from "./outline.js";
 import { button, part } from "./parts.js";
+import { print } from "./print.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
 export function listPart(book) {
@@ -62,13 +63,4 @@ export function listPart(book) {
 /** @param {any} value */
 function plainValue(value) {
   return typeof value === "string" ? value : JSON.stringify(value);
-}
-
-/** @param {boolean} empty without the answers, to be filled in by hand */
-function print(empty) {
-  const { classList } = document.documentElement;
-  classList.toggle("carts-print-empty", empty);
-  addEventListener("afterprint", () => classList.remove("carts-print-empty"), { once: true });
-  for (const dialog of document.querySelectorAll("dialog")) dialog.close();
-  window.print();
 }

@@ -4,6 +4,7 @@
  */
 
 import { svg } from "../shared/dom.js";
+import { followPointer } from "../shared/follow.js";
 
 /**
  * A group that moves a slider when it is pulled along the track.
@@ -19,25 +20,14 @@ export function pullable(stage, slider, full, width) {
     event.preventDefault();
     const start = slider.valueAsNumber || 0;
     const perPixel = ((width / stage.getBoundingClientRect().width) * Number(slider.max)) / full;
-    const leaving = new AbortController();
-    const { signal } = leaving;
-    // the handle itself is drawn anew at every step: the window is what stays
-    addEventListener(
-      "pointermove",
-      (move) => {
-        if (move.pointerId !== down.pointerId) return;
-        const before = slider.value;
-        slider.valueAsNumber = start + (move.clientX - down.clientX) * perPixel;
-        if (slider.value !== before || slider.dataset.pulled === undefined) {
-          slider.dataset.pulled = "";
-          slider.dispatchEvent(new Event("input", { bubbles: true }));
-        }
-      },
-      { signal },
-    );
-    for (const end of ["pointerup", "pointercancel"]) {
-      addEventListener(end, () => leaving.abort(), { signal });
-    }
+    followPointer(down, (pixels) => {
+      const before = slider.value;
+      slider.valueAsNumber = start + pixels * perPixel;
+      if (slider.value !== before || slider.dataset.pulled === undefined) {
+        slider.dataset.pulled = "";
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+      }
+    });
   });
   return group;
 }

@@ -17,7 +17,7 @@ import { need, put, say, svg } from "../shared/dom.js";
 /** @typedef {import("../../../view/types.js").Piece} Piece */
 /** @typedef {import("../../../view/types.js").Centre} Centre */
 
-const PER_CHARACTER = 7.2; // units, of the bold names
+const PER_CHARACTER = 8.4; // units, of the bold names
 const SLIVER = 1.5; // units; a shorter arrow cannot be seen as one and is drawn as a dot
 const GAP = 8; // units between an arrow and its name
 
@@ -109,10 +109,10 @@ export function arrows(run, layout, full, t, centre) {
       const text = told.find((one) => fits(x, length, one, layout.width)) ?? String(told.at(-1));
       const [at, anchor] = beside(x, length, text.length * PER_CHARACTER, layout.width);
       const cls = `carts-acts-name ${style}`;
-      pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 4), anchor });
+      pieces.push({ key: `name ${key}`, cls, text, x: px(at), y: px(y + 5), anchor });
     } else if (!pieces.some((piece) => piece.key === row)) {
       const text = tr("by {by}", { by: force.by });
-      pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 4), anchor: "start" });
+      pieces.push({ key: row, cls: "carts-acts-row", text, x: "6", y: px(y + 5), anchor: "start" });
     }
   }
   const leaders = [...lowest].map(([name, y]) => ({

@@ -17,8 +17,8 @@ import { need, put, say } from "../shared/dom.js";
 /** @typedef {{pair: string, bodies: [string, string], row: number, groups: [Element, Element]}} Push */
 /** @typedef {{push: Push, sizes: number[], x: number, link: string}} Told a force that acts: sizes in N on the left and the right body, x where it is, what acts without touching */
 
-const PER_CHARACTER = 7.8; // units, of the bold names on the beam in a wide font
-const ROW = 19; // units between two rows of names
+const PER_CHARACTER = 9.1; // units, of the bold names on the beam in a wide font
+const ROW = 21; // units between two rows of names
 const GAP = 8; // units between a name and the place of contact or a wall
 const EDGE = 6; // units that names keep from the edges of the picture
 

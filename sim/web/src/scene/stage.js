@@ -215,7 +215,7 @@ export class Stage {
     const text = need(cart.velocity, '[data-part="text"]');
     const outside = x < 0 || x > layout.width;
     put(text, "x", px(outside ? (x < 0 ? 8 : layout.width - 8) : at));
-    put(text, "y", px(cart.lane + 4));
+    put(text, "y", px(cart.lane + 5));
     put(text, "text-anchor", outside ? (x < 0 ? "start" : "end") : anchor);
     say(text, outside ? tr("{name} is outside: {speed}", { name, speed }) : speed);
   }

@@ -3,9 +3,10 @@
 import { marks } from "../../../view/effects-words.js";
 import { exits } from "../../../view/exits.js";
 import { tr } from "../../../view/language.js";
+import { modelSentences } from "../../../view/model-words.js";
 import { fixed } from "../../../view/numbers.js";
 import { isTold } from "../../../view/trajectory.js";
-import { eventSentence, exitSentence, lawsOf, modelSentences } from "../../../view/words.js";
+import { eventSentence, exitSentence, lawsOf } from "../../../view/words.js";
 import { html, need, put } from "../shared/dom.js";
 
 const MOST_EVENTS = 60;
@@ -79,7 +80,8 @@ export class Story {
     put(this.list, "class", scrolled ? "carts-events carts-events-scrolled" : "carts-events");
     if (scrolled) put(this.list, "tabindex", "0");
     else this.list.removeAttribute("tabindex");
-    const model = whole ? modelSentences(this.header) : [];
+    const open = whole && this.header.plan.length > 0; // not so before a prediction
+    const model = open ? modelSentences(this.header, this.telling.forces) : [];
     this.model.replaceChildren(...model.map((text) => html("li", "", text)));
     need(this.root, ".carts-model").hidden = !whole;
   }

@@ -13,7 +13,7 @@ export function drawAxes(root, plane) {
     put(line, "d", `M${at} ${g.TOP}V${g.BOTTOM}`);
     put(text, "class", "carts-tick-x");
     put(text, "x", at);
-    put(text, "y", String(g.BOTTOM + 14));
+    put(text, "y", String(g.BOTTOM + 15));
     say(text, label);
   });
   marks(need(root, '[data-part="values"]'), rows.length, (line, text, i) => {

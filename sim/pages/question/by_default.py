@@ -1,0 +1,37 @@
+"""What the defaults of the format do on a page, for an author whose lesson is older than they are.
+
+A scene of a lesson is watched before it is known, and a question below a scene with a prediction
+waits until that scene was watched, unless the author says otherwise.
+"""
+
+from __future__ import annotations
+
+from sim.pages.findings import Finding
+from sim.pages.question.block import QuestionBlock
+from sim.pages.question.on_page import PageItems
+from sim.pages.scene_block import SceneBlock
+from sim.scene.problem import Problem
+
+CODE = "default"
+LESSONS = "worksheets"  # the folder whose scenes are watched first
+
+
+def watched_by_default(scene: SceneBlock) -> list[Finding]:
+    """That the run of a scene is watched before it is known, if no `watch` says so."""
+    fence, file = scene.fence, scene.places.file
+    lesson = LESSONS in file.split("/")[:-1]
+    if "watch" in scene.places.source.plain or not (fence.predict or lesson):
+        return []
+    found = scene.places.finding(Problem(("id",), CODE, ""))
+    told = f"“{fence.id}” is watched before it is known; “watch: free” shows everything at once"
+    return [Finding(file, found.line, found.col, CODE, told, severity="hint")]
+
+
+def waits_by_default(question: QuestionBlock, items: PageItems) -> list[Finding]:
+    """That a question waits for a scene, if no `after` says so. `items`: what stands above it."""
+    scene = items.gate(question.question)
+    if question.question.common.after or not scene:
+        return []
+    found = question.places.finding(Problem(("id",), CODE, ""))
+    told = f"opens when “{scene}” was watched; “after: none” opens it at once"
+    return [Finding(found.file, found.line, found.col, CODE, told, severity="hint")]

@@ -1,0 +1,65 @@
+"""`carts key`: what a teacher prints before the lesson, for every lesson of the project."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from sim.cli import main
+from sim.pages.translate.catalogues import OTHERS
+
+ROOT = Path(__file__).parents[2]
+ASKING = sorted(
+    path.stem
+    for path in (ROOT / "worksheets").glob("*.md")
+    if re.search(r"^```(question|quiz)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+)
+
+
+@pytest.fixture(scope="module")
+def keys(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("keys")
+    lessons = [str(ROOT / "worksheets" / f"{name}.md") for name in ASKING]
+    said = CliRunner().invoke(main, ["key", "--out", str(out), *lessons])
+    assert said.exit_code == 0, (said.output, said.exception)
+    return out
+
+
+def items(path: Path) -> list[dict[str, Any]]:
+    content = json.loads(path.read_text(encoding="utf-8"))
+    return [item for form in content["forms"] for item in form["items"]]
+
+
+@pytest.mark.parametrize("lesson", ASKING)
+def test_every_lesson_that_asks_has_a_key(keys: Path, lesson: str) -> None:
+    page = (keys / f"{lesson}.key.html").read_text(encoding="utf-8")
+    names = [item["id"] for item in items(keys / f"{lesson}.key.json")]
+    assert names
+    assert [name for name in names if name not in page] == []
+
+
+def test_cells_of_a_table_are_told_with_units_and_tolerance(keys: Path) -> None:
+    page = (keys / "newtons-second-law.key.html").read_text(encoding="utf-8")
+    assert re.search(r"0\.45 ± 0\.005 N", page)
+    assert re.search(r": 0\.8 m/s ± 0\.02", page)
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_a_translated_lesson_has_its_key_in_the_words_that_students_read(
+    keys: Path, language: str
+) -> None:
+    own = (keys / f"newtons-third-law.{language}.key.html").read_text(encoding="utf-8")
+    english = (keys / "newtons-third-law.key.html").read_text(encoding="utf-8")
+    assert "In none." in english and "In none." not in own
+    answers = [
+        {item["id"]: item["key"] for item in items(path)}
+        for path in (keys / "newtons-third-law.key.json",
+                     keys / f"newtons-third-law.{language}.key.json")
+    ]  # fmt: skip
+    right = [{name: key.get("correct") for name, key in one.items()} for one in answers]
+    assert right[0] == right[1]
