@@ -34,6 +34,8 @@ _NEIGHBOURS = re.compile(r'[ \t]*<link rel="(?:prev|next)"[^>]*>\n?')
 _RENAMED = re.compile(r'(<a [^>]*class="md-footer__link [^"]*") aria-label="[^"]*"')
 _EMPTY_HEAD = re.compile(r'<th(?: scope="col")?( style="[^"]*")?></th>')
 
+_KINDS = re.compile(r'<html [^>]*class="no-js')
+
 _COMMON = {
     "default-src": "'none'",
     "script-src": "'self' 'wasm-unsafe-eval'",
@@ -183,8 +185,16 @@ def finish(
     if needs.language != ENGLISH:
         page = re.sub(r'<html lang="[\w-]*"', f'<html lang="{needs.language}"', page, count=1)
     page = page.replace("</head>", "".join(f"{line}\n" for line in last) + "</head>", 1)
+    page = _KINDS.sub(lambda html: " ".join([html[0], *kinds_of(needs)]), page, count=1)
     # The theme's search dialog has no name for screen readers.
     return page.replace('role="dialog">', 'role="dialog" aria-label="Search">', 1)
+
+
+def kinds_of(needs: Needs) -> list[str]:
+    """Classes of the whole page, for its sheets: `:root:has(carts-scene)` would say the same, and
+    browsers would ask it anew with every word that changes, 60 times a second in a run."""
+    kinds = {"carts-with-scenes": needs.scenes, "carts-with-questions": needs.outline is not None}
+    return [kind for kind, there in kinds.items() if there]
 
 
 def _scripts(assets: str, needs: Needs) -> Iterator[str]:

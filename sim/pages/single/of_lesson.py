@@ -35,7 +35,7 @@ _ONLY_IN_A_SITE = ("iframe-worker", "teacher", "hosted.js", "offline.js")
 _WITH_PYTHON = ("/carts.js", "/measured.js", "/law.js")
 _PAGE = """\
 <!doctype html>
-<html lang="{language}"><head><meta charset="utf-8">
+<html lang="{language}" class="{kinds}"><head><meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{policy}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="carts-site" content="{site_id}"><meta name="carts-page" content="{page_id}">
@@ -79,6 +79,7 @@ def single_lesson(
     licences = (site / "third-party-licenses.txt").read_text(encoding="utf-8")
     return _PAGE.format(
         language=_first(r'<html lang="([^"]*)"', text) or "en",
+        kinds=_first(r'<html [^>]*class="no-js *([^"]*)"', text),
         policy=policy(styles, scripts, {"font-src": "data:"}),
         site_id=_first(r'name="carts-site" content="([^"]*)"', text),
         page_id=_first(r'name="carts-page" content="([^"]*)"', text),

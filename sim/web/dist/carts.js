@@ -366,8 +366,12 @@
     while (group2.children.length > count2) group2.lastElementChild?.remove();
     while (group2.children.length < count2) group2.append(make());
   }
+  var TEXT = 3;
   function say(element, text) {
-    if (element.textContent !== text) element.textContent = text;
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text) only.nodeValue = text;
+    } else if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
     const found2 = root.querySelector(selector);

@@ -46,8 +46,12 @@
   }
 
   // src/shared/dom.js
+  var TEXT = 3;
   function say(element, text) {
-    if (element.textContent !== text) element.textContent = text;
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text) only.nodeValue = text;
+    } else if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
     const found = root.querySelector(selector);

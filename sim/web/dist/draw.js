@@ -12789,8 +12789,12 @@ ${found && html`<p class="carts-found" hidden></p>`}
     while (group.children.length > count) group.lastElementChild?.remove();
     while (group.children.length < count) group.append(make());
   }
+  var TEXT = 3;
   function say(element, text3) {
-    if (element.textContent !== text3) element.textContent = text3;
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text3) only.nodeValue = text3;
+    } else if (element.textContent !== text3) element.textContent = text3;
   }
   function need(root, selector) {
     const found = root.querySelector(selector);

@@ -7,8 +7,12 @@
     if (text) made.textContent = text;
     return made;
   }
+  var TEXT = 3;
   function say(element, text) {
-    if (element.textContent !== text) element.textContent = text;
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text) only.nodeValue = text;
+    } else if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
     const found = root.querySelector(selector);

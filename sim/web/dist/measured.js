@@ -16,8 +16,12 @@
   function put(element, name, value) {
     if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   }
+  var TEXT = 3;
   function say(element, text2) {
-    if (element.textContent !== text2) element.textContent = text2;
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text2) only.nodeValue = text2;
+    } else if (element.textContent !== text2) element.textContent = text2;
   }
   function need(root, selector) {
     const found = root.querySelector(selector);

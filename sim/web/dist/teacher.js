@@ -681,8 +681,12 @@
     if (text2) made2.textContent = text2;
     return made2;
   }
+  var TEXT = 3;
   function say(element, text2) {
-    if (element.textContent !== text2) element.textContent = text2;
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text2) only.nodeValue = text2;
+    } else if (element.textContent !== text2) element.textContent = text2;
   }
   function need(root, selector) {
     const found = root.querySelector(selector);

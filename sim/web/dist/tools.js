@@ -15,8 +15,12 @@
   function put(element, name, value) {
     if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   }
+  var TEXT = 3;
   function say(element, text) {
-    if (element.textContent !== text) element.textContent = text;
+    const only = element.firstChild;
+    if (only?.nodeType === TEXT && !only.nextSibling) {
+      if (only.nodeValue !== text) only.nodeValue = text;
+    } else if (element.textContent !== text) element.textContent = text;
   }
   function need(root, selector) {
     const found = root.querySelector(selector);

@@ -28,9 +28,18 @@ export function fit(group, count, make) {
   while (group.children.length < count) group.append(make());
 }
 
-/** @param {Element} element @param {string} text */
+const TEXT = 3; // kind of a node; the build's document has no name for it
+
+/**
+ * A text that has the element for itself is changed in its place: a new one would make the browser
+ * ask again which elements the sheets mean by what stands in them.
+ * @param {Element} element @param {string} text
+ */
 export function say(element, text) {
-  if (element.textContent !== text) element.textContent = text;
+  const only = element.firstChild;
+  if (only?.nodeType === TEXT && !only.nextSibling) {
+    if (only.nodeValue !== text) only.nodeValue = text;
+  } else if (element.textContent !== text) element.textContent = text;
 }
 
 /**
