@@ -2,11 +2,13 @@
 
     {"id": 8, "kind": "cost", "scene": {...}, "method": "euler", "parts": 103}
     {"id": 9, "kind": "cost", "scene": {...}, "row": 3}
+    {"id": 10, "kind": "cost", "scene": {...}, "digits": [{"method": …, "time_ratio": …}, …]}
 
 The first is answered with both runs over one time grid, column after column: t, x of each cart as
 stepped, x of each cart exactly, energy of motion as stepped and exactly. `parts` is how many steps
 the run's length is divided into; `rk45` and `adaptive` have `rtol` instead. The second is answered
-with one measured row (several for row 0) of about `of`; a page asks for them one by one.
+with one measured row (several for row 0) of about `of`; a page asks for them one by one. The third
+says what one more digit costs, out of such rows, and where rounding begins.
 """
 
 from __future__ import annotations
@@ -19,7 +21,7 @@ from sim.bridge.alive import alive
 from sim.bridge.protocol import track_of
 from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.measure import exact_rows, row, ways
-from sim.dynamics.cost.report import row_object
+from sim.dynamics.cost.report import digits_of, floor_of, row_object, speed_of
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
 from sim.dynamics.result.ledger import kinetic
@@ -41,7 +43,9 @@ FRAMES = 400
 def cost_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
     """Header and numbers; raises SceneError for what makes no sense."""
     scene = read_scene(request.get("scene") or {})
-    number = request.get("row")
+    number, measured = request.get("row"), request.get("digits")
+    if isinstance(measured, list):
+        return _digits(scene, measured), array("d")
     if isinstance(number, int):
         return _row(scene, number), array("d")
     return _run(scene, _way(scene, request))
@@ -56,6 +60,11 @@ def _row(scene: Scene, number: int) -> dict[str, Any]:
     else:
         rows = [row(scene, truth, listed[number - 1])]
     return {"rows": [row_object(one) for one in rows], "of": len(listed) + 1}
+
+
+def _digits(scene: Scene, rows: list[dict[str, Any]]) -> dict[str, Any]:
+    truth = exact(scene)
+    return {"digits": digits_of(rows, speed_of(truth)), "floor": floor_of(truth)}
 
 
 def _way(scene: Scene, request: Mapping[str, Any]) -> Way:

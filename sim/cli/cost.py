@@ -9,19 +9,25 @@ from pathlib import Path
 import click
 
 from sim.cli import scene_file
+from sim.cli.proved import proved
 from sim.cli.tables import table
+from sim.dynamics.cost.exact import Exact, exact
+from sim.dynamics.cost.many import event_cost
 from sim.dynamics.cost.measure import CostRow, cost, ways
 from sim.dynamics.cost.report import cost_report
+from sim.dynamics.report.document import FORMAT
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.pages.drawing import DrawingError, draw
 from sim.pages.findings import Finding
 from sim.scene import Scene
 
+MOST_CARTS = 10_000
+DRAWN = ("rows", "floor", "digits")  # of the document, in the figure
 HEADER = ("method", "step", "order", "evaluations", "time", "Δv m/s", "Δx m", "ΔE/E", "e delivered")
 
 
 @click.command("cost")
-@click.argument("scene", metavar="SCENE.yml")
+@click.argument("scene", metavar="SCENE.yml", required=False)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object, for programs.")
 @click.option(
     "--svg",
@@ -29,28 +35,41 @@ HEADER = ("method", "step", "order", "evaluations", "time", "Δv m/s", "Δx m", 
     type=click.Path(dir_okay=False, writable=True, path_type=Path),
     help="Write the figure, error against time, to this file.",
 )
-def command(scene: str, as_json: bool, picture: Path | None) -> None:
+@click.option(
+    "--carts",
+    metavar="N,N,...",
+    help="In place of a scene: what one event costs in a row of so many carts, up to 10000.",
+)
+def command(scene: str | None, as_json: bool, picture: Path | None, carts: str | None) -> None:
     """Compare stepping methods with the exact solution: error against time.
 
     SCENE.yml is a scene file; - reads standard input. `time` is the time of a single run as a
     multiple of the exact outcome's, measured in this process. Errors are the worst of 64 runs whose
     touches fall at different places within a step; steps are the run's length over a prime number.
+    With python-flint (pip install 'newtons-carts[certify]') errors are measured against a proof,
+    where there is one, and the certificate stands in the table: its error is half of its width.
 
     \b
     carts cost my-scene.yml
     carts cost my-scene.yml --svg cost.svg
+    carts cost --carts 2,10,100,1000,10000
     """
+    if carts is not None:
+        _events(_counts(carts), as_json)
+        return
+    if scene is None:
+        raise click.UsageError("Name a scene file, or say --carts.")
     description = scene_file.read(scene)
     try:
-        rows = _measured(description)
+        truth, rows = _measured(description)
     except UnsolvedError as error:
         place = scene_file.shown_name(scene), 1, 1
         scene_file.fail([Finding(*place, "unsolved", error.message, error.hint)])
     title = description.title or scene
-    document = cost_report(title, rows)
+    document = cost_report(title, rows, truth)
     if picture is not None:
         try:
-            drawn = draw("cost-file", {"title": title, "rows": document["rows"]})
+            drawn = draw("cost-file", {"title": title, **{k: document[k] for k in DRAWN}})
         except DrawingError as error:
             raise click.ClickException(str(error)) from error
         picture.write_text(drawn, encoding="utf-8")
@@ -58,21 +77,57 @@ def command(scene: str, as_json: bool, picture: Path | None) -> None:
         click.echo(json.dumps(document, allow_nan=False, ensure_ascii=False))
     else:
         click.echo(table(HEADER, [_cells(row, description.until) for row in rows]))
-        if rows[0].error_v is None:
-            click.echo("\nThe exact run is the reference: errors are measured against it.")
+        digits = document["digits"].items()
+        click.echo("\nOne more digit costs: " + ", ".join(f"{m} × {by:.3g}" for m, by in digits))
+        if truth.proved:
+            click.echo("Errors are measured against a proof: carts run --certify.")
+        elif rows[0].error_v is None:
+            click.echo("The exact run is the reference: errors are measured against it.")
 
 
-def _measured(scene: Scene) -> list[CostRow]:
-    """All rows, with a line on the terminal that says how far it is."""
-    rows, total, shown = [], len(ways(scene)) + 2, sys.stderr.isatty()
-    for row in cost(scene):
+def _measured(scene: Scene) -> tuple[Exact, list[CostRow]]:
+    """The truth and all rows, with a line on the terminal that says how far it is."""
+    truth, rows = exact(scene), []
+    certified = proved(scene, truth)
+    if certified:
+        truth, _ = certified
+    total, shown = len(ways(scene)) + 3, sys.stderr.isatty()
+    for row in cost(scene, truth):
         rows.append(row)
         if shown:
             sys.stderr.write(f"\r{len(rows)} of about {total} rows: {row.method:<16}")
             sys.stderr.flush()
     if shown:
         sys.stderr.write("\r" + " " * 60 + "\r")
-    return rows
+    if certified:
+        rows.insert(sum(row.method.startswith("exact") for row in rows), certified[1])
+    return truth, rows
+
+
+def _counts(text: str) -> list[int]:
+    """How many carts, one after the other."""
+    try:
+        counts = [int(one) for one in text.split(",")]
+    except ValueError:
+        counts = [0]
+    if not all(2 <= count <= MOST_CARTS for count in counts):
+        raise click.BadParameter(f"numbers from 2 to {MOST_CARTS}, such as 2,10,100", None, None)
+    return counts
+
+
+def _events(counts: list[int], as_json: bool) -> None:
+    """What one event costs in rows of so many carts, in this process."""
+    found = [event_cost(count) for count in counts]
+    base = found[0].seconds
+    if as_json:
+        rows = [{"carts": one.carts, "events": one.events, "seconds": one.seconds} for one in found]
+        click.echo(json.dumps({"format": FORMAT, "rows": rows}, allow_nan=False))
+        return
+    lines = [
+        (str(one.carts), str(one.events), f"{1e6 * one.seconds:.1f}", f"{one.seconds / base:.2f}")
+        for one in found
+    ]
+    click.echo(table(("carts", "events", "µs each", "ratio"), lines))
 
 
 def _cells(row: CostRow, until: float) -> tuple[str, ...]:

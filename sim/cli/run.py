@@ -13,14 +13,14 @@ from sim.cli.tables import certificate_as_text, columns_as_csv, run_as_text
 from sim.dynamics.loop.run import MOST_EVENTS
 from sim.dynamics.report.document import report
 from sim.dynamics.result.trajectory import trajectory
+from sim.dynamics.stepping.methods import ADAPTIVE, NAMES
 from sim.pages.findings import Finding
 
 if TYPE_CHECKING:
     from sim.dynamics.stepping.recorded import SteppedRun
     from sim.scene import Scene
 
-ADAPTIVE = ("rk45", "adaptive")
-METHODS = ("exact", "euler", "semi-implicit", "verlet", "rk4", "rk4-events", *ADAPTIVE)
+METHODS = ("exact", *NAMES)
 
 
 @click.command("run")

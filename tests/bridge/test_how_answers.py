@@ -13,7 +13,7 @@ from sim.bridge.protocol import answer
 from tests import registry
 from tests.web.widget_site import in_node
 
-FIXED = ["euler", "semi-implicit", "verlet", "rk4", "rk4-events"]
+FIXED = ["euler", "semi-implicit", "verlet", "yoshida", "richardson", "rk4", "rk4-events"]
 
 
 def ask(name: str, **more: Any) -> tuple[dict[str, Any], dict[tuple[str, ...], list[float]]]:

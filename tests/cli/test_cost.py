@@ -11,6 +11,7 @@ from click.testing import CliRunner
 
 from sim.cli import main
 from sim.dynamics.cost import measure
+from sim.dynamics.cost.digits import one_more_digit
 
 SCENES = Path(__file__).parents[1] / "scenes"
 STANDARD = str(SCENES / "paper-two-carts.yml")
@@ -21,7 +22,7 @@ KEYS = {
 
 
 @pytest.fixture(scope="module")
-def measured(tmp_path_factory: pytest.TempPathFactory) -> tuple[list[dict], Path]:  # type: ignore[type-arg]
+def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict, Path]:  # type: ignore[type-arg]
     """The standard scene, without the finest steps and with short timing: errors are not timed."""
     patch = pytest.MonkeyPatch()
     ladder = tuple((name, primes[:-1]) for name, primes in measure.LADDER)
@@ -34,7 +35,17 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> tuple[list[dict], Path
     assert done.exit_code == 0, done.output
     document = json.loads(done.stdout)
     assert (document["format"], document["scene"]) == (1, "Two carts, as in the paper")
-    return document["rows"], picture
+    return document, picture
+
+
+@pytest.fixture
+def document(made) -> dict:  # type: ignore[no-untyped-def, type-arg]
+    return made[0]
+
+
+@pytest.fixture
+def measured(made) -> tuple[list[dict], Path]:  # type: ignore[no-untyped-def, type-arg]
+    return made[0]["rows"], made[1]
 
 
 def test_the_rows_have_the_agreed_keys(measured) -> None:  # type: ignore[no-untyped-def]
@@ -65,7 +76,45 @@ def test_the_figure_is_an_svg_with_every_method(measured) -> None:  # type: igno
     _, picture = measured
     root = ElementTree.fromstring(picture.read_text(encoding="utf-8"))
     texts = {element.text for element in root.iter("{http://www.w3.org/2000/svg}text")}
-    assert {"exact, closed form", "Euler", "RK4", "adaptive DOP853 + located touches"} <= texts
+    for label in ("exact, closed form", "certificate, proved", "Euler", "RK4 + located touches"):
+        assert any(text and text.startswith(label) for text in texts), label
+    assert "rounding of a double" in texts
+
+
+def test_errors_are_those_against_a_proof_which_stands_in_the_table(document) -> None:  # type: ignore[no-untyped-def]
+    assert document["proved"] and document["floor"] == 2.0**-53
+    (certified,) = (row for row in document["rows"] if row["method"] == "certified")
+    assert certified["error_v"] <= 4 * document["floor"]
+    assert certified["time_ratio"] > 1
+
+
+def test_one_more_digit_costs_as_much_as_the_order_says(document) -> None:  # type: ignore[no-untyped-def]
+    digits = document["digits"]
+    # The touch makes all methods that do not look at it of first order: ten times for a digit.
+    for method in ("semi-implicit", "verlet", "rk4"):
+        assert 5 < digits[method] < 20, method
+    assert digits["rk4-events"] < 3 and digits["adaptive"] < 2
+    assert "certified" not in digits and "exact" not in digits
+
+
+@pytest.mark.parametrize("order", [1, 2, 4, 8])
+def test_a_line_of_order_p_costs_ten_to_the_pth_root(order: int) -> None:
+    rows = [("m", float(n), 10.0 * n**-order) for n in (10, 30, 100, 300)]
+    rows += [("m", 5.0, 7.0), ("m", 1e9, 1e-16), ("other", 2.0, 1e-3)]
+    assert one_more_digit(rows, 1.0) == pytest.approx({"m": 10 ** (1 / order)})
+
+
+def test_an_event_is_measured_for_rows_of_any_length() -> None:
+    done = CliRunner().invoke(main, ["cost", "--carts", "2,30", "--json"])
+    two, thirty = json.loads(done.stdout)["rows"]
+    assert (two["carts"], two["events"]) == (2, 2)
+    assert (thirty["carts"], thirty["events"]) == (30, 58)
+    assert min(two["seconds"], thirty["seconds"]) > 0
+
+
+@pytest.mark.parametrize("words", [["--carts", "1"], ["--carts", "two"], []])
+def test_a_cost_of_nothing_is_refused(words: list[str]) -> None:
+    assert CliRunner().invoke(main, ["cost", *words]).exit_code == 2
 
 
 def test_a_run_by_a_method_says_what_it_leaves_open() -> None:

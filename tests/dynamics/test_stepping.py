@@ -68,7 +68,7 @@ def test_located_touches_give_rk4_its_order_back() -> None:
     assert abs(slope(parts, errors) - 4) < 0.2
 
 
-@pytest.mark.parametrize("name", ["semi-implicit", "verlet", "rk4"])
+@pytest.mark.parametrize("name", ["semi-implicit", "verlet", "yoshida", "richardson", "rk4"])
 def test_without_located_touches_every_method_is_of_first_order(name: str) -> None:
     # The force of `paper` jumps at touch: the step it happens in is wrong by one part of a step.
     parts = [127, 307, 757, 1879, 4649]

@@ -25,6 +25,17 @@ def test_methods_run_and_are_measured_in_the_readers_browser(
     page = open_page(site / "accuracy" / "index.html", folder=site)
     cost = page.locator("#cost-two-runs")
     expect(cost.locator(".carts-cost-told")).to_contain_text("145.4 %")  # without Python
+    # The figure waits for a guess, or for a reader who wants none.
+    expect(cost.locator(".carts-cost-figure")).to_be_hidden()
+    cost.locator(".carts-cost-bet").select_option("euler")
+    cost.locator(".carts-cost-times").fill("50")
+    cost.locator(".carts-cost-show").click()
+    expect(cost.locator(".carts-cost-figure")).to_be_visible()
+    verdict = cost.locator(".carts-cost-verdict")
+    expect(verdict).to_contain_text("For 10⁻⁶ m/s: adaptive DOP853 + located touches")
+    expect(verdict).to_contain_text("Euler, does not get there")
+    expect(verdict).to_contain_text("You said 50 times.")
+    assert cost.locator("[data-of=rk4-events]").text_content() == "one more digit: × 1.6"
     baked = cost.locator(".carts-cost-figure [transform].carts-cost-point").count()
     cost.locator(".carts-cost-method").select_option("semi-implicit")
     expect(cost).to_have_attribute("data-state", "live", timeout=LIVE)

@@ -35,6 +35,7 @@ class Exact:
     initial: float  # J
     closing: float  # m/s, the greatest approach speed at the start; 0 where nothing closes
     formula: bool  # one contact of two carts: `outcome` is the bare formula
+    proved: bool = False  # x and v are the middles of a certificate, not of a run
 
 
 def exact(scene: Scene) -> Exact:

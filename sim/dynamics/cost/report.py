@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+from sim.dynamics.cost.digits import one_more_digit
+from sim.dynamics.cost.exact import Exact
 from sim.dynamics.cost.measure import CostRow
 from sim.dynamics.report.document import FORMAT, finite
 
@@ -27,6 +30,30 @@ def row_object(row: CostRow) -> dict[str, Any]:
     return {key: finite(value) for key, value in found.items()}
 
 
-def cost_report(title: str, rows: Sequence[CostRow]) -> dict[str, Any]:
-    """What `carts cost --json` prints."""
-    return {"format": FORMAT, "scene": title, "rows": [row_object(row) for row in rows]}
+def speed_of(truth: Exact) -> float:
+    """The greatest speed that errors of the scene are measured beside, m/s."""
+    return max(truth.closing, *map(abs, truth.v)) or 1.0
+
+
+def floor_of(truth: Exact) -> float:
+    """m/s. Half a step of a double at the scene's greatest speed: rounding the truth errs by it."""
+    return 0.5 * math.ulp(speed_of(truth))
+
+
+def digits_of(rows: Iterable[dict[str, Any]], speed: float) -> dict[str, float]:
+    """What one more digit costs, by method, out of rows as `row_object` writes them."""
+    told = ((row["method"], row["time_ratio"], row["error_v"]) for row in rows)
+    return {method: float(f"{by:.3g}") for method, by in one_more_digit(told, speed).items()}
+
+
+def cost_report(title: str, rows: Sequence[CostRow], truth: Exact) -> dict[str, Any]:
+    """What `carts cost --json` prints. `proved`: errors are those against a certificate."""
+    objects = [row_object(row) for row in rows]
+    return {
+        "format": FORMAT,
+        "scene": title,
+        "proved": truth.proved,
+        "floor": floor_of(truth),
+        "digits": digits_of(objects, speed_of(truth)),
+        "rows": objects,
+    }

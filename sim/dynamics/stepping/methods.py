@@ -9,10 +9,12 @@ from sim.dynamics.result.outcome import refuse_written
 from sim.dynamics.stepping.explicit_euler import ExplicitEuler
 from sim.dynamics.stepping.method import StepMethod
 from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.richardson import Richardson
 from sim.dynamics.stepping.rk4 import RK4
 from sim.dynamics.stepping.semi_implicit_euler import SemiImplicitEuler
 from sim.dynamics.stepping.stepper import LocatedStepper, Stepper
 from sim.dynamics.stepping.velocity_verlet import VelocityVerlet
+from sim.dynamics.stepping.yoshida import Yoshida
 from sim.effects.forces import acting
 from sim.scene.model import Scene
 
@@ -21,7 +23,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 FIXED: dict[str, type[StepMethod]] = {
-    method.name: method for method in (ExplicitEuler, SemiImplicitEuler, VelocityVerlet, RK4)
+    method.name: method
+    for method in (ExplicitEuler, SemiImplicitEuler, VelocityVerlet, Yoshida, Richardson, RK4)
 }
 ADAPTIVE = ("rk45", "adaptive")
 """They choose their steps themselves, and need numpy and scipy."""

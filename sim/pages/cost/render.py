@@ -23,19 +23,23 @@ FIRST = {"method": "euler", "parts": 103}
 def render_cost(block: CostBlock) -> str:
     """HTML of the element."""
     first = next(iter(block.scenes))
-    known = measured(first) or {}
-    told = {"rows": known.get("rows", []), "run": baked_run(block.scenes[first])}
+    tables = {name: found for name in block.scenes if (found := measured(name))}
+    known = tables.get(first, {"rows": []})
+    run = baked_run(block.scenes[first])
     inside = draw(
         "cost",
         {
             "id": block.id,
             "title": block.title,
             "names": dict(block.names),
-            "measured": known.get("measured", ""),
-            **told,
+            "measured": "",
+            **known,
+            "run": run,
         },
     )
-    return element("cost", block.id, inside, {"scenes": dict(block.scenes), "first": first, **told})
+    return element(
+        "cost", block.id, inside, {"scenes": dict(block.scenes), "measured": tables, "run": run}
+    )
 
 
 def baked_run(plain: Mapping[str, Any]) -> dict[str, Any]:
@@ -47,6 +51,9 @@ def baked_run(plain: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def measured(name: str) -> dict[str, Any] | None:
-    """The table of a scene that was measured beforehand."""
+    """The table of a scene that was measured beforehand, as the figure draws it."""
     path = MEASURED / f"{name}.json"
-    return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+    if not path.is_file():
+        return None
+    told = json.loads(path.read_text(encoding="utf-8"))
+    return {key: told[key] for key in ("rows", "floor", "digits", "measured")}

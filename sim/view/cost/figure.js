@@ -4,7 +4,7 @@
  */
 
 import { html } from "../markup.js";
-import { px, superscript } from "../numbers.js";
+import { px, short, superscript } from "../numbers.js";
 import { METHODS } from "./methods.js";
 
 /**
@@ -48,6 +48,16 @@ export function lineOf(rows, method) {
   return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
 }
 
+/** @param {number | undefined} floor m/s, half a step of a double; none: nothing is drawn @returns {string} a level line */
+export function levelAt(floor) {
+  return floor ? `M${LEFT} ${px(yAt(floor))}H${RIGHT}` : "";
+}
+
+/** @param {number | undefined} factor @returns {string} of the time, for ten times less error */
+export function digitText(factor) {
+  return factor ? `one more digit: × ${short(factor, 2)}` : "";
+}
+
 /** @returns {{x: [string, string][], y: [string, string][]}} places of the grid with their numbers */
 export function grid() {
   return {
@@ -62,20 +72,20 @@ function power(exponent) {
   return `10${superscript(exponent)}`;
 }
 
-/** The figure as an SVG file, with its legend. @param {{title: string, rows: CostRow[]}} values @returns {import("../markup.js").Markup} */
-export function standalone({ title, rows }) {
+/** The figure as an SVG file, with its legend. @param {{title: string, rows: CostRow[], floor?: number, digits?: Record<string, number>}} values @returns {import("../markup.js").Markup} */
+export function standalone({ title, rows, floor, digits = {} }) {
   const lines = Object.entries(METHODS)
-    .map(([name, method]) => ({ ...method, ...lineOf(rows, name) }))
+    .map(([name, method]) => ({ ...method, ...lineOf(rows, name), digit: digits[name] }))
     .filter(({ points }) => points.length);
   const height = HEIGHT + LEGEND * Math.ceil(lines.length / 2) + 8;
   const { x, y } = grid();
-  const series = lines.map(({ line, points, mark, colour, label }, k) => {
+  const series = lines.map(({ line, points, mark, colour, label, digit }, k) => {
     const legend = [px(LEFT + 240 * (k % 2)), px(HEIGHT + 8 + LEGEND * Math.floor(k / 2))];
     const marks = [...points, legend].map(
       ([across, down]) =>
         html`<path transform="translate(${across} ${down})" d=${mark} fill=${colour}/>`,
     );
-    return html`<path d=${line} fill="none" stroke=${colour}/>${marks}<text x=${legend[0]} y=${legend[1]} dx="12" dy="4">${label}</text>`;
+    return html`<path d=${line} fill="none" stroke=${colour}/>${marks}<text x=${legend[0]} y=${legend[1]} dx="12" dy="4">${label}${digit && ` (a digit: × ${short(digit, 2)})`}</text>`;
   });
   return html`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${px(height)}" width=${WIDTH} height=${px(height)} font-family="sans-serif" font-size="12"><title>${title}: error against time</title><rect width="100%" height="100%" fill="#fff"/><rect x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP} fill="none" stroke="#55585e"/>${x.map(
     ([at, text]) =>
@@ -83,6 +93,9 @@ export function standalone({ title, rows }) {
   )}${y.map(
     ([at, text]) =>
       html`<path d="M${LEFT} ${at}H${RIGHT}" stroke="#e4e6e9"/><text x=${LEFT - 7} y=${at} dy="4" text-anchor="end">${text}</text>`,
-  )}<text x=${RIGHT} y=${BOTTOM + 34} text-anchor="end">time, as a multiple of the exact outcome’s</text><text transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>${series}</svg>
+  )}<path d=${levelAt(floor)} stroke="#55585e" stroke-dasharray="2 3"/>${
+    floor &&
+    html`<text x=${RIGHT - 4} y=${px(yAt(floor) - 4)} text-anchor="end">rounding of a double</text>`
+  }<text x=${RIGHT} y=${BOTTOM + 34} text-anchor="end">time, as a multiple of the exact outcome’s</text><text transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>${series}</svg>
 `;
 }

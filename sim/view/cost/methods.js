@@ -8,9 +8,24 @@ export const METHODS = {
     colour: "#0072b2",
   },
   "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+  certified: {
+    label: "certificate, proved",
+    mark: "M0-6L5.2-3V3L0 6-5.2 3V-3Z",
+    colour: "#0072b2",
+  },
   euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
   "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
   verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+  yoshida: {
+    label: "Yoshida, order 4, symplectic",
+    mark: "M-5 0L0-5 5 0M-5 4L0-1 5 4 0 2Z",
+    colour: "#a8457f",
+  },
+  richardson: {
+    label: "Verlet + Richardson",
+    mark: "M-5-4H5V-1H-5ZM-5 1H5V4H-5Z",
+    colour: "#8a5f00",
+  },
   rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
   "rk4-events": {
     label: "RK4 + located touches",
@@ -29,5 +44,7 @@ export const METHODS = {
   },
 };
 
+const STEPLESS = ["exact", "exact-run", "certified"];
+
 /** @returns {string[]} those that step, which a reader can choose */
-export const stepping = () => Object.keys(METHODS).filter((name) => !name.startsWith("exact"));
+export const stepping = () => Object.keys(METHODS).filter((name) => !STEPLESS.includes(name));

@@ -1,7 +1,21 @@
 /** What accuracy costs, as it stands in the page: one scene run twice, every method's error against its time. */
 
 import { html } from "../markup.js";
-import { BOTTOM, grid, HEIGHT, LEFT, lineOf, RIGHT, TOP, WIDTH } from "./figure.js";
+import { px } from "../numbers.js";
+import {
+  BOTTOM,
+  digitText,
+  grid,
+  HEIGHT,
+  LEFT,
+  levelAt,
+  lineOf,
+  RIGHT,
+  TOP,
+  WIDTH,
+  yAt,
+} from "./figure.js";
+import { guess } from "./guess.js";
 import { METHODS, stepping } from "./methods.js";
 import { cells, FIRST, told, toleranceText } from "./words.js";
 
@@ -9,6 +23,7 @@ import { cells, FIRST, told, toleranceText } from "./words.js";
 /** @typedef {import("./figure.js").CostRow} CostRow */
 /**
  * @typedef {{id: string, title: string, names: Record<string, string>, measured: string, rows: CostRow[],
+ *   floor?: number, digits?: Record<string, number>,
  *   run: {header: import("./words.js").CostHeader, numbers: number[]}}} Values
  */
 
@@ -16,7 +31,7 @@ const PARTS = [19, 61, 103, 211, 499, 997, 9973];
 const TOLERANCES = [1e-6, 1e-9, 1e-12];
 
 /** @param {Values} values @returns {Markup} the inside of `<carts-cost>` */
-export function inside({ id, title, names, measured, rows, run }) {
+export function inside({ id, title, names, measured, rows, floor, digits = {}, run }) {
   const told3 = told(run.header).map(
     ([head, got, real]) =>
       html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`,
@@ -36,9 +51,12 @@ ${choice(names)}
 <div class="carts-cost-measure">
 <p class="carts-heading">Error against time</p>
 <p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>Measure on this computer</button> <button type="button" class="carts-button carts-cost-stop" hidden>Stop</button> <progress class="carts-cost-progress" max="1" value="0" aria-label="methods measured" hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
-${figure(rows)}
-</div>
+${guess()}
+<div class="carts-cost-known">
+${figure(rows, floor, digits)}
 ${table(rows, run.header.until)}
+</div>
+</div>
 <noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
 </div>`;
 }
@@ -65,27 +83,28 @@ function choice(names) {
 </div>`;
 }
 
-/** @param {CostRow[]} rows */
-function figure(rows) {
+/** @param {CostRow[]} rows @param {number | undefined} floor m/s @param {Record<string, number>} digits */
+function figure(rows, floor, digits) {
   const { x, y } = grid();
   const methods = Object.entries(METHODS);
-  const series = methods.map(([name, { mark }], k) => {
+  const series = methods.map(([name, { mark }]) => {
     const { line, points } = lineOf(rows, name);
     const marks = points.map(
       ([across, down]) =>
         html`<path class="carts-cost-point" transform="translate(${across} ${down})" d=${mark}/>`,
     );
-    return html`<g class="carts-cost-s${k}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks}</g>`;
+    return html`<g class="carts-cost-of-${name}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks}</g>`;
   });
   const key = methods.map(
-    ([, { mark, label }], k) =>
-      html`<li class="carts-cost-s${k}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label}</li>`,
+    ([name, { mark, label }]) =>
+      html`<li class="carts-cost-of-${name}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label} <span class="carts-cost-digit carts-quiet" data-of=${name}>${digitText(digits[name])}</span></li>`,
   );
   return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
 ${x.map(([at, text]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text}</text>`)}
 ${y.map(([at, text]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text}</text>`)}
 <text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
 <text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
+<path class="carts-cost-floor" d=${levelAt(floor)}/><text class="carts-cost-floor-name carts-quiet" x=${RIGHT - 4} y=${px(yAt(floor || 1e-16) - 5)} text-anchor="end">${floor && "rounding of a double"}</text><path class="carts-cost-asked"/>
 <g class="carts-cost-series">${series}</g>
 <circle class="carts-cost-ring" r="9" visibility="hidden"/>
 </svg>

@@ -91,9 +91,24 @@
       colour: "#0072b2"
     },
     "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    certified: {
+      label: "certificate, proved",
+      mark: "M0-6L5.2-3V3L0 6-5.2 3V-3Z",
+      colour: "#0072b2"
+    },
     euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
     "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
     verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    yoshida: {
+      label: "Yoshida, order 4, symplectic",
+      mark: "M-5 0L0-5 5 0M-5 4L0-1 5 4 0 2Z",
+      colour: "#a8457f"
+    },
+    richardson: {
+      label: "Verlet + Richardson",
+      mark: "M-5-4H5V-1H-5ZM-5 1H5V4H-5Z",
+      colour: "#8a5f00"
+    },
     rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
     "rk4-events": {
       label: "RK4 + located touches",
@@ -111,6 +126,8 @@
       colour: "#555"
     }
   };
+  var STEPLESS = ["exact", "exact-run", "certified"];
+  var stepping = () => Object.keys(METHODS).filter((name2) => !STEPLESS.includes(name2));
 
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
@@ -482,6 +499,12 @@
     const points = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Number(errorOf(row))))]);
     return { line: points.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join(""), points };
   }
+  function levelAt(floor) {
+    return floor ? `M${LEFT} ${px(yAt(floor))}H${RIGHT}` : "";
+  }
+  function digitText(factor) {
+    return factor ? `one more digit: × ${short(factor, 2)}` : "";
+  }
 
   // src/cost/figure.js
   var CostFigure = class {
@@ -504,6 +527,14 @@
         );
       }
     }
+    /** @param {number | undefined} floor m/s @param {Record<string, number>} digits by method, as far as they are known */
+    tell(floor, digits) {
+      put(need(this.root, ".carts-cost-floor"), "d", levelAt(floor));
+      say(need(this.root, ".carts-cost-floor-name"), floor ? "rounding of a double" : "");
+      for (const place4 of this.root.querySelectorAll(".carts-cost-digit")) {
+        say(place4, digitText(digits[place4.getAttribute("data-of") ?? ""]));
+      }
+    }
     /** Rings the row that the reader has chosen, if it has been measured. @param {CostRow | undefined} row */
     mark(row) {
       const error = row ? errorOf(row) : null;
@@ -513,6 +544,93 @@
       put(this.ring, "cy", px(yAt(error)));
     }
   };
+
+  // ../view/cost/guess.js
+  var errorText = (error) => `10${superscript(Math.round(Math.log10(error)))} m/s`;
+  function cheapest(rows, method, error) {
+    const names = method === null ? stepping() : [method];
+    return rows.filter((row) => names.includes(row.method) && row.error_v !== null && row.error_v <= error).sort((a2, b2) => a2.time_ratio - b2.time_ratio)[0];
+  }
+  function verdict(rows, { error, bet, times: times2 }) {
+    const best = cheapest(rows, null, error);
+    const label = (name2) => METHODS[name2]?.label ?? name2;
+    const asLong = (ratio) => `${short(ratio, 2)} times as long`;
+    if (!best) return `No method that steps was measured to be right to ${errorText(error)}.`;
+    const first = `For ${errorText(error)}: ${label(best.method)}, ${asLong(best.time_ratio)} as the exact outcome.`;
+    const own = cheapest(rows, bet, error);
+    const second = bet === best.method ? "As you said." : own ? `Your choice, ${label(bet)}: ${asLong(own.time_ratio)}.` : `Your choice, ${label(bet)}, does not get there with the steps that were measured.`;
+    const third = Number.isFinite(times2) ? ` You said ${short(times2)} times.` : "";
+    return `${first} ${second}${third}`;
+  }
+
+  // src/cost/guess.js
+  function guessFirst(root, rows) {
+    const [form, known2] = [need(root, ".carts-cost-guess"), need(root, ".carts-cost-known")];
+    const error = (
+      /** @type {HTMLSelectElement} */
+      need(root, ".carts-cost-error")
+    );
+    const bet = (
+      /** @type {HTMLSelectElement} */
+      need(root, ".carts-cost-bet")
+    );
+    const times2 = (
+      /** @type {HTMLInputElement} */
+      need(root, ".carts-cost-times")
+    );
+    const skip = need(root, ".carts-cost-skip");
+    form.hidden = false;
+    known2.hidden = true;
+    const open2 = () => {
+      known2.hidden = false;
+      skip.hidden = true;
+    };
+    skip.addEventListener("click", () => {
+      open2();
+      need(root, ".carts-cost-show").focus();
+    });
+    need(root, ".carts-cost-show").addEventListener("click", () => {
+      open2();
+      const asked3 = Number(error.value);
+      const typed = times2.value.trim();
+      const said = { error: asked3, bet: bet.value, times: typed ? Number(typed) : Number.NaN };
+      say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
+      put(need(root, ".carts-cost-asked"), "d", `M${LEFT} ${px(yAt(asked3))}H${RIGHT}`);
+    });
+  }
+
+  // src/cost/measuring.js
+  var PACKAGES = ["numpy", "scipy"];
+  async function measureAll(client2, root, scene, { going, rows, tell: tell2 }) {
+    const ask = async (what) => {
+      const request = () => ({ kind: "cost", scene, ...what });
+      const { header } = await client2.ask(need(root, ".carts-cost-go"), request);
+      if (going() && !header.ok) throw refusal(header.problems ?? []);
+      return (
+        /** @type {any} */
+        header
+      );
+    };
+    await client2.need(PACKAGES);
+    const found2 = [];
+    for (let row = 0, of = 1; row < of; row += 1) {
+      if (!going()) return false;
+      const answer = await ask({ row });
+      if (!going()) return false;
+      of = answer.of;
+      found2.push(...answer.rows);
+      rows(found2);
+      const progress = (
+        /** @type {HTMLProgressElement} */
+        need(root, ".carts-cost-progress")
+      );
+      progress.value = (row + 1) / of;
+      say(need(root, ".carts-cost-say"), `${row + 1} of ${of}`);
+    }
+    const { floor, digits } = await ask({ digits: found2 });
+    if (going()) tell2(floor, digits);
+    return going();
+  }
 
   // ../view/scales.js
   var STEP_SLACK = 1e-9;
@@ -717,7 +835,7 @@
   }
 
   // src/cost/element.js
-  var PACKAGES = ["numpy", "scipy"];
+  var PACKAGES2 = ["numpy", "scipy"];
   var ADAPTIVE = ["rk45", "adaptive"];
   function costElement(client2) {
     return class CartsCost extends HTMLElement {
@@ -747,9 +865,10 @@
         for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
           need(this, `.carts-cost-${part}`).disabled = false;
         }
-        this.rows = facts.rows;
+        this.rows = facts.measured[this.#select("scene").value]?.rows ?? [];
         this.#show(facts.run);
         this.#mark();
+        guessFirst(this, () => this.rows);
         this.#select("scene").addEventListener("change", () => this.#newScene());
         for (const part of ["method", "step", "rtol"]) {
           this.#select(part).addEventListener("change", () => void this.compute());
@@ -792,7 +911,7 @@
         try {
           if (adaptive) {
             this.#note("Python’s scipy is being loaded …");
-            await client2.need(PACKAGES);
+            await client2.need(PACKAGES2);
           }
           const scene = this.#scene;
           const { header, numbers } = await client2.ask(this, () => ({
@@ -836,29 +955,15 @@
         showWorking(this, true);
         say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
         try {
-          await client2.need(PACKAGES);
-          const rows = [];
-          const scene = this.#scene;
-          for (let row = 0, of = 1; row < of; row += 1) {
-            if (this.#measuring !== turn) return;
-            const { header } = await client2.ask(need(this, ".carts-cost-go"), () => ({
-              kind: "cost",
-              scene,
-              row
-            }));
-            if (this.#measuring !== turn) return;
-            if (!header.ok) throw refusal(header.problems ?? []);
-            this.#live();
-            const answer = (
-              /** @type {any} */
-              header
-            );
-            of = answer.of;
-            rows.push(...answer.rows);
-            this.#rows(rows);
-            need(this, ".carts-cost-progress").value = (row + 1) / of;
-            say(need(this, ".carts-cost-say"), `${row + 1} of ${of}`);
-          }
+          const done = await measureAll(client2, this, this.#scene, {
+            going: () => this.#measuring === turn,
+            rows: (rows) => {
+              this.#live();
+              this.#rows(rows);
+            },
+            tell: (floor, digits) => this.#figure?.tell(floor, digits)
+          });
+          if (!done) return;
           this.#measuring = 0;
           say(need(this, ".carts-cost-say"), "Measured just now, by Python in this browser.");
         } catch (error) {
@@ -875,10 +980,11 @@
       /** Another scene: the measurements were those of the one before. */
       #newScene() {
         this.stop();
-        const facts = this.#facts;
-        const first = this.#select("scene").value === facts?.first;
-        this.#rows(first && facts ? facts.rows : []);
-        say(need(this, ".carts-cost-say"), first ? "" : "Not measured yet.");
+        const known2 = this.#facts?.measured[this.#select("scene").value];
+        this.#rows(known2?.rows ?? []);
+        this.#figure?.tell(known2?.floor, known2?.digits ?? {});
+        const said = known2?.measured ? `Measured ${known2.measured}.` : "Not measured yet.";
+        say(need(this, ".carts-cost-say"), said);
         void this.compute();
       }
       /** @param {CostRow[]} rows */
@@ -996,8 +1102,8 @@
   function exactCell(wanted, { got }) {
     return cameOut(wanted, got, 6);
   }
-  function steppedCell(wanted, { verdict, got }) {
-    return [VERDICTS[verdict] ?? verdict, verdict === "blows-up" ? "" : cameOut(wanted, got, 3)];
+  function steppedCell(wanted, { verdict: verdict2, got }) {
+    return [VERDICTS[verdict2] ?? verdict2, verdict2 === "blows-up" ? "" : cameOut(wanted, got, 3)];
   }
 
   // src/hard/element.js
@@ -1088,9 +1194,9 @@
         for (const [k, cell2] of [...row.querySelectorAll('[data-part="stepped"]')].entries()) {
           const stepped = answer.stepped[k];
           if (!stepped) continue;
-          const [verdict, distance] = steppedCell(one.expected, stepped);
+          const [verdict2, distance] = steppedCell(one.expected, stepped);
           cell2.setAttribute("data-verdict", stepped.verdict);
-          say(need(cell2, "b"), verdict);
+          say(need(cell2, "b"), verdict2);
           say(need(cell2, "span"), distance);
         }
         row.classList.add("carts-hard-fresh");
@@ -5365,7 +5471,7 @@
   }
 
   // src/scene/how/how.js
-  var PACKAGES2 = ["numpy", "scipy"];
+  var PACKAGES3 = ["numpy", "scipy"];
   var REST = 400;
   var How = class {
     /** @type {HowPanel | null} */
@@ -5463,7 +5569,7 @@
       try {
         if ("rtol" in panel.choice && !pageHasScipy()) {
           say(panel.note, LOADING2);
-          await this.client.need(PACKAGES2);
+          await this.client.need(PACKAGES3);
         }
         const { header, numbers } = await this.client.ask(
           this,

@@ -10341,9 +10341,24 @@
       colour: "#0072b2"
     },
     "exact-run": { label: "exact, any scene", mark: "M0-5L5 0 0 5-5 0Z", colour: "#0072b2" },
+    certified: {
+      label: "certificate, proved",
+      mark: "M0-6L5.2-3V3L0 6-5.2 3V-3Z",
+      colour: "#0072b2"
+    },
     euler: { label: "Euler", mark: "M-4-4H4V4H-4Z", colour: "#c04a00" },
     "semi-implicit": { label: "semi-implicit Euler", mark: "M0-5L5 4H-5Z", colour: "#00805d" },
     verlet: { label: "velocity Verlet", mark: "M0 5L5-4H-5Z", colour: "#a8457f" },
+    yoshida: {
+      label: "Yoshida, order 4, symplectic",
+      mark: "M-5 0L0-5 5 0M-5 4L0-1 5 4 0 2Z",
+      colour: "#a8457f"
+    },
+    richardson: {
+      label: "Verlet + Richardson",
+      mark: "M-5-4H5V-1H-5ZM-5 1H5V4H-5Z",
+      colour: "#8a5f00"
+    },
     rk4: { label: "RK4", mark: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0Z", colour: "#8a5f00" },
     "rk4-events": {
       label: "RK4 + located touches",
@@ -10361,7 +10376,8 @@
       colour: "#555"
     }
   };
-  var stepping = () => Object.keys(METHODS).filter((name) => !name.startsWith("exact"));
+  var STEPLESS = ["exact", "exact-run", "certified"];
+  var stepping = () => Object.keys(METHODS).filter((name) => !STEPLESS.includes(name));
 
   // ../view/cost/figure.js
   var [WIDTH, HEIGHT] = [520, 380];
@@ -10387,6 +10403,12 @@
     const points = rows.filter((row2) => row2.method === method && errorOf(row2) !== null).map((row2) => [px(xAt(row2.time_ratio)), px(yAt(Number(errorOf(row2))))]);
     return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
   }
+  function levelAt(floor) {
+    return floor ? `M${LEFT} ${px(yAt(floor))}H${RIGHT}` : "";
+  }
+  function digitText(factor) {
+    return factor ? `one more digit: × ${short(factor, 2)}` : "";
+  }
   function grid() {
     return {
       x: TIMES.map((k) => [px(xAt(10 ** k)), power(k)]),
@@ -10397,28 +10419,47 @@
     if (exponent2 === 0 || exponent2 === 1) return exponent2 ? "10" : "1";
     return `10${superscript(exponent2)}`;
   }
-  function standalone({ title, rows }) {
-    const lines3 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name) })).filter(({ points }) => points.length);
+  function standalone({ title, rows, floor, digits = {} }) {
+    const lines3 = Object.entries(METHODS).map(([name, method]) => ({ ...method, ...lineOf(rows, name), digit: digits[name] })).filter(({ points }) => points.length);
     const height = HEIGHT + LEGEND * Math.ceil(lines3.length / 2) + 8;
     const { x, y } = grid();
-    const series = lines3.map(({ line, points, mark, colour, label }, k) => {
+    const series = lines3.map(({ line, points, mark, colour, label, digit }, k) => {
       const legend2 = [px(LEFT + 240 * (k % 2)), px(HEIGHT + 8 + LEGEND * Math.floor(k / 2))];
       const marks3 = [...points, legend2].map(
         ([across3, down]) => html`<path transform="translate(${across3} ${down})" d=${mark} fill=${colour}/>`
       );
-      return html`<path d=${line} fill="none" stroke=${colour}/>${marks3}<text x=${legend2[0]} y=${legend2[1]} dx="12" dy="4">${label}</text>`;
+      return html`<path d=${line} fill="none" stroke=${colour}/>${marks3}<text x=${legend2[0]} y=${legend2[1]} dx="12" dy="4">${label}${digit && ` (a digit: × ${short(digit, 2)})`}</text>`;
     });
     return html`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${px(height)}" width=${WIDTH} height=${px(height)} font-family="sans-serif" font-size="12"><title>${title}: error against time</title><rect width="100%" height="100%" fill="#fff"/><rect x=${LEFT} y=${TOP} width=${RIGHT - LEFT} height=${BOTTOM - TOP} fill="none" stroke="#55585e"/>${x.map(
       ([at, text3]) => html`<path d="M${at} ${TOP}V${BOTTOM}" stroke="#e4e6e9"/><text x=${at} y=${BOTTOM + 16} text-anchor="middle">${text3}</text>`
     )}${y.map(
       ([at, text3]) => html`<path d="M${LEFT} ${at}H${RIGHT}" stroke="#e4e6e9"/><text x=${LEFT - 7} y=${at} dy="4" text-anchor="end">${text3}</text>`
-    )}<text x=${RIGHT} y=${BOTTOM + 34} text-anchor="end">time, as a multiple of the exact outcome’s</text><text transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>${series}</svg>
+    )}<path d=${levelAt(floor)} stroke="#55585e" stroke-dasharray="2 3"/>${floor && html`<text x=${RIGHT - 4} y=${px(yAt(floor) - 4)} text-anchor="end">rounding of a double</text>`}<text x=${RIGHT} y=${BOTTOM + 34} text-anchor="end">time, as a multiple of the exact outcome’s</text><text transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>${series}</svg>
 `;
+  }
+
+  // ../view/cost/guess.js
+  var ASKED = [0.01, 1e-4, 1e-6, 1e-9, 1e-12];
+  var FIRST = 1e-6;
+  var errorText = (error) => `10${superscript(Math.round(Math.log10(error)))} m/s`;
+  function guess() {
+    const errors = ASKED.map(
+      (error) => html`<option value=${error}${error === FIRST && html` selected`}>${errorText(error)}</option>`
+    );
+    const methods = stepping().map(
+      (name) => html`<option value=${name}>${METHODS[name]?.label}</option>`
+    );
+    return html`<div class="carts-cost-guess" role="group" aria-label="your guess" hidden>
+<p>Say first how right you want it. <label>Velocities wrong by at most <select class="carts-cost-error">${errors}</select></label>
+<label>Which method gets there in the least time? <select class="carts-cost-bet">${methods}</select></label>
+<label>How many times as long as the exact outcome? <input class="carts-cost-times carts-number" type="text" inputmode="numeric" size="6" autocomplete="off"></label></p>
+<p class="carts-cost-answer"><button type="button" class="carts-button carts-cost-show">Show</button> <button type="button" class="carts-button carts-cost-skip">Show without a guess</button> <span class="carts-cost-verdict" role="status"></span></p>
+</div>`;
   }
 
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
-  var FIRST = { method: "euler", parts: 103 };
+  var FIRST2 = { method: "euler", parts: 103 };
   var ENDLESS = "beyond all numbers";
   function percent(part, whole) {
     return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
@@ -10471,7 +10512,7 @@
   // ../view/cost/skeleton.js
   var PARTS = [19, 61, 103, 211, 499, 997, 9973];
   var TOLERANCES = [1e-6, 1e-9, 1e-12];
-  function inside({ id, title, names, measured: measured2, rows, run }) {
+  function inside({ id, title, names, measured: measured2, rows, floor, digits = {}, run }) {
     const told3 = told(run.header).map(
       ([head, got, real]) => html`<tr><th scope="row">${head}</th><td>${got}</td><td>${real}</td></tr>`
     );
@@ -10490,9 +10531,12 @@ ${choice(names)}
 <div class="carts-cost-measure">
 <p class="carts-heading">Error against time</p>
 <p class="carts-cost-start"><button type="button" class="carts-button carts-cost-go" disabled>Measure on this computer</button> <button type="button" class="carts-button carts-cost-stop" hidden>Stop</button> <progress class="carts-cost-progress" max="1" value="0" aria-label="methods measured" hidden></progress> <span class="carts-cost-say" role="status">${said}</span></p>
-${figure(rows)}
-</div>
+${guess()}
+<div class="carts-cost-known">
+${figure(rows, floor, digits)}
 ${table(rows, run.header.until)}
+</div>
+</div>
 <noscript><p class="carts-noscript">The figure and the tables show what was measured. Trying and measuring here needs JavaScript.</p></noscript>
 </div>`;
   }
@@ -10501,10 +10545,10 @@ ${table(rows, run.header.until)}
       ([name, text3]) => html`<option value=${name}>${text3}</option>`
     );
     const methods = stepping().map(
-      (name) => html`<option value=${name}${name === FIRST.method && html` selected`}>${METHODS[name]?.label}</option>`
+      (name) => html`<option value=${name}${name === FIRST2.method && html` selected`}>${METHODS[name]?.label}</option>`
     );
     const parts2 = PARTS.map(
-      (n) => html`<option value=${n}${n === FIRST.parts && html` selected`}>run / ${n}</option>`
+      (n) => html`<option value=${n}${n === FIRST2.parts && html` selected`}>run / ${n}</option>`
     );
     const tolerances = TOLERANCES.map(
       (rtol) => html`<option value=${rtol}>${toleranceText(rtol)}</option>`
@@ -10515,24 +10559,25 @@ ${table(rows, run.header.until)}
 <label>step <select class="carts-cost-step" disabled>${parts2}</select><select class="carts-cost-rtol" aria-label="tolerance" disabled hidden>${tolerances}</select></label>
 </div>`;
   }
-  function figure(rows) {
+  function figure(rows, floor, digits) {
     const { x, y } = grid();
     const methods = Object.entries(METHODS);
-    const series = methods.map(([name, { mark }], k) => {
+    const series = methods.map(([name, { mark }]) => {
       const { line, points } = lineOf(rows, name);
       const marks3 = points.map(
         ([across3, down]) => html`<path class="carts-cost-point" transform="translate(${across3} ${down})" d=${mark}/>`
       );
-      return html`<g class="carts-cost-s${k}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks3}</g>`;
+      return html`<g class="carts-cost-of-${name}" data-method=${name}><path class="carts-cost-line" d=${line}/>${marks3}</g>`;
     });
     const key2 = methods.map(
-      ([, { mark, label }], k) => html`<li class="carts-cost-s${k}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label}</li>`
+      ([name, { mark, label }]) => html`<li class="carts-cost-of-${name}"><svg viewBox="-8 -8 16 16" width="16" height="16" aria-hidden="true"><path class="carts-cost-point" d=${mark}/></svg> ${label} <span class="carts-cost-digit carts-quiet" data-of=${name}>${digitText(digits[name])}</span></li>`
     );
     return html`<svg class="carts-cost-figure" viewBox="0 0 ${WIDTH} ${HEIGHT}" width=${WIDTH} height=${HEIGHT} role="img" aria-label="largest error of a velocity against time, one line per method; the numbers are in the table below">
 ${x.map(([at, text3]) => html`<path class="carts-grid" d="M${at} ${TOP}V${BOTTOM}"/><text class="carts-tick-x" x=${at} y=${BOTTOM + 16}>${text3}</text>`)}
 ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT}"/><text class="carts-tick-y" x=${LEFT - 7} y=${Number(at) + 4}>${text3}</text>`)}
 <text class="carts-unit" x=${RIGHT} y=${BOTTOM + 36} text-anchor="end">time, as a multiple of the exact outcome’s</text>
 <text class="carts-unit" transform="translate(14 ${(TOP + BOTTOM) / 2}) rotate(-90)" text-anchor="middle">largest error of a velocity in m/s</text>
+<path class="carts-cost-floor" d=${levelAt(floor)}/><text class="carts-cost-floor-name carts-quiet" x=${RIGHT - 4} y=${px(yAt(floor || 1e-16) - 5)} text-anchor="end">${floor && "rounding of a double"}</text><path class="carts-cost-asked"/>
 <g class="carts-cost-series">${series}</g>
 <circle class="carts-cost-ring" r="9" visibility="hidden"/>
 </svg>

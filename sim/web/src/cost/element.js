@@ -6,6 +6,8 @@ import { Player } from "../scene/time/player.js";
 import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 import { CostFigure } from "./figure.js";
+import { guessFirst } from "./guess.js";
+import { measureAll } from "./measuring.js";
 import { CostStage } from "./stage.js";
 import { fill } from "./table.js";
 import { showWorking } from "./working.js";
@@ -14,8 +16,8 @@ import { showWorking } from "./working.js";
 /** @typedef {import("../../../view/cost/words.js").CostHeader} CostHeader */
 /** @typedef {{header: CostHeader, numbers: ArrayLike<number>}} CostRun */
 /**
- * @typedef {{scenes: Record<string, object>, first: string, rows: CostRow[],
- *   run: CostRun}} CostFacts
+ * @typedef {{rows: CostRow[], floor?: number, digits?: Record<string, number>, measured?: string}} Measured
+ * @typedef {{scenes: Record<string, object>, measured: Record<string, Measured>, run: CostRun}} CostFacts
  */
 
 const PACKAGES = ["numpy", "scipy"];
@@ -52,9 +54,10 @@ export function costElement(client) {
       for (const part of ["scene", "method", "step", "rtol", "play", "scrub", "go"]) {
         /** @type {HTMLInputElement} */ (need(this, `.carts-cost-${part}`)).disabled = false;
       }
-      this.rows = facts.rows;
+      this.rows = facts.measured[this.#select("scene").value]?.rows ?? [];
       this.#show(facts.run);
       this.#mark();
+      guessFirst(this, () => this.rows);
       this.#select("scene").addEventListener("change", () => this.#newScene());
       for (const part of ["method", "step", "rtol"]) {
         this.#select(part).addEventListener("change", () => void this.compute());
@@ -138,28 +141,15 @@ export function costElement(client) {
       showWorking(this, true);
       say(need(this, ".carts-cost-say"), "Python’s numpy and scipy are being loaded …");
       try {
-        await client.need(PACKAGES);
-        /** @type {CostRow[]} */
-        const rows = [];
-        const scene = this.#scene;
-        for (let row = 0, of = 1; row < of; row += 1) {
-          if (this.#measuring !== turn) return;
-          const { header } = await client.ask(need(this, ".carts-cost-go"), () => ({
-            kind: "cost",
-            scene,
-            row,
-          }));
-          if (this.#measuring !== turn) return;
-          if (!header.ok) throw refusal(header.problems ?? []);
-          this.#live();
-          const answer = /** @type {any} */ (header);
-          of = answer.of;
-          rows.push(...answer.rows);
-          this.#rows(rows);
-          /** @type {HTMLProgressElement} */ (need(this, ".carts-cost-progress")).value =
-            (row + 1) / of;
-          say(need(this, ".carts-cost-say"), `${row + 1} of ${of}`);
-        }
+        const done = await measureAll(client, this, this.#scene, {
+          going: () => this.#measuring === turn,
+          rows: (rows) => {
+            this.#live();
+            this.#rows(rows);
+          },
+          tell: (floor, digits) => this.#figure?.tell(floor, digits),
+        });
+        if (!done) return;
         this.#measuring = 0;
         say(need(this, ".carts-cost-say"), "Measured just now, by Python in this browser.");
       } catch (error) {
@@ -174,10 +164,11 @@ export function costElement(client) {
     /** Another scene: the measurements were those of the one before. */
     #newScene() {
       this.stop();
-      const facts = this.#facts;
-      const first = this.#select("scene").value === facts?.first;
-      this.#rows(first && facts ? facts.rows : []);
-      say(need(this, ".carts-cost-say"), first ? "" : "Not measured yet.");
+      const known = this.#facts?.measured[this.#select("scene").value];
+      this.#rows(known?.rows ?? []);
+      this.#figure?.tell(known?.floor, known?.digits ?? {});
+      const said = known?.measured ? `Measured ${known.measured}.` : "Not measured yet.";
+      say(need(this, ".carts-cost-say"), said);
       void this.compute();
     }
 

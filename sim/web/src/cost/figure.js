@@ -1,9 +1,9 @@
 /** The figure of errors against times, as measurements come. */
 
-import { errorOf, lineOf, xAt, yAt } from "../../../view/cost/figure.js";
+import { digitText, errorOf, levelAt, lineOf, xAt, yAt } from "../../../view/cost/figure.js";
 import { METHODS } from "../../../view/cost/methods.js";
 import { px } from "../../../view/numbers.js";
-import { need, put, svg } from "../shared/dom.js";
+import { need, put, say, svg } from "../shared/dom.js";
 
 /** @typedef {import("../../../view/cost/figure.js").CostRow} CostRow */
 
@@ -26,6 +26,15 @@ export class CostFigure {
           svg("path", { class: "carts-cost-point", transform: `translate(${x} ${y})`, d }),
         ),
       );
+    }
+  }
+
+  /** @param {number | undefined} floor m/s @param {Record<string, number>} digits by method, as far as they are known */
+  tell(floor, digits) {
+    put(need(this.root, ".carts-cost-floor"), "d", levelAt(floor));
+    say(need(this.root, ".carts-cost-floor-name"), floor ? "rounding of a double" : "");
+    for (const place of this.root.querySelectorAll(".carts-cost-digit")) {
+      say(place, digitText(digits[place.getAttribute("data-of") ?? ""]));
     }
   }
 

@@ -1,0 +1,33 @@
+/** The guess before the figure: until it was made, or passed over, the figure and the table wait. */
+
+import { LEFT, RIGHT, yAt } from "../../../view/cost/figure.js";
+import { verdict } from "../../../view/cost/guess.js";
+import { px } from "../../../view/numbers.js";
+import { need, put, say } from "../shared/dom.js";
+
+/** @param {HTMLElement} root @param {() => import("../../../view/cost/figure.js").CostRow[]} rows those of the chosen scene */
+export function guessFirst(root, rows) {
+  const [form, known] = [need(root, ".carts-cost-guess"), need(root, ".carts-cost-known")];
+  const error = /** @type {HTMLSelectElement} */ (need(root, ".carts-cost-error"));
+  const bet = /** @type {HTMLSelectElement} */ (need(root, ".carts-cost-bet"));
+  const times = /** @type {HTMLInputElement} */ (need(root, ".carts-cost-times"));
+  const skip = need(root, ".carts-cost-skip");
+  form.hidden = false;
+  known.hidden = true;
+  const open = () => {
+    known.hidden = false;
+    skip.hidden = true;
+  };
+  skip.addEventListener("click", () => {
+    open();
+    need(root, ".carts-cost-show").focus();
+  });
+  need(root, ".carts-cost-show").addEventListener("click", () => {
+    open();
+    const asked = Number(error.value);
+    const typed = times.value.trim();
+    const said = { error: asked, bet: bet.value, times: typed ? Number(typed) : Number.NaN };
+    say(need(root, ".carts-cost-verdict"), verdict(rows(), said));
+    put(need(root, ".carts-cost-asked"), "d", `M${LEFT} ${px(yAt(asked))}H${RIGHT}`);
+  });
+}
