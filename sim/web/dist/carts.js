@@ -835,7 +835,6 @@
   }
 
   // src/cost/element.js
-  var PACKAGES2 = ["numpy", "scipy"];
   var ADAPTIVE = ["rk45", "adaptive"];
   function costElement(client2) {
     return class CartsCost extends HTMLElement {
@@ -911,7 +910,7 @@
         try {
           if (adaptive) {
             this.#note("Python’s scipy is being loaded …");
-            await client2.need(PACKAGES2);
+            await client2.need(PACKAGES);
           }
           const scene = this.#scene;
           const { header, numbers } = await client2.ask(this, () => ({
@@ -5471,7 +5470,7 @@
   }
 
   // src/scene/how/how.js
-  var PACKAGES3 = ["numpy", "scipy"];
+  var PACKAGES2 = ["numpy", "scipy"];
   var REST = 400;
   var How = class {
     /** @type {HowPanel | null} */
@@ -5569,7 +5568,7 @@
       try {
         if ("rtol" in panel.choice && !pageHasScipy()) {
           say(panel.note, LOADING2);
-          await this.client.need(PACKAGES3);
+          await this.client.need(PACKAGES2);
         }
         const { header, numbers } = await this.client.ask(
           this,

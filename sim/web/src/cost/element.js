@@ -7,7 +7,7 @@ import { need, say } from "../shared/dom.js";
 import { refusal } from "../shared/waiting.js";
 import { CostFigure } from "./figure.js";
 import { guessFirst } from "./guess.js";
-import { measureAll } from "./measuring.js";
+import { measureAll, PACKAGES } from "./measuring.js";
 import { CostStage } from "./stage.js";
 import { fill } from "./table.js";
 import { showWorking } from "./working.js";
@@ -20,7 +20,6 @@ import { showWorking } from "./working.js";
  * @typedef {{scenes: Record<string, object>, measured: Record<string, Measured>, run: CostRun}} CostFacts
  */
 
-const PACKAGES = ["numpy", "scipy"];
 const ADAPTIVE = ["rk45", "adaptive"]; // they have a tolerance in place of a step
 
 /** The element class for a client. @param {import("../runtime/client.js").Client} client */

@@ -9,7 +9,7 @@ import { refusal } from "../shared/waiting.js";
  *   tell: (floor: number, digits: Record<string, number>) => void}} Watching
  */
 
-const PACKAGES = ["numpy", "scipy"];
+export const PACKAGES = ["numpy", "scipy"]; // for the methods that choose their steps
 
 /**
  * Whether it came to its end; raises what Python refuses.
