@@ -11,14 +11,6 @@ import pytest
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
-from tests.second_try import (
-    pytest_runtest_logreport,
-    pytest_runtest_protocol,
-    pytest_terminal_summary,
-)
-
-__all__ = ["pytest_runtest_logreport", "pytest_runtest_protocol", "pytest_terminal_summary"]
-
 ROOT = Path(__file__).parents[1]
 
 

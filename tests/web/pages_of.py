@@ -9,6 +9,15 @@ from playwright.sync_api import Page, expect
 
 from sim.pages.language import language_folder
 
+MOST_SHIFT = 0.01  # cumulative layout shift: a tenth of what counts as good
+LATE = 300  # ms; what moves late moves within this
+COUNT_SHIFTS = """
+  window.shifted = 0;
+  new PerformanceObserver((list) => {
+    for (const entry of list.getEntries()) window.shifted += entry.value;
+  }).observe({ type: "layout-shift", buffered: true });
+"""
+
 
 def pages(site: Path) -> list[str]:
     """The addresses of all pages, from the site's folder; the largest translated lesson stands for
@@ -41,6 +50,15 @@ def settle(page: Page) -> None:
     for still in ("html[data-python=starting]", "carts-scene:not([data-state=live])"):
         page.wait_for_selector(still, state="detached", timeout=60_000)
     expect(page.locator("html[data-python=failed]")).to_have_count(0)
+
+
+def shift_of(page: Page) -> float:
+    """How far things have moved since the page was opened, Python's start included; the page runs
+    `COUNT_SHIFTS` when it begins, which Firefox has no word for."""
+    settle(page)
+    page.evaluate("document.fonts.ready")
+    page.wait_for_timeout(LATE)
+    return float(page.evaluate("window.shifted"))
 
 
 def one_of_each_kind(site: Path) -> list[str]:
